@@ -10,10 +10,10 @@ import numpy as np
 from osgeo import gdal
 
 from ..core.errors import LabelMapError
+from ..core.labels.class_colors import chosen_colors
 from ..core.labels.class_table import (
     ClassTable,
     LandCoverClass,
-    chosen_colors,
     class_table_from_csv,
     class_table_from_values,
 )

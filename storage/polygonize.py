@@ -10,7 +10,7 @@ from typing import Callable
 import numpy as np
 from osgeo import gdal
 
-from ..core.annotation.outlines import can_simplify, on_map, outlined, simplified
+from ..core.annotation.outlines import can_simplify, outline_regions, simplify, to_map
 from ..core.errors import LabelMapError
 from .gdal_errors import gdal_failures
 from .rasters import open_raster
@@ -55,11 +55,11 @@ class LabelPolygons:
             transform = _transform(raster)
             yield "Outlining regions", 0.3
             shape_hw = raster.RasterYSize, raster.RasterXSize
-            values, outlines = outlined(_rows(raster.GetRasterBand(1)), shape_hw, proceed)
+            values, outlines = outline_regions(_rows(raster.GetRasterBand(1)), shape_hw, proceed)
             yield "Simplifying borders", 0.6
             if self._tolerance > 0 and can_simplify() and len(outlines):
-                outlines = simplified(outlines, self._tolerance / np.sqrt(_pixel_area(transform)))
-            self.classes, self.polygons = values, on_map(outlines, transform)
+                outlines = simplify(outlines, self._tolerance / np.sqrt(_pixel_area(transform)))
+            self.classes, self.polygons = values, to_map(outlines, transform)
             # Close the file before its folder is removed.
             del raster
         yield "Simplifying borders", 1.0

@@ -10,8 +10,6 @@ from osgeo import gdal
 
 from ..core import limits
 from ..core.errors import LabelMapError, UnwritableError, reason_of
-from ..core.labels.class_colors import chosen_colors
-from ..core.labels.class_table import ClassTable, LandCoverClass, class_table_from_csv, class_table_from_values
 from ..core.labels.image_files import require_kind_of_name
 from .gdal_errors import gdal_failure, gdal_failures
 

@@ -1,1 +1,1 @@
-"""Annotations checked and repaired."""
+"""Check and repair land-cover layers: polygons with classes."""

@@ -1,4 +1,4 @@
-"""Checking an annotation: everything that is wrong or worth knowing before it becomes a label map."""
+"""Check a land-cover layer for everything that is wrong or noteworthy before it becomes a label map."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from .overlaps import NARROWEST_M, classes_of_faces, find_same_class_neighbors
 from .partition import PlanarPartition, dissolve, find_regions, region_owners
 from .polygons import AnnotatedFeature, AnnotatedPolygons, to_wkb
 from .raster_losses import RegionRuns, count_pieces, lost_regions, merged_regions
-from .surface import Surface, laid_polygons
+from .surface import Surface, overlay_polygons
 
 
 @dataclass(frozen=True)
 class CheckSettings:
-    """What a check takes for a landmark and for a gap.
+    """Settings of a check.
 
     Attributes:
-        minimum_area: m²; smaller regions are no landmarks.
+        minimum_area: m²; smaller regions are not landmarks.
         maximum_gap: m²; enclosed gaps up to this area are reported.
         landmark_classes: Class values that become landmarks.
     """
@@ -52,7 +52,7 @@ class DrawnRegion:
 
 
 class AnnotationCheck:
-    """Everything that is wrong with features, but for what pixels do to landmarks (``find_raster_losses``).
+    """Checks features for everything except the effects of pixels on landmarks (``find_raster_losses``).
 
     Iterate ``steps()`` to the end; then both lists are filled.
 
@@ -70,20 +70,20 @@ class AnnotationCheck:
         """Check step by step.
 
         Yields:
-            What is being done, and the share that is done, 0…1.
+            The current step, and the share done, 0…1.
         """
-        surface = yield from laid_polygons(self._features, AnnotatedPolygons.drawn_ranks, self.findings)
+        surface = yield from overlay_polygons(self._features, AnnotatedPolygons.drawn_ranks, self.findings)
         if surface is None:
             return
         polygons, partition = surface.polygons, surface.partition
         yield "Looking for gaps and slivers", 0.8
         self.findings += find_gaps_and_slivers(polygons, partition, self._settings.maximum_gap)
-        yield "Looking at neighbors of one class", 0.85
+        yield "Checking neighbors of the same class", 0.85
         classes = self._settings.landmark_classes
         self.findings += find_same_class_neighbors(polygons, partition, surface.ranks, classes)
-        yield "Looking at landmarks", 0.9
+        yield "Checking landmarks", 0.9
         self._find_landmarks(surface)
-        yield "Looking at landmarks", 1.0
+        yield "Checking landmarks", 1.0
 
     def _find_landmarks(self, surface: Surface) -> None:
         polygons, partition = surface.polygons, surface.partition
@@ -104,12 +104,12 @@ class AnnotationCheck:
 
 
 def find_gaps_and_slivers(polygons: AnnotatedPolygons, partition: PlanarPartition, maximum_gap: float) -> list[Finding]:
-    """Find what repairing would give to a neighbor: gaps between polygons, and thin pieces seen between them.
+    """Find gaps between polygons and thin visible pieces between them, which a repair would give to a neighbor.
 
-    Overlaps without priority are taken as repaired.
+    Overlaps without priority count as repaired.
 
     Args:
-        maximum_gap: m²; larger gaps are meant to be there.
+        maximum_gap: m²; larger gaps count as intended.
 
     Returns:
         Warnings, one for each gap or thin piece.
@@ -128,19 +128,19 @@ def find_gaps_and_slivers(polygons: AnnotatedPolygons, partition: PlanarPartitio
 def find_raster_losses(
     landmarks: Sequence[DrawnRegion], runs: RegionRuns, minimum_area: float, pixel_size: float
 ) -> list[Finding]:
-    """Find what a raster makes of landmarks.
+    """Find landmarks that rasterizing changes.
 
-    A landmark is lost when none of its pieces has the minimum contour area, merged when its pixels touch those of
-    another of its class, and split when its pixels fall into pieces.
+    A landmark is lost if no piece of it has the minimum contour area, merged if its pixels touch those of another of
+    its class, and split if its pixels form several pieces.
 
     Args:
-        landmarks: As they were drawn.
+        landmarks: As drawn.
         runs: Their pixels; landmark n is region n + 1.
         minimum_area: m², of a landmark.
         pixel_size: Edge of a pixel, m.
 
     Returns:
-        Warnings: those that are lost, then merged, then split.
+        Warnings: lost ones, then merged, then split.
     """
     count = len(landmarks) + 1
     classes = np.array([NOTHING, *(landmark.class_value for landmark in landmarks)])

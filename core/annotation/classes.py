@@ -1,4 +1,4 @@
-"""Which class a feature of an annotation is of: what its class field holds, by a class table or by the field alone."""
+"""Class of a feature of a land-cover layer: from its class field, with a class table or without."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from ..labels.class_colors import chosen_colors
 from ..labels.class_table import BACKGROUND, REFERENCE, ClassTable, LandCoverClass, require_class_count, shortened
 
 StyledClass = tuple[tuple[object, ...], str, str]
-"""Raw values of the class field that one class stands for, its name, its color or an empty text."""
+"""Raw values of the class field for one class, its name, and its color or an empty text."""
 
 _NAMED_AT_MOST = 5
-"""Unknown class values that a message names."""
+"""Largest number of unknown class values in a message."""
 
 
 class ClassLookup:
-    """Raw attribute value → class value, as the class table says."""
+    """Class values by raw attribute value."""
 
     def __init__(self, table: ClassTable, by_raw: dict[str, int] | None = None) -> None:
-        """Keep what is known.
+        """Store the table.
 
         Args:
             by_raw: Class values by the text of the raw value; without it the table's own names and values.
@@ -31,7 +31,7 @@ class ClassLookup:
         self._fixed = by_raw is not None
 
     def value(self, raw: object) -> int | None:
-        """Return the class value of an attribute, or None when the table does not have it."""
+        """Return the class value of an attribute, or None if the table lacks it."""
         text = raw_text(raw)
         if text not in self._known:
             found = None if self._fixed else self.table.find(text)
@@ -39,7 +39,7 @@ class ClassLookup:
         return self._known[text]
 
     def raw_values(self, value: int, as_numbers: bool) -> list[object]:
-        """Return what features of a class value may have in the class field: numbers, or texts."""
+        """Return the possible values of the class field for a class value: numbers, or texts."""
         one = self.table.by_value(value)
         names = [one.name] if one and not as_numbers else []
         known_raws = [raw for raw, known in self._known.items() if known == value]
@@ -50,14 +50,14 @@ class ClassLookup:
 
 
 def raw_text(raw: object) -> str:
-    """Return an attribute as text; whole numbers without their point."""
+    """Return an attribute as text; whole numbers without decimal point."""
     if isinstance(raw, float) and raw.is_integer():
         return str(int(raw))
     return str(raw).strip()
 
 
 def distinct(raws: Iterable[object]) -> list[object]:
-    """Attributes that are none but once, in the order of their numbers or texts; empty ones are left out."""
+    """Return each attribute once, in the order of their numbers or texts, without empty ones."""
     found: dict[str, object] = {}
     for raw in raws:
         if raw_text(raw):
@@ -67,14 +67,14 @@ def distinct(raws: Iterable[object]) -> list[object]:
 
 
 def lookup_of(found: Sequence[StyledClass], is_number: bool) -> ClassLookup:
-    """Return the classes of an annotation without a class table.
+    """Return the classes of a layer without a class table.
 
     Args:
-        found: What its features have, in order.
-        is_number: Whether the class field holds numbers.
+        found: Classes of its features, in order.
+        is_number: Whether the class field has numbers.
 
     Raises:
-        ClassTableError: They are too many.
+        ClassTableError: There are too many classes.
     """
     require_class_count(len(found))
     texts = [raw_text(values[0]) for values, _, _ in found]
@@ -84,7 +84,7 @@ def lookup_of(found: Sequence[StyledClass], is_number: bool) -> ClassLookup:
         labels = texts
     numbers = [int(t) for t in texts] if as_values else list(range(1, len(texts) + 1))
     chosen = chosen_colors(zip(numbers, labels))
-    # Landmarks can only be of it.
+    # The only class must be the landmark class.
     role = REFERENCE if len(found) == 1 else BACKGROUND
     classes = [
         LandCoverClass(number, label, color or other, role)
@@ -95,11 +95,11 @@ def lookup_of(found: Sequence[StyledClass], is_number: bool) -> ClassLookup:
 
 
 def require_known_classes(unknown: Mapping[str, int], source: str, table: ClassTable) -> None:
-    """Raise AnnotationError naming the class values that the table does not have.
+    """Raise AnnotationError with the class values that the table lacks.
 
     Args:
-        unknown: Features by such a value.
-        source: What the annotation is called.
+        unknown: Number of features by such a value.
+        source: Name of the layer.
     """
     if not unknown:
         return

@@ -1,4 +1,4 @@
-"""What can be wrong with an annotation: kinds of findings and how severe they are."""
+"""Findings about a land-cover layer: their kinds and severities."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ ERROR, WARNING, INFORMATION = "error", "warning", "information"
 SEVERITIES = (ERROR, WARNING, INFORMATION)
 
 NOTHING = -1
-"""Class of places that no polygon covers, and of features without a class; 0 is a class value like others."""
+"""Class of ground without a polygon, and of features without a class; 0 is a class value like others."""
 
 INVALID = "invalid"
 NO_GEOMETRY = "no_geometry"
@@ -49,26 +49,26 @@ CHECKED_KINDS = (
 )
 
 DISSOLVED = "dissolved"
-"""Only of repairs: polygons of one class that touched are one now."""
+"""Only in repairs: touching polygons of one class were joined."""
 
 
 @dataclass(frozen=True)
 class Finding:
-    """One thing that is wrong with an annotation, or that a repair changed.
+    """A problem of a land-cover layer, or a change by a repair.
 
     Attributes:
         kind: One of CHECKED_KINDS, or DISSOLVED.
         severity: One of SEVERITIES.
-        wkb: WKB of a (multi)polygon to show, coordinates in meters; None where there is none.
-        feature_id: Id of the feature; None where no feature is concerned.
-        other_id: Id of the other feature; None where no other is concerned.
-        class_value: Class of the feature; NOTHING for none.
-        other_class: Class of the other feature; NOTHING for none.
-        area: m²; None where it has none.
-        reason: Why a geometry is invalid, or the value that is no class.
-        number: What the kind measures or counts: meters of shared border, pieces, features.
-        decided: Whether a priority says which of two polygons lies on top.
-        is_landmark: Of neighbors, whether their class is one of landmarks.
+        wkb: WKB of a (multi)polygon to show, coordinates in meters, or None.
+        feature_id: Id of the feature, or None.
+        other_id: Id of the other feature, or None.
+        class_value: Class of the feature, or NOTHING.
+        other_class: Class of the other feature, or NOTHING.
+        area: m², or None.
+        reason: Why a geometry is invalid, or the value that is not a class.
+        number: Measure or count of the kind: meters of shared border, pieces, features.
+        decided: Whether a priority decides which of two polygons is on top.
+        is_landmark: For neighbors, whether their class is a landmark class.
     """
 
     kind: str

@@ -1,4 +1,4 @@
-"""Gaps and slivers between neighbors: which they are, and which neighbor they go to."""
+"""Merge gaps and slivers with neighboring polygons."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from .partition import PlanarPartition, Regions, find_regions
 from .polygons import AnnotatedPolygons, to_wkb
 
 THIN_M = 0.25
-"""Gaps and pieces between neighbors with a smaller mean width (m) come from drawing, not from the ground."""
+"""Gaps and pieces between neighbors with a smaller mean width (m) are drawing errors."""
 
 
 @dataclass(frozen=True)
 class MergeSettings:
-    """What goes to a neighbor. Thin gaps and pieces always do.
+    """Limits of merging. Thin gaps and pieces are always merged.
 
     Attributes:
         maximum_gap: m²; enclosed gaps up to this area are filled.
@@ -30,10 +30,10 @@ class MergeSettings:
 
 @dataclass(frozen=True)
 class Merge:
-    """Faces that go to a neighbor's class.
+    """Faces that get the class of a neighbor.
 
     Attributes:
-        faces: (n,) int64 numbers of the faces.
+        faces: (n,) int64 indices of the faces.
         from_class: Their class; NOTHING for a gap.
         to_class: The neighbor's class.
     """
@@ -46,14 +46,14 @@ class Merge:
 def merge_gaps_and_slivers(
     partition: PlanarPartition, face_classes: np.ndarray, settings: MergeSettings
 ) -> tuple[np.ndarray, list[Merge]]:
-    """Return every gap and sliver to the neighbor it shares the longest border with.
+    """Give every gap and sliver to the neighbor with the longest shared border.
 
-    Neighbors that are no slivers themselves come first.
+    Neighbors that are not slivers themselves are preferred.
 
     Args:
         partition: F faces.
-        face_classes: (F,) class values as seen from above.
-        settings: What counts as a gap and as a sliver.
+        face_classes: (F,) visible class values.
+        settings: Limits of gaps and slivers.
 
     Returns:
         (F,) class values afterwards, and the merges in their order.
@@ -65,7 +65,7 @@ def merge_gaps_and_slivers(
         unwanted = _unwanted(regions, settings)
         target = _longest_neighbors(regions, unwanted, taking=~unwanted)
         if (target < 0).all():
-            # What is left has none but its like beside it: the smallest begins.
+            # The remaining ones have only each other as neighbors: start with the smallest.
             target = _smallest_only(regions, _longest_neighbors(regions, unwanted, taking=np.ones_like(unwanted)))
         moved = np.flatnonzero(target >= 0)
         if not len(moved):
@@ -81,12 +81,12 @@ def merge_gaps_and_slivers(
 def merge_finding(
     merge: Merge, severity: str, polygons: AnnotatedPolygons, partition: PlanarPartition, top: np.ndarray
 ) -> Finding:
-    """Return a gap or sliver as a finding, with the feature that is seen on most of it.
+    """Return a gap or sliver as a finding, with the feature that is visible on most of it.
 
     Args:
         polygons: N polygons.
         partition: Their F faces.
-        top: (F,) int64 polygon seen on each face, −1 for none.
+        top: (F,) int64 visible polygon on each face, or −1.
 
     Returns:
         The finding; its area in m².
@@ -106,25 +106,25 @@ def merge_finding(
 def _unwanted(regions: Regions, settings: MergeSettings) -> np.ndarray:
     """Return (R,) bool: which regions are gaps or slivers."""
     limits = np.where(regions.classes == NOTHING, settings.maximum_gap, settings.minimum_area)
-    # A gap as large as the limit is filled, a piece as large as the limit stays.
+    # A gap with exactly the limit's area is filled; such a piece remains.
     too_small = np.where(regions.classes == NOTHING, regions.areas <= limits, regions.areas < limits)
     return too_small | (regions.mean_widths < THIN_M)
 
 
 def _longest_neighbors(regions: Regions, unwanted: np.ndarray, taking: np.ndarray) -> np.ndarray:
-    """Return (R,) int64: the neighbor, of those ``taking``, that each unwanted region goes to; −1 for none."""
+    """Return (R,) int64: the neighbor among ``taking`` for each unwanted region, or −1."""
     target = np.full(len(regions.classes), -1, np.int64)
     one, other = regions.neighbors.T
     possible = unwanted[one] & taking[other] & (regions.classes[other] != NOTHING)
     one, other, lengths = one[possible], other[possible], regions.border_lengths[possible]
     order = np.lexsort((-other, lengths))
-    # Of several values for one place numpy keeps the last: the longest.
+    # Of several values for one index numpy stores the last: the longest.
     target[one[order]] = other[order]
     return target
 
 
 def _smallest_only(regions: Regions, target: np.ndarray) -> np.ndarray:
-    """Return (R,) int64: the target of the smallest region that has one; −1 for all others."""
+    """Return (R,) int64: the target of the smallest region with one; −1 for all others."""
     merging = np.flatnonzero(target >= 0)
     only = np.full_like(target, -1)
     if len(merging):

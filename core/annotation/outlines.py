@@ -1,11 +1,11 @@
 """Outlines of the regions of a label map, as polygons that share borders vertex by vertex.
 
-A ring runs along the edges of pixels with its region at its right hand (rows count downwards): clockwise around the
-region, the other way round in its holes. It has a vertex where it turns and where other regions meet at its edge. Along
-a line of the grid, edges of one direction lie one behind the other; so sorted, the n-th vertex that one leaves in that
-direction is followed by the n-th that one comes to in it.
+A ring follows the edges of pixels with its region on its right (rows count downwards): clockwise around the region,
+counter-clockwise in its holes. It has a vertex where it turns and where other regions meet at its edge. Edges of one
+direction on a grid line are in order. So the n-th vertex that a ring leaves in that direction is followed by the n-th
+vertex that a ring reaches in it.
 
-Polygons with such borders (a coverage) are simplified alike on both sides.
+Polygons with such borders (a coverage) are simplified in the same way on both sides.
 """
 
 from __future__ import annotations
@@ -23,28 +23,28 @@ from .polygons import to_wkb
 
 RIGHT, DOWN, LEFT, UP = range(4)
 _STRAIGHT, _TO_OWN_SIDE, _AWAY = 0, 1, 3
-"""Turns: what to add to a direction."""
+"""Turns: numbers to add to a direction."""
 
 _ROWS_AT_ONCE = 2048
 
 _STARTS_AT_ONCE = 1 << 16
 
 Rows = Callable[[int, int], np.ndarray]
-"""(first, one after the last) row of a label map → (rows, W) uint8."""
+"""(first, last + 1) row of a label map → (rows, W) uint8."""
 
 
-def outlined(
+def outline_regions(
     rows: Rows, shape_hw: tuple[int, int], proceed: Callable[[], bool] = lambda: True
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the 4-connected regions of a label map but those without a label.
+    """Return the 4-connected labeled regions of a label map as polygons.
 
     Args:
         shape_hw: (height, width) of the label map in pixels.
-        proceed: Asked now and then; once False nothing is found any more.
+        proceed: Called now and then; if it returns False, the result is empty.
 
     Returns:
-        (n,) uint8 labels and (n,) shapely polygons in pixels (column, row), valid; where borders are shared, both sides
-        have the same vertices. Each ring begins with its topmost vertex, of several with the leftmost.
+        (n,) uint8 labels and (n,) valid shapely polygons in pixels (column, row). On shared borders both sides have the
+        same vertices. Each ring starts at its topmost vertex, of several at the leftmost.
     """
     nothing = np.empty(0, np.uint8), np.empty(0, object)
     try:
@@ -55,7 +55,7 @@ def outlined(
 
 
 def _polygons(corners: _Corners, rows: Rows, proceed: Callable[[], bool]) -> tuple[np.ndarray, np.ndarray]:
-    """Return what ``outlined`` gives, of at least one region. Raises _StoppedError."""
+    """Return the result of ``outline_regions`` for at least one region. Raises _StoppedError."""
     order, ends = corners.rings(proceed)
     sizes = np.diff(ends, prepend=0)
     begins = ends - sizes
@@ -67,7 +67,7 @@ def _polygons(corners: _Corners, rows: Rows, proceed: Callable[[], bool]) -> tup
     by_polygon = np.lexsort((is_hole, outer))
     topmost = _smallest(corners.places[order], begins) - begins
     begins, sizes, topmost = (some[by_polygon] for some in (begins, sizes, topmost))
-    # Backwards, so that with y up they run as OGC has it; each ends where it begins.
+    # Backwards, so that with y up they have OGC's orientation; each ends at its first vertex.
     ring_ends = np.cumsum(sizes + 1)
     step = np.arange(ring_ends[-1]) - np.repeat(ring_ends - sizes - 1, sizes + 1)
     first, size, begin = (np.repeat(some, sizes + 1) for some in (topmost, sizes, begins))
@@ -79,7 +79,7 @@ def _polygons(corners: _Corners, rows: Rows, proceed: Callable[[], bool]) -> tup
     return corners.labels[order[begins[polygon_begins]]], np.asarray(polygons, object)
 
 
-def _outer(  # noqa: PLR0913 - rings as they were found
+def _outer(  # noqa: PLR0913 - the data of the rings
     corners: _Corners,
     order: np.ndarray,
     begins: np.ndarray,
@@ -87,29 +87,29 @@ def _outer(  # noqa: PLR0913 - rings as they were found
     rows: Rows,
     proceed: Callable[[], bool],
 ) -> np.ndarray:
-    """Return (rings,) number of the ring around each, of one that is no hole its own."""
+    """Return (rings,) index of the outer ring of each hole; for other rings their own index."""
     outer, holes = np.arange(len(begins)), np.flatnonzero(is_hole)
     if not len(holes):
         return outer
-    # Of a hole's edges that lie farthest left: its region is left of there.
+    # Of a hole's leftmost edges: the region around the hole is left of them.
     columns = np.where(corners.leaving[order] == DOWN, corners.columns[order], corners.shape_hw[1] + 1)
     leftmost = order[_smallest(columns, begins)[holes]]
     outer[holes] = _spread(order, begins)[corners.left_of(leftmost, rows, proceed)]
-    # What bounds the region there may be another hole, but that one reaches farther left.
+    # The ring that bounds the region there may be another hole, but that one extends farther left.
     while is_hole[outer].any():
         outer = outer[outer]
     return outer
 
 
 def _smallest(values: np.ndarray, begins: np.ndarray) -> np.ndarray:
-    """Return (rings,) place of each ring's first smallest value."""
+    """Return (rings,) index of each ring's first smallest value."""
     count = len(values)
     return np.minimum.reduceat(values * count + np.arange(count), begins) % count
 
 
 @dataclass(frozen=True)
 class _Corners:
-    """Vertices of rings, sorted by the direction in which one comes to them, then by place.
+    """Vertices of rings, sorted by the direction in which the ring reaches them, then by position.
 
     Attributes:
         shape_hw: (height, width) of the label map.
@@ -117,7 +117,7 @@ class _Corners:
         coming: (N,) uint8 direction.
         leaving: (N,) uint8 direction.
         labels: (N,) uint8 of the region.
-        touches: (N,) bool, whether the pixel across the corner, and neither beside it, has that label, too.
+        touches: (N,) bool, whether only the diagonal pixel also has that label, not the pixels beside it.
     """
 
     shape_hw: tuple[int, int]
@@ -142,7 +142,7 @@ class _Corners:
             if not proceed():
                 raise _StoppedError
             a, b, c, d = labels[:-1, :-1], labels[:-1, 1:], labels[1:, :-1], labels[1:, 1:]
-            # At the right hand and at the left one, before the vertex and beyond it.
+            # On the right and on the left, before the vertex and after it.
             seen = ((c, a, d, b), (a, b, c, d), (b, d, a, c), (d, c, b, a))
             for direction, (own, across, ahead, beyond) in enumerate(seen):
                 turns = (ahead != own) | (across != beyond)
@@ -161,7 +161,7 @@ class _Corners:
         return _Corners(shape_hw, places, coming, leaving, labels, touches)
 
     def rings(self, proceed: Callable[[], bool]) -> tuple[np.ndarray, np.ndarray]:
-        """Return (N,) numbers of vertices ring by ring, and (rings,) where each ends there; no ring meets itself."""
+        """Return (N,) indices of vertices ring by ring, and (rings,) end of each; no ring touches itself."""
         following = self._following()
         order, ends = _rings(following, proceed)
         ring_of = _spread(order, np.append(0, ends[:-1]))
@@ -173,14 +173,14 @@ class _Corners:
         both = ring_of[one] == ring_of[other]
         if not both.any():
             return order, ends
-        # A ring that comes to one place twice is two that touch there: each goes on where the other would have.
+        # A ring that reaches one point twice is two rings that touch there: exchange their continuations.
         one, other = one[both], other[both]
         for some in (following, self.leaving):
             some[one], some[other] = some[other], some[one]
         return _rings(following, proceed)
 
     def _following(self) -> np.ndarray:
-        """Return (N,) int64 number of the vertex after each."""
+        """Return (N,) int64 index of the next vertex of each."""
         found = np.empty(len(self.places), np.int64)
         for direction in range(4):
             along = self._along(direction)
@@ -189,15 +189,15 @@ class _Corners:
         return found
 
     def _along(self, direction: int) -> np.ndarray:
-        """Return (N,) int64 by which vertices of a line follow each other."""
+        """Return (N,) int64 sort key of vertices along a line."""
         return self.places if direction in (RIGHT, LEFT) else self.columns * (self.shape_hw[0] + 1) + self.rows
 
     def left_of(self, leftmost: np.ndarray, rows: Rows, proceed: Callable[[], bool]) -> np.ndarray:
-        """Return (m,) numbers of the vertices to which the edge comes that bounds a region at its left.
+        """Return (m,) indices of the vertices at the end of the edges that bound the regions on the left.
 
         Args:
-            leftmost: (m,) numbers of vertices which one leaves downwards.
-            proceed: Asked now and then.
+            leftmost: (m,) indices of vertices that rings leave downwards.
+            proceed: Called now and then.
         """
         places, width = self.places[leftmost], self.shape_hw[1] + 1
         changes = places.copy()
@@ -217,7 +217,7 @@ class _Corners:
 
 
 def _framed(rows: Rows, shape_hw: tuple[int, int]) -> Iterator[tuple[int, np.ndarray]]:
-    """Return (number of the first row of corners, labels of the rows above and below each, with a frame without a label)."""
+    """Yield first rows of corners, and the labels above and below them with a frame of unlabeled pixels."""
     height, width = shape_hw
     for first in range(0, height + 1, _ROWS_AT_ONCE):
         last = min(first + _ROWS_AT_ONCE, height + 1)
@@ -228,12 +228,12 @@ def _framed(rows: Rows, shape_hw: tuple[int, int]) -> Iterator[tuple[int, np.nda
 
 
 class _StoppedError(Exception):
-    """Nothing more is to be found."""
+    """The caller stopped the work."""
 
 
 def _rings(following: np.ndarray, proceed: Callable[[], bool]) -> tuple[np.ndarray, np.ndarray]:
-    """Return (N,) numbers of vertices ring by ring, and (rings,) where each ends there. Raises _StoppedError."""
-    # One by one, but in plain numbers: numpy would have to double its steps through all of them again and again.
+    """Return (N,) indices of vertices ring by ring, and (rings,) end of each. Raises _StoppedError."""
+    # One by one with plain integers: numpy would need many passes of pointer doubling over all of them.
     after, order, ends = array("q", following.tobytes()), array("q"), array("q")
     add = order.append
     for first in range(len(after)):
@@ -251,34 +251,34 @@ def _rings(following: np.ndarray, proceed: Callable[[], bool]) -> tuple[np.ndarr
 
 
 def _spread(order: np.ndarray, begins: np.ndarray) -> np.ndarray:
-    """Return (N,) number of each vertex's ring."""
+    """Return (N,) index of each vertex's ring."""
     ring_of = np.empty(len(order), np.int64)
     ring_of[order] = np.repeat(np.arange(len(begins)), np.diff(begins, append=len(order)))
     return ring_of
 
 
 def can_simplify() -> bool:
-    """Return whether this shapely and GEOS can simplify polygons that share borders (shapely 2.1 and GEOS 3.12 can)."""
+    """Return whether shapely and GEOS can simplify polygons with shared borders (shapely 2.1 and GEOS 3.12 can)."""
     return hasattr(shapely, "coverage_simplify") and shapely.geos_version >= (3, 12, 0)
 
 
 def areas_and_wkb(polygons: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return (n,) areas and (n,) well-known binaries; of all at once, for asking each polygon takes several times as long."""
+    """Return (n,) areas and (n,) well-known binaries; for all at once, which is several times as fast as one by one."""
     return shapely.area(polygons), np.asarray(to_wkb(polygons), object)
 
 
-def simplified(polygons: np.ndarray, tolerance: float) -> np.ndarray:
-    """Return (n,) polygons of a coverage, borders straightened alike on both sides; needs ``can_simplify``.
+def simplify(polygons: np.ndarray, tolerance: float) -> np.ndarray:
+    """Return (n,) polygons of a coverage with simplified borders, equal on both sides; needs ``can_simplify``.
 
     Args:
         polygons: (n,) shapely polygons that share borders vertex by vertex.
-        tolerance: Corners go whose triangle is smaller than the square of it (Visvalingam and Whyatt 1993).
+        tolerance: Corners with a triangle smaller than its square are removed (Visvalingam and Whyatt 1993).
     """
     return np.asarray(shapely.coverage_simplify(polygons, tolerance), object)
 
 
-def on_map(polygons: np.ndarray, transform: Sequence[float]) -> np.ndarray:
-    """Return (n,) polygons in pixel coordinates (column, row), in map coordinates; ``transform``: GDAL's six numbers."""
+def to_map(polygons: np.ndarray, transform: Sequence[float]) -> np.ndarray:
+    """Return (n,) polygons in map coordinates from pixel coordinates; ``transform``: GDAL's six numbers."""
     x0, x_column, x_row, y0, y_column, y_row = transform
 
     def moved(points: np.ndarray) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""Polygons that lie on each other: overlaps, duplicates, polygons that nothing is seen of."""
+"""Polygons that cover each other: overlaps, duplicates, hidden polygons."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from .partition import PlanarPartition, corner_neighbors
 from .polygons import AnnotatedPolygons, to_wkb
 
 NARROWEST_M = 0.001
-"""Overlaps with a smaller mean width (m) are rounding; they are mended, but not worth telling."""
+"""Overlaps with a smaller mean width (m) are rounding errors; they are repaired, but not reported."""
 
 
 def find_duplicates(polygons: AnnotatedPolygons, partition: PlanarPartition) -> tuple[list[Finding], np.ndarray]:
-    """Find polygons that cover just what an earlier one covers.
+    """Find polygons that cover exactly what an earlier one covers.
 
-    With different classes it is an error, unless a priority says which lies on top.
+    With different classes it is an error, unless a priority decides which is on top.
 
     Returns:
         A finding for each such polygon, and (N,) bool which these are.
@@ -46,13 +46,13 @@ def find_duplicates(polygons: AnnotatedPolygons, partition: PlanarPartition) -> 
 def find_overlaps(
     polygons: AnnotatedPolygons, partition: PlanarPartition, ranks: np.ndarray, ignored: np.ndarray
 ) -> list[Finding]:
-    """Find each two polygons of different features and classes that share an area.
+    """Find pairs of polygons of different features and classes that share an area.
 
-    Where priorities differ they say what lies on top, and the finding is information; else it is an error.
+    If a priority decides which is on top, the finding is information, otherwise an error.
 
     Args:
-        ranks: (N,) int64, higher lie on top.
-        ignored: (N,) bool, polygons left out.
+        ranks: (N,) int64, higher ones are on top.
+        ignored: (N,) bool, polygons to skip.
 
     Returns:
         A finding for each pair, the upper polygon first.
@@ -77,11 +77,11 @@ def find_overlaps(
 def find_hidden(
     polygons: AnnotatedPolygons, partition: PlanarPartition, ranks: np.ndarray, duplicates: list[Finding]
 ) -> list[Finding]:
-    """Find polygons of which nothing is seen from above.
+    """Find polygons that are completely hidden.
 
     Args:
-        ranks: (N,) int64, higher lie on top.
-        duplicates: Polygons that a duplicate hides; they are told already.
+        ranks: (N,) int64, higher ones are on top.
+        duplicates: Findings of hidden duplicates, which are not repeated.
 
     Returns:
         A finding for each other hidden polygon, with the polygon that covers most of it.
@@ -96,19 +96,19 @@ def find_hidden(
     found = [
         _pair(HIDDEN, WARNING, polygons, (n, max(over, key=over.__getitem__))) for n, over in sorted(covered.items())
     ]
-    told = {frozenset((duplicate.feature_id, duplicate.other_id)) for duplicate in duplicates}
-    return [hidden for hidden in found if frozenset((hidden.feature_id, hidden.other_id)) not in told]
+    known = {frozenset((duplicate.feature_id, duplicate.other_id)) for duplicate in duplicates}
+    return [hidden for hidden in found if frozenset((hidden.feature_id, hidden.other_id)) not in known]
 
 
 def find_same_class_neighbors(
     polygons: AnnotatedPolygons, partition: PlanarPartition, ranks: np.ndarray, landmark_classes: Sequence[int]
 ) -> list[Finding]:
-    """Find each two features of one class that touch as seen from above.
+    """Find pairs of features of one class that visibly touch.
 
-    Landmarks are told also where they touch in a point only: pixels that touch by a corner belong to one object, too.
+    Landmarks are also reported if they touch in one point, because pixels that touch by a corner form one region.
 
     Args:
-        ranks: (N,) int64, higher lie on top.
+        ranks: (N,) int64, higher ones are on top.
         landmark_classes: Class values that become landmarks.
 
     Returns:
@@ -119,10 +119,10 @@ def find_same_class_neighbors(
     pairs, same = _of_one_class(polygons, top, partition.neighbors)
     for pair, length in zip(pairs, partition.border_lengths[same].tolist()):
         lengths[pair] += length
-    told = {_features(polygons, pair) for pair in lengths}
+    known = {_features(polygons, pair) for pair in lengths}
     for pair in _of_one_class(polygons, top, corner_neighbors(partition, classes_of_faces(polygons, top)))[0]:
-        if polygons.classes[pair[0]] in landmark_classes and _features(polygons, pair) not in told:
-            told.add(_features(polygons, pair))
+        if polygons.classes[pair[0]] in landmark_classes and _features(polygons, pair) not in known:
+            known.add(_features(polygons, pair))
             lengths[pair] = 0.0
     areas = shapely.area(polygons.geometries)
     found = []
@@ -135,14 +135,14 @@ def find_same_class_neighbors(
 
 
 def classes_of_faces(polygons: AnnotatedPolygons, top: np.ndarray) -> np.ndarray:
-    """Return (F,) class values of the polygons seen from above, NOTHING where ``top`` is −1."""
+    """Return (F,) class values of the visible polygons, NOTHING where ``top`` is −1."""
     return np.where(top >= 0, np.append(polygons.classes, NOTHING)[top], NOTHING)
 
 
 def _of_one_class(
     polygons: AnnotatedPolygons, top: np.ndarray, neighbors: np.ndarray
 ) -> tuple[list[tuple[int, int]], np.ndarray]:
-    """Pairs of polygons of one class and different features, and (E,) bool which of the ``neighbors`` they are."""
+    """Return pairs of polygons of one class and different features, and (E,) bool: which ``neighbors`` they are."""
     pairs = top[neighbors]
     both = (pairs >= 0).all(axis=1)
     same = np.zeros(len(pairs), bool)
@@ -171,7 +171,7 @@ def _pair(
     pair: tuple[int, int],
     geometry: shapely.Geometry | None = None,
 ) -> Finding:
-    """Return a finding about two polygons, by their numbers; it shows ``geometry``, or the first polygon."""
+    """Return a finding about two polygons, by index; it shows ``geometry``, or the first polygon."""
     one, other = pair
     shown = polygons.geometries[one] if geometry is None else geometry
     return Finding(

@@ -1,7 +1,7 @@
-"""Overlapping polygons → faces that don't overlap: what lies where, what touches what, without pairs of everything.
+"""Cut overlapping polygons into faces that do not overlap: visibility and neighbors without comparing all pairs.
 
-All boundaries are cut where they meet, on a grid so fine that no pixel notices, and closed to faces again. Neighboring
-faces then have the same vertices, so that areas add up exactly and a second pass finds nothing left to cut.
+All boundaries are cut at their intersections, on a grid much finer than a pixel, and polygonized. Neighboring faces
+then have the same vertices, so that areas add up exactly and a second pass changes nothing.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import shapely
 from ..landmarks.joining import connected_components
 
 GRID_M = 1e-6
-"""Vertices lie on multiples of this (m): a micrometer. Doubles resolve 10⁻⁹ m at the coordinates of a UTM zone."""
+"""Vertices are multiples of this (m): a micrometer. Doubles resolve 10⁻⁹ m at the coordinates of a UTM zone."""
 
 
 @dataclass(frozen=True)
@@ -25,8 +25,8 @@ class PlanarPartition:
         faces: (F,) shapely polygons.
         areas: (F,) m².
         perimeters: (F,) m.
-        cover_faces: (K,) int64 numbers of faces, rising.
-        cover_polygons: (K,) int64 numbers of polygons.
+        cover_faces: (K,) int64 indices of faces, ascending.
+        cover_polygons: (K,) int64 indices of polygons.
         neighbors: (E, 2) int64 faces that share a border, each pair once.
         border_lengths: (E,) m.
     """
@@ -43,31 +43,31 @@ class PlanarPartition:
         return len(self.faces)
 
     def top_polygons(self, ranks: np.ndarray) -> np.ndarray:
-        """Return the polygon that is seen from above on each face.
+        """Return the visible polygon of each face.
 
         Args:
-            ranks: (N,) of the polygons, higher lie on top.
+            ranks: (N,) of the polygons, higher ones are on top.
 
         Returns:
-            (F,) int64 numbers of polygons, −1 where there is none.
+            (F,) int64 indices of polygons, or −1.
         """
         top = np.full(len(self.faces), -1, np.int64)
         order = np.argsort(ranks[self.cover_polygons], kind="stable")
-        # Of several values for one place numpy keeps the last.
+        # Of several values for one index numpy stores the last.
         top[self.cover_faces[order]] = self.cover_polygons[order]
         return top
 
 
 @dataclass(frozen=True)
 class Regions:
-    """R regions of connected faces of one class: what one landmark is made of.
+    """R regions of connected faces of one class; each may become a landmark.
 
     Attributes:
         of_face: (F,) int64 region of each face.
         classes: (R,) class values; NOTHING for uncovered regions.
         areas: (R,) m².
         perimeters: (R,) m.
-        neighbors: (E, 2) int64 regions that share a border, both ways round.
+        neighbors: (E, 2) int64 regions that share a border, in both orders.
         border_lengths: (E,) m.
     """
 
@@ -80,19 +80,19 @@ class Regions:
 
     @property
     def mean_widths(self) -> np.ndarray:
-        """(R,) m: a strip of length l and width w has the area l·w and a perimeter of about 2·l."""
+        """(R,) m, from 2 · area / perimeter, because a strip of length l and width w has a perimeter of about 2·l."""
         return 2 * self.areas / self.perimeters
 
 
 def partition_polygons(polygons: np.ndarray) -> PlanarPartition:
-    """Cut polygons into the faces they make together.
+    """Cut polygons into their common faces.
 
     Args:
         polygons: (N,) valid shapely polygons, meters.
     """
     faces = shapely.get_parts(shapely.polygonize(shapely.get_parts(_node(shapely.boundary(polygons)))))
     points = shapely.STRtree(shapely.point_on_surface(faces))
-    # Polygons are asked for points, not points for polygons: shapely prepares what it asks with.
+    # Query points with polygons, not the reverse: shapely prepares the geometries that it queries with.
     cover_polygons, cover_faces = points.query(polygons, predicate="contains")
     order = np.lexsort((cover_polygons, cover_faces))
     neighbors, lengths = _shared_borders(faces)
@@ -130,14 +130,14 @@ def find_regions(partition: PlanarPartition, face_classes: np.ndarray) -> Region
 
 
 def region_owners(regions: Regions, top: np.ndarray, face_areas: np.ndarray) -> np.ndarray:
-    """Return the polygon that covers most of each region as seen from above, the first of equals.
+    """Return the polygon that visibly covers most of each region, the first of equal ones.
 
     Args:
-        top: (F,) polygon seen on each face, −1 where the region's class is not this polygon's.
+        top: (F,) polygon visible on each face, −1 where the region has another class than this polygon.
         face_areas: (F,) m².
 
     Returns:
-        (R,) int64 numbers of polygons, −1 for none.
+        (R,) int64 indices of polygons, or −1.
     """
     owners = np.full(len(regions.classes), -1, np.int64)
     owned = top >= 0
@@ -150,14 +150,14 @@ def region_owners(regions: Regions, top: np.ndarray, face_areas: np.ndarray) -> 
 
 
 def corner_neighbors(partition: PlanarPartition, face_classes: np.ndarray) -> np.ndarray:
-    """Faces of one class that meet in a point though their regions share no border.
+    """Return faces of one class that meet in a point while their regions share no border.
 
     Args:
         partition: F faces.
-        face_classes: (F,) class values; faces with a negative one are left out.
+        face_classes: (F,) class values; faces with a negative one are skipped.
 
     Returns:
-        (E, 2) int64 numbers of faces, one pair for each pair of regions.
+        (E, 2) int64 indices of faces, one pair for each pair of regions.
     """
     of_face = find_regions(partition, face_classes).of_face
     covered = np.flatnonzero(face_classes >= 0)
@@ -193,7 +193,7 @@ def dissolve(faces: np.ndarray, groups: np.ndarray) -> np.ndarray:
 
 
 def _node(lines: np.ndarray) -> shapely.Geometry:
-    """Lines cut where they meet, on the grid. Cutting moves lines by less than the grid: repeated until it is done."""
+    """Cut lines at their intersections, on the grid. Cuts move lines by less than the grid, so repeat until stable."""
     noded = shapely.union_all(lines, grid_size=GRID_M)
     while True:
         # Few long lines are cut faster than many short ones.
@@ -224,7 +224,7 @@ def _shared_borders(faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _summed_pairs(pairs: np.ndarray, weights: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return each of the (P, 2) pairs of numbers below ``count`` once, ordered, with the sum of its weights."""
+    """Return each distinct of the (P, 2) pairs of numbers below ``count``, ordered, with the sum of its weights."""
     keys, place = np.unique(pairs[:, 0] * max(count, 1) + pairs[:, 1], return_inverse=True)
     found = np.column_stack(np.divmod(keys, max(count, 1))).reshape(-1, 2)
     return found, np.bincount(place.reshape(-1), weights, len(keys))

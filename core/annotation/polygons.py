@@ -1,4 +1,4 @@
-"""Annotated features → valid single polygons, ready to be laid on each other."""
+"""Convert features of a land-cover layer to valid single polygons."""
 
 from __future__ import annotations
 
@@ -12,24 +12,24 @@ import shapely
 from .findings import NOTHING
 
 FARTHEST_M = 1e8
-"""Coordinates beyond this lie on no map (the Earth's girth is 4·10⁷ m); they are taken for broken ones."""
+"""Larger coordinates are on no map (the Earth's circumference is 4·10⁷ m) and count as broken."""
 
 _POLYGON = 3
 
 _DIMENSION = 3
-"""Said, because the default of new versions of shapely is 4. Inside desktop QGIS on Linux shapely's calls end in the
-GEOS that QGIS brings, which before 3.12 refuses a 4."""
+"""Explicit, because newer versions of shapely default to 4. In desktop QGIS on Linux shapely's calls use the GEOS of
+QGIS, which before 3.12 refuses a 4."""
 
 
 @dataclass(frozen=True)
 class AnnotatedFeature:
-    """A feature of an annotation layer.
+    """A feature of a land-cover layer.
 
     Attributes:
-        feature_id: As the layer numbers it.
+        feature_id: Id in the layer.
         wkb: WKB of a (multi)polygon, coordinates in meters; None for a feature without one.
-        class_value: NOTHING for a feature without a class that can be used.
-        priority: Higher ones lie on top.
+        class_value: NOTHING for a feature without a usable class.
+        priority: Higher ones are on top.
     """
 
     feature_id: int
@@ -44,10 +44,10 @@ class AnnotatedPolygons:
 
     Attributes:
         geometries: (N,) shapely polygons, meters.
-        features: (N,) int64 place of the feature in its list.
+        features: (N,) int64 index of the feature.
         feature_ids: (N,) int64.
         classes: (N,) int64 class values.
-        priorities: (N,) float64, higher ones lie on top.
+        priorities: (N,) float64, higher ones are on top.
     """
 
     geometries: np.ndarray
@@ -60,22 +60,22 @@ class AnnotatedPolygons:
         return len(self.geometries)
 
     def drawn_ranks(self) -> np.ndarray:
-        """Return (N,) int64, higher lie on top, as in rasterizing: by priority, among equals the later feature."""
+        """Return (N,) int64, higher ones are on top, as in rasterizing: by priority, then the later feature."""
         return _ranks(np.lexsort((np.arange(len(self)), self.priorities)))
 
     def repair_ranks(self) -> np.ndarray:
-        """Return (N,) int64, higher lie on top: by priority, among equals the smaller, then the lower class value."""
+        """Return (N,) int64, higher ones are on top: by priority, then the smaller area, then the lower class value."""
         areas = shapely.area(self.geometries)
         return _ranks(np.lexsort((np.arange(len(self)), -self.classes, -areas, self.priorities)))
 
 
 @dataclass(frozen=True)
 class FeatureParts:
-    """The single parts of features as they were drawn.
+    """The single parts of features as drawn.
 
     Attributes:
         geometries: (P,) shapely geometries, meters.
-        features: (P,) int64 place of their feature in its list.
+        features: (P,) int64 index of their feature.
     """
 
     geometries: np.ndarray
@@ -83,7 +83,7 @@ class FeatureParts:
 
 
 def feature_geometries(features: Sequence[AnnotatedFeature]) -> np.ndarray:
-    """Return (M,) shapely geometries, None for features without one or with one that no library reads."""
+    """Return (M,) shapely geometries, None for missing and unreadable ones."""
     wkbs = np.array([feature.wkb for feature in features] + [None], object)[:-1]
     with np.errstate(invalid="ignore"):
         geometries = shapely.force_2d(shapely.from_wkb(wkbs, on_invalid="ignore"))
@@ -94,7 +94,7 @@ def feature_geometries(features: Sequence[AnnotatedFeature]) -> np.ndarray:
 
 
 def split_parts(geometries: np.ndarray) -> FeatureParts:
-    """Return (M,) shapely geometries or None → their single parts."""
+    """Return the single parts of (M,) shapely geometries or None."""
     return FeatureParts(*shapely.get_parts(geometries, return_index=True))
 
 
@@ -114,12 +114,12 @@ def valid_polygons(features: Sequence[AnnotatedFeature], parts: FeatureParts) ->
 
 
 def _made_valid(parts: FeatureParts) -> tuple[np.ndarray, np.ndarray]:
-    """Single geometries and the place of their feature, in the features' order."""
+    """Return single valid geometries and the index of their feature, in the features' order."""
     geometries = parts.geometries.copy()
     broken = ~shapely.is_valid(geometries)
     geometries[broken] = shapely.make_valid(geometries[broken])
     place = np.arange(len(geometries))
-    # A collection may hold multipolygons.
+    # A collection may contain multipolygons.
     for _ in range(2):
         geometries, index = shapely.get_parts(geometries, return_index=True)
         place = place[index]
@@ -127,12 +127,12 @@ def _made_valid(parts: FeatureParts) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _ranks(order: np.ndarray) -> np.ndarray:
-    """Return (N,) int64 place of each thing in ``order``, an order of their numbers."""
+    """Return (N,) int64 rank of each index in ``order``."""
     ranks = np.empty(len(order), np.int64)
     ranks[order] = np.arange(len(order))
     return ranks
 
 
 def to_wkb(geometries: shapely.Geometry | np.ndarray) -> Any:  # noqa: ANN401 - bytes, or an array of them
-    """WKB of a geometry, or of an array of them; Z is kept, M is not."""
+    """Return the WKB of a geometry, or of an array of them, with Z and without M."""
     return shapely.to_wkb(geometries, output_dimension=_DIMENSION)

@@ -1,4 +1,4 @@
-"""What pixels make of drawn regions: which the raster loses, merges with a neighbor, or splits."""
+"""Effects of rasterizing on drawn regions: which are lost, merged with a neighbor, or split."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ..landmarks.joining import connected_components, touching_runs
 from ..landmarks.landmarks import region_rows
 
 LARGEST_MASK_PX = 200_000_000
-"""A region whose bounding box is larger is not measured: it is no landmark that a raster could lose."""
+"""Regions with a larger bounding box are not measured, because a raster can't lose them."""
 
 
 @dataclass(frozen=True)
@@ -20,8 +20,8 @@ class RegionRuns:
     Attributes:
         rows: (K,) int64 row of each run.
         starts: (K,) int64 first column of each run.
-        stops: (K,) int64 column after its last.
-        regions: (K,) int64 number of the region it belongs to.
+        stops: (K,) int64 last column + 1.
+        regions: (K,) int64 number of its region.
     """
 
     rows: np.ndarray
@@ -37,11 +37,11 @@ def runs_of_strip(regions_hw: np.ndarray, first_row: int) -> RegionRuns:
     """Return the runs of some rows of a raster.
 
     Args:
-        regions_hw: (H, W) numbers of regions, 0 for none.
-        first_row: Row of the raster that these rows begin in.
+        regions_hw: (H, W) numbers of regions, 0 elsewhere.
+        first_row: Row of the raster where these rows start.
 
     Returns:
-        The runs, their rows counted in the raster.
+        The runs, with rows of the raster.
     """
     height, width = regions_hw.shape
     begins = np.ones((height, width), bool)
@@ -55,14 +55,14 @@ def runs_of_strip(regions_hw: np.ndarray, first_row: int) -> RegionRuns:
 
 
 def join_runs(strips: list[RegionRuns]) -> RegionRuns:
-    """Return the runs of strips that follow each other, top first."""
+    """Return the runs of consecutive strips, top first."""
     names = ("rows", "starts", "stops", "regions")
     empty = np.empty(0, np.int64)
     return RegionRuns(*(np.concatenate([empty, *(getattr(s, name) for s in strips)]) for name in names))
 
 
 def merged_regions(runs: RegionRuns, region_classes: np.ndarray) -> np.ndarray:
-    """Regions of one class whose pixels touch (8-connected), so that they become one object.
+    """Return pairs of regions of one class with touching pixels (8-connected), which become one landmark.
 
     Args:
         runs: Their pixels.
@@ -79,7 +79,7 @@ def merged_regions(runs: RegionRuns, region_classes: np.ndarray) -> np.ndarray:
 
 
 def count_pieces(runs: RegionRuns, count: int) -> np.ndarray:
-    """Return (count,) int64 8-connected pieces of the pixels of each region number; 0 for a region without a pixel."""
+    """Return (count,) int64 numbers of 8-connected pieces of each region; 0 for a region without pixels."""
     links = touching_runs(runs.rows, runs.starts, runs.stops)
     links = links[runs.regions[links[:, 0]] == runs.regions[links[:, 1]]]
     pieces = connected_components(len(runs), links)
@@ -88,7 +88,7 @@ def count_pieces(runs: RegionRuns, count: int) -> np.ndarray:
 
 
 def lost_regions(runs: RegionRuns, count: int, minimum_area_px: float) -> np.ndarray:
-    """Return (count,) bool: no piece of the region's pixels has a contour area (``cv2.contourArea``) of that size."""
+    """Return (count,) bool: whether no piece of the region has this contour area (``cv2.contourArea``)."""
     lost = np.ones(count, bool)
     order = np.argsort(runs.regions, kind="stable")
     bounds = np.searchsorted(runs.regions[order], np.arange(count + 1))

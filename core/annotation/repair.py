@@ -1,4 +1,4 @@
-"""Repairing an annotation: valid polygons that don't overlap, without gaps and slivers, one a landmark."""
+"""Repair a land-cover layer: valid polygons without overlaps, gaps and slivers, one per landmark."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from .findings import DISSOLVED, INFORMATION, NOTHING, Finding
 from .merging import MergeSettings, merge_finding, merge_gaps_and_slivers
 from .partition import Regions, dissolve, find_regions, region_owners
 from .polygons import AnnotatedFeature, AnnotatedPolygons, to_wkb
-from .surface import Surface, laid_polygons
+from .surface import Surface, overlay_polygons
 
 
 @dataclass(frozen=True)
 class RepairedPolygon:
-    """A polygon of a repaired annotation.
+    """A polygon of a repaired layer.
 
     Attributes:
         wkb: WKB of a valid polygon, coordinates in meters.
-        feature: Place in the list of the feature whose attributes it has.
+        feature: Index of the feature with its attributes.
     """
 
     wkb: bytes
@@ -29,10 +29,10 @@ class RepairedPolygon:
 
 
 class AnnotationRepair:
-    """The repair of an annotation. Iterate ``steps()`` to the end; then both lists are filled.
+    """Repairs features. Iterate ``steps()`` to the end; then both lists are filled.
 
-    What lies on top where polygons overlap: the higher priority, else the smaller, else the lower class value. On its
-    own output nothing changes: the polygons of a repaired annotation are the faces they are cut into.
+    On overlaps, the polygon of higher priority remains, then the smaller one, then that of the lower class value. A
+    second repair changes nothing, because the polygons of a repaired layer are its faces.
     """
 
     def __init__(self, features: Sequence[AnnotatedFeature], settings: MergeSettings) -> None:
@@ -42,12 +42,12 @@ class AnnotationRepair:
         self.changes: list[Finding] = []
 
     def steps(self) -> Iterator[tuple[str, float]]:
-        """Repairs step by step.
+        """Repair step by step.
 
         Yields:
-            What is being done, and the share that is done, 0…1.
+            The current step, and the share done, 0…1.
         """
-        surface = yield from laid_polygons(self._features, AnnotatedPolygons.repair_ranks, self.changes)
+        surface = yield from overlay_polygons(self._features, AnnotatedPolygons.repair_ranks, self.changes)
         if surface is None:
             return
         yield "Filling gaps and merging slivers", 0.8
@@ -62,7 +62,7 @@ class AnnotationRepair:
     def _dissolve(self, surface: Surface, classes: np.ndarray) -> None:
         polygons, partition = surface.polygons, surface.partition
         regions = find_regions(partition, classes)
-        # A face that went to a neighbor's class says nothing about whose attributes its region has.
+        # A face that got a neighbor's class does not count for the attributes of its region.
         own = np.where(surface.classes == classes, surface.top, -1)
         owners = region_owners(regions, own, partition.areas)
         covered = classes != NOTHING
@@ -80,7 +80,7 @@ class AnnotationRepair:
 def _dissolved(
     polygons: AnnotatedPolygons, regions: Regions, own: np.ndarray, geometries: dict[int, object], owners: np.ndarray
 ) -> list[Finding]:
-    """One finding for each region that several features became, with how many."""
+    """Return one finding for each region that joins several features, with their number."""
     members: dict[int, set[int]] = {}
     for region, polygon in zip(regions.of_face[own >= 0].tolist(), own[own >= 0].tolist()):
         members.setdefault(region, set()).add(int(polygons.features[polygon]))

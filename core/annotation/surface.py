@@ -1,4 +1,4 @@
-"""What checking and repairing begin with: features as valid polygons, laid on each other, and how they lie."""
+"""First steps of checking and repairing: valid polygons of features, cut into faces, with their order of drawing."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ class Surface:
     """Polygons as seen from above.
 
     Attributes:
-        polygons: N valid polygons
-        partition: their F faces
-        ranks: (N,) int64, higher lie on top
-        top: (F,) int64 polygon seen on each face, −1 for none
+        polygons: N valid polygons.
+        partition: Their F faces.
+        ranks: (N,) int64, higher ones are on top.
+        top: (F,) int64 visible polygon on each face, or −1.
     """
 
     polygons: AnnotatedPolygons
@@ -33,29 +33,29 @@ class Surface:
 
     @property
     def classes(self) -> np.ndarray:
-        """(F,) class values seen, NOTHING where no polygon lies."""
+        """(F,) visible class values, NOTHING where no polygon is."""
         return classes_of_faces(self.polygons, self.top)
 
 
-def laid_polygons(
+def overlay_polygons(
     features: Sequence[AnnotatedFeature],
     ranks_of: Callable[[AnnotatedPolygons], np.ndarray],
     findings: list[Finding],
 ) -> Generator[tuple[str, float], None, Surface | None]:
-    """Lays features on each other, step by step; a generator calls it with ``yield from``.
+    """Overlay features step by step; a generator calls it with ``yield from``.
 
     Args:
-        features: As they were drawn.
-        ranks_of: What lies on top: a method of AnnotatedPolygons.
-        findings: Gets what is wrong with the geometries, and every duplicate, overlap and hidden polygon.
+        features: As drawn.
+        ranks_of: Returns the order of drawing: a method of AnnotatedPolygons.
+        findings: Receives invalid geometries, and every duplicate, overlap and hidden polygon.
 
     Yields:
-        What is being done, and the share of all checking or repairing that is done, 0…1.
+        The current step, and the share done of the check or repair, 0…1.
 
     Returns:
-        The surface; None when no feature has an area.
+        The surface; None if no feature has an area.
     """
-    yield "Looking at geometries", 0.0
+    yield "Checking geometries", 0.0
     geometries = feature_geometries(features)
     parts = split_parts(geometries)
     findings += find_invalid(features, geometries, parts)
@@ -63,7 +63,7 @@ def laid_polygons(
     findings += find_unusable(features, geometries, polygons)
     if not len(polygons):
         return None
-    yield "Laying polygons on each other", 0.1
+    yield "Overlaying polygons", 0.1
     partition = partition_polygons(polygons.geometries)
     yield "Looking for overlaps", 0.6
     ranks = ranks_of(polygons)

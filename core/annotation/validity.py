@@ -1,4 +1,4 @@
-"""Geometries that are invalid, empty or without area: which, where and why."""
+"""Find geometries that are invalid, empty or without area."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from .findings import ERROR, INVALID, NO_AREA, NO_GEOMETRY, NOTHING, WARNING, Fi
 from .polygons import AnnotatedFeature, AnnotatedPolygons, FeatureParts, to_wkb
 
 UNREADABLE = "Coordinates or rings that can't be used"
-"""Reason for geometries that GEOS does not even read."""
+"""Reason for geometries that GEOS can't read."""
 
 _MARK_M = 1.0
-"""Half the edge of the square that shows where something is."""
+"""Half the edge of the square that marks a finding."""
 
 _REASON = re.compile(r"(?P<why>[^\[]*)\[(?P<x>\S+) (?P<y>[^\s\]]+)")
-"""GEOS's own sentence: why[x y]."""
+"""GEOS's own message: reason[x y]."""
 
 
 def find_invalid(features: Sequence[AnnotatedFeature], geometries: np.ndarray, parts: FeatureParts) -> list[Finding]:
-    """One finding for each invalid part, with place and reason; for features whose valid parts don't fit, one."""
+    """Return one finding per invalid part with position and reason; one per feature with valid, conflicting parts."""
     broken = np.flatnonzero(~shapely.is_valid(parts.geometries))
     found = [_invalid(features[parts.features[n]], parts.geometries[n]) for n in broken]
     whole = ~shapely.is_valid(geometries) & ~shapely.is_missing(geometries)
@@ -34,7 +34,7 @@ def find_invalid(features: Sequence[AnnotatedFeature], geometries: np.ndarray, p
 def find_unusable(
     features: Sequence[AnnotatedFeature], geometries: np.ndarray, polygons: AnnotatedPolygons
 ) -> list[Finding]:
-    """Find features without geometry, with one that can't be read, and with one that has no area."""
+    """Find features without geometry, with an unreadable one, and with one without area."""
     found = []
     with_area = set(polygons.features.tolist())
     areas = shapely.area(geometries)
@@ -66,12 +66,12 @@ def _finding(kind: str, severity: str, feature: AnnotatedFeature) -> Finding:
 
 
 def _mark_at(x: float, y: float) -> bytes:
-    """WKB of a small square to look at, around a place without extent."""
+    """Return the WKB of a small square around a point."""
     return to_wkb(shapely.box(x - _MARK_M, y - _MARK_M, x + _MARK_M, y + _MARK_M))
 
 
 def _reason(geometry: shapely.Geometry) -> tuple[str, float, float]:
-    """Why a geometry is invalid, and x and y of where; its first vertex where GEOS names no place."""
+    """Return why a geometry is invalid, and x and y of the fault; its first vertex if GEOS gives no position."""
     text = str(shapely.is_valid_reason(geometry))
     match = _REASON.match(text)
     if match:

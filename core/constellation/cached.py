@@ -13,27 +13,27 @@ from .index import ConstellationIndex, IndexParts, build_index, index_of_parts, 
 from .settings import ConstellationSettings
 
 VERSION = 1
-"""Raised whenever the same landmarks and limits give another index, as another constant of neighbors.py does."""
+"""Increase it whenever the same landmarks and limits give another index, as after a change of a constant."""
 
 FEWEST = 20_000
-"""Landmarks below which an index is built in a fraction of a second and not cached."""
+"""An index of fewer landmarks is built in a fraction of a second and not cached."""
 
 
 def key_of(references: MapLandmarks, pixel_size_m: float, settings: ConstellationSettings) -> str:
-    """Return what tells an index from others: SHA-256 of the landmarks and all that it is built with, hexadecimal."""
+    """Return the SHA-256 of the landmarks and the settings that an index is built with, hexadecimal."""
     limits = settings.limits
-    told = json.dumps([VERSION, pixel_size_m, limits.neighbors, limits.minimum_side_in_sizes])
+    parameters = json.dumps([VERSION, pixel_size_m, limits.neighbors, limits.minimum_side_in_sizes])
     columns = references.positions, references.classes, references.areas_m2, references.touches_edge
     kinds = "<f8", "u1", "<f8", "u1"
-    return digest([told.encode(), *(np.asarray(column).astype(kind) for column, kind in zip(columns, kinds))])
+    return digest([parameters.encode(), *(np.asarray(column).astype(kind) for column, kind in zip(columns, kinds))])
 
 
 def cached_index(references: MapLandmarks, pixel_size_m: float, settings: ConstellationSettings) -> ConstellationIndex:
-    """Return the index of a database's landmarks; one of many landmarks is loaded from the cache or stored there.
+    """Return the index of a database's landmarks; a large one is loaded from the cache or stored there.
 
     Args:
-        pixel_size_m: Of the label map that they are of.
-        settings: The index is built with.
+        pixel_size_m: Pixel size of their label map.
+        settings: Settings that the index is built with.
     """
     if len(references) < FEWEST:
         return build_index(references, pixel_size_m, settings)
@@ -45,7 +45,7 @@ def cached_index(references: MapLandmarks, pixel_size_m: float, settings: Conste
 
 
 def _fit(parts: IndexParts, references: MapLandmarks, settings: ConstellationSettings) -> bool:
-    """Return whether the arrays have the shapes and kinds of an index of these landmarks."""
+    """Return whether the arrays have the shapes and types of an index of these landmarks."""
     expected = part_shapes(len(references), settings)
     if set(parts) != set(expected):
         return False

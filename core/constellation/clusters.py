@@ -1,6 +1,6 @@
-"""Poses gathered into clusters: the fullest cells of two lattices.
+"""Cluster poses: find the fullest cells of two lattices.
 
-Told in docs/explanation/method.md#constellation.
+See docs/explanation/method.md#constellation.
 """
 
 from __future__ import annotations
@@ -13,37 +13,37 @@ import numpy as np
 from .index import expand_ranges
 
 CELL_OF_IMAGE = 0.04
-"""Cells in which poses are gathered, share of the image's diagonal on the ground. Set by hand."""
+"""Cell size for positions, as a share of the image's diagonal on the ground. Set by hand."""
 
 CELL_OF_TURN = 0.1
-"""The same for heading, radians, and ln pixel size. Set by hand."""
+"""Cell size for heading, radians, and ln pixel size. Set by hand."""
 
 _CELLS_AROUND = int(np.ceil(2 * np.pi / CELL_OF_TURN))
 
 _SORTED_AT_ONCE = 20_000
-"""So many poses are sorted sooner than counted."""
+"""Fewer poses are sorted faster than counted."""
 
 _GROUP_BITS = 21
-"""Of the number of a group, at most: their counts, 16 MB, stay in the cache of a processor."""
+"""Largest number of bits of a group number: the counts, 16 MB, stay in a processor's cache."""
 
 _FIRST_SHARE = 0.25
-"""Of the poses, at most, are looked at again at first."""
+"""Largest share of the poses that is examined in the first pass."""
 
 _FARTHEST = 2.0**30
-"""Half cell beyond which all are one: of an image that would show next to nothing of the map."""
+"""Half cells beyond this are one: such an image would show almost nothing of the map."""
 
 _SPREADING = np.array([0x9E3779B1, 0x85EBCA77, 0xC2B2AE3D, 0x27D4EB2F], np.uint32)
-"""Factors of a cell's whole numbers: cells that are next to each other fall into groups far apart."""
+"""Factors of a cell's integers: adjacent cells get distant group numbers."""
 
 
 @dataclass(frozen=True)
 class Poses:
-    """H poses of like triangles, with their cells.
+    """H poses of similar triangles, with their cells.
 
     Attributes:
         centers: (H,) complex, map units from the index's origin.
-        turns: (H,) complex, heading and pixel size, none 0.
-        focuses: (H,) complex, where in the image the triangles are.
+        turns: (H,) complex, heading and pixel size, never 0.
+        focuses: (H,) complex, positions of the triangles in the image.
         places: (4, H) int32, half cells to the right and up, cells of ln pixel size, and half cells of heading.
     """
 
@@ -56,17 +56,17 @@ class Poses:
         return len(self.centers)
 
     def select(self, chosen: np.ndarray) -> Poses:
-        """Return the poses of these numbers."""
+        """Return the poses with these indices."""
         centers, turns, focuses = (value.take(chosen) for value in (self.centers, self.turns, self.focuses))
         return Poses(centers, turns, focuses, self.places.take(chosen, axis=1))
 
 
 @dataclass(frozen=True)
 class _Lattice:
-    """Cells of poses; those of position grow with the pixel size in whole steps, so that equal poses share a lattice.
+    """Cells of poses. Cells of position grow with the pixel size in whole steps, so that equal poses share a lattice.
 
     Attributes:
-        shift: Half cells by which the lattice is moved, 0 or 1.
+        shift: Half cells by which the lattice is shifted, 0 or 1.
     """
 
     shift: int
@@ -78,21 +78,21 @@ class _Lattice:
         return (across + shift) >> 1, (along + shift) >> 1, sizes, ((turned + shift) >> 1) % _CELLS_AROUND
 
     def numbers(self, places: np.ndarray) -> np.ndarray:
-        """Return (H,) uint32: numbers that poses in one cell share, and hardly any others do."""
+        """Return (H,) uint32 numbers that are equal for poses in one cell, and rarely for others."""
         columns = self.columns(places)
         return sum(column.view(np.uint32) * factor for column, factor in zip(columns, _SPREADING))
 
 
 @dataclass(frozen=True)
 class Seeds:
-    """Clusters of poses, S of them, most votes first.
+    """S clusters of poses, most votes first.
 
     Attributes:
         centers: (S,) complex, map units from the index's origin.
         turns: (S,) complex, heading and pixel size.
-        focuses: (S,) complex, where in the image the triangles are on average.
+        focuses: (S,) complex, mean position of the triangles in the image.
         votes: (S,) int64, triangles that agree.
-        capped: Hits were left out.
+        capped: Some matching triangles were omitted.
     """
 
     centers: np.ndarray
@@ -103,7 +103,7 @@ class Seeds:
 
 
 def poses_in_cells(centers: np.ndarray, turns: np.ndarray, focuses: np.ndarray, diagonal: float) -> Poses:
-    """Poses (H,) each with its cells; ``diagonal``: of the image, pixels."""
+    """Return poses (H,) with their cells; ``diagonal``: of the image, pixels."""
     size = np.abs(turns)
     places = np.empty((4, len(size)), np.int32)
     if len(size):
@@ -118,18 +118,18 @@ def poses_in_cells(centers: np.ndarray, turns: np.ndarray, focuses: np.ndarray, 
     return Poses(centers, turns, focuses, places)
 
 
-def clustered(portions: Sequence[Poses], capped: bool, count: int) -> Seeds:
-    """Means of the poses in the fullest cells; two lattices of cells, so that no cluster is cut by both.
+def cluster(portions: Sequence[Poses], capped: bool, count: int) -> Seeds:
+    """Return the means of the poses in the fullest cells of two lattices, so that one of them does not cut a cluster.
 
     Args:
         portions: The poses.
-        capped: Goes into the seeds.
+        capped: Copied to the result.
         count: Cells of each lattice.
     """
     found = [_cell_means(portions, _Lattice(shift), count) for shift in (0, 1)]
     centers, turns, focuses, votes = (np.concatenate(parts) for parts in zip(*found))
     order = np.argsort(-votes, kind="stable")
-    # A cluster that neither lattice cuts is found twice.
+    # A cluster that neither lattice cuts occurs twice.
     once = list({pose: number for number, pose in reversed([*enumerate(zip(centers[order], turns[order]))])}.values())
     order = order[np.sort(np.array(once, np.int64))]
     return Seeds(centers[order], turns[order], focuses[order], votes[order], capped)
@@ -138,7 +138,7 @@ def clustered(portions: Sequence[Poses], capped: bool, count: int) -> Seeds:
 def _cell_means(
     portions: Sequence[Poses], lattice: _Lattice, count: int
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Means of centers, turns and focuses in the fullest cells, and how many poses each holds."""
+    """Return means of centers, turns and focuses in the fullest cells, and the number of poses in each."""
     poses, key = _in_full_cells(portions, lattice, count)
     if not len(poses):
         return *(np.empty(0, complex),) * 3, np.empty(0, np.int64)
@@ -147,7 +147,7 @@ def _cell_means(
     votes = np.diff(np.append(starts, len(order)))
     best = _fullest(votes, count)
     starts, votes = starts[best], votes[best]
-    # In the order in which they came, so that equal cells have equal means.
+    # In their original order, so that equal cells have equal means.
     _, places = expand_ranges(starts, starts + votes)
     begins, chosen = np.cumsum(votes) - votes, order[places]
     return (
@@ -157,10 +157,10 @@ def _cell_means(
 
 
 def _in_full_cells(portions: Sequence[Poses], lattice: _Lattice, count: int) -> tuple[Poses, np.ndarray]:
-    """Poses among which those of the ``count`` fullest cells surely are, all of them, and the keys of their cells.
+    """Return poses that include all of the ``count`` fullest cells, and the keys of their cells.
 
-    Nearly all of millions of poses lie alone in their cells. Cells are counted in groups, which takes no sorting: what
-    is in a group of few poses is in a cell of few.
+    Of millions of poses nearly all are alone in their cells. Cells are counted in groups, which needs no sorting: a
+    group of few poses contains only cells of few.
     """
     total = sum(len(poses) for poses in portions)
     if total < _SORTED_AT_ONCE:
@@ -170,20 +170,20 @@ def _in_full_cells(portions: Sequence[Poses], lattice: _Lattice, count: int) -> 
     sizes = np.bincount(groups)
     groups_of = np.bincount(sizes)
     poses_of = (groups_of * np.arange(len(groups_of)))[::-1].cumsum()[::-1]
-    # Down from groups in which few enough poses are to look at each, until so many cells are as full as the least.
+    # Start with groups that leave few poses to examine; go down until enough cells have at least this many poses.
     least = max(int((poses_of > total * _FIRST_SHARE).sum()), 2)
     while least > 1:
         votes = np.zeros(0, np.int64)
         if groups_of[least:].sum() >= count:
             found = np.flatnonzero((sizes >= least).take(groups))
-            # Most of them share a group by chance; among so few, in other groups, hardly any do.
+            # Most of them share a group by chance; with other group numbers, hardly any do.
             others = _groups(numbers.take(found) * _SPREADING[0], len(found))
             found = found[(np.bincount(others) >= least).take(others)]
             poses, key = _keyed(_selected(portions, found), lattice)
             votes = np.unique(key, return_counts=True)[1]
             if (votes >= least).sum() >= count:
                 return poses, key
-        # Where so many cells were seen, as full as the least of these is enough.
+        # Once enough cells are known, the smallest of them is the limit.
         enough = int(np.partition(votes, -count)[-count]) if len(votes) >= count else 0
         least = max(least * 3 // 4, enough)
     return _keyed(portions, lattice)
@@ -196,14 +196,14 @@ def _groups(numbers: np.ndarray, count: int) -> np.ndarray:
 
 
 def _selected(portions: Sequence[Poses], chosen: np.ndarray) -> list[Poses]:
-    """Return the poses of these ascending numbers, counted through all portions."""
+    """Return the poses with these ascending indices, counted through all portions."""
     starts = np.cumsum([0, *(len(poses) for poses in portions)])
     parts = np.split(chosen, np.searchsorted(chosen, starts[1:-1]))
     return [poses.select(part - start) for poses, part, start in zip(portions, parts, starts)]
 
 
 def _keyed(portions: Sequence[Poses], lattice: _Lattice) -> tuple[Poses, np.ndarray]:
-    """Return the poses as one, and (H,) int64 keys: equal ones are of one cell, and they ascend with the cells."""
+    """Return all poses, and (H,) int64 keys that are equal within a cell and ascend with the cells."""
     if not portions:
         nothing = np.empty(0, complex)
         return Poses(nothing, nothing, nothing, np.empty((4, 0), np.int32)), np.empty(0, np.int64)

@@ -1,6 +1,6 @@
-"""What an image shows, and the triangles of it that make hypotheses of where it may be.
+"""Landmarks of an image, and its triangles, which make hypotheses of its position.
 
-Told in docs/explanation/method.md#constellation.
+See docs/explanation/method.md#constellation.
 """
 
 from __future__ import annotations
@@ -13,28 +13,28 @@ from .settings import ConstellationSettings
 from .triangles import ORDERS, canonical_order, describe_triangles, neighbor_pairs, triples
 
 SMALLEST_OBJECT_PX = 9.0
-"""Contour area, px², below which an object of an image has no shape and no center of use."""
+"""Contour area, px², of the smallest landmark of an image with a usable shape and center."""
 
 MINIMUM_OBJECTS = 4
-"""Whole objects of known class below which nothing is searched: three make a hypothesis, one more tests it."""
+"""Smallest number of whole landmarks of known class for a search: three make a hypothesis, one more tests it."""
 
 PLACE_TOLERANCE_IN_NOISE = 3.5
 """Tolerance of C in the frame of AB, in noise over |AB|: 2.5 σ of a difference of three noisy centers."""
 
 PLACE_TOLERANCE_MINIMUM = 0.012
-"""Least such tolerance, share of |AB|: the resolution of the index's 8-bit numbers."""
+"""Smallest such tolerance, share of |AB|: the resolution of the index's 8-bit numbers."""
 
 PLACE_TOLERANCE_MAXIMUM = 0.06
-"""Triangles that need more tolerance, share of |AB|, tell too little and are left out. Set by hand."""
+"""Largest such tolerance, share of |AB|: triangles that need more are too unspecific and omitted. Set by hand."""
 
 
 @dataclass(frozen=True)
 class SeenLandmarks:
-    """Landmarks as an image shows them, n of them.
+    """The n landmarks of an image.
 
     Attributes:
         points: (n,) complex, pixels from the image's center, y up.
-        ranks: (n,) int64, place of each class in the catalogue's, −1 of a class that it doesn't have.
+        ranks: (n,) int64 index of each class in the index, −1 for an unknown class.
         log_areas: (n,) ln of areas in px².
         whole: (n,) bool, not cut by the image's border.
         diagonal: Of the image in pixels.
@@ -48,28 +48,28 @@ class SeenLandmarks:
 
     @property
     def usable_count(self) -> int:
-        """Whole landmarks of known class."""
+        """Number of whole landmarks of known class."""
         return int((self.whole & (self.ranks >= 0)).sum())
 
     def select(self, chosen: np.ndarray) -> SeenLandmarks:
-        """Return the chosen objects of the image, in that order."""
+        """Return the landmarks with these indices, in that order."""
         return SeenLandmarks(
             self.points[chosen], self.ranks[chosen], self.log_areas[chosen], self.whole[chosen], self.diagonal
         )
 
     def mirrored(self) -> SeenLandmarks:
-        """Return the landmarks of the mirrored image: same density, same regularity, and no camera can see it."""
+        """Return the landmarks of the mirrored image: same density and regularity, but impossible for a camera."""
         return SeenLandmarks(-self.points.conj(), self.ranks, self.log_areas, self.whole, self.diagonal)
 
 
 @dataclass(frozen=True)
 class QueryTriangles:
-    """Labeled triangles of an image, Q of them.
+    """Q labeled triangles of an image.
 
     Attributes:
-        members: (Q, 3) int64, objects A, B, C of the image.
-        numbers: (Q, 5) float64, what they are described by (``describe_triangles``).
-        tolerances: (Q,) float64, of the place of C in the frame of AB.
+        members: (Q, 3) int64, landmarks A, B, C of the image.
+        numbers: (Q, 5) float64, description of the triangles (``describe_triangles``).
+        tolerances: (Q,) float64, of the position of C in the frame of AB.
     """
 
     members: np.ndarray
@@ -84,14 +84,14 @@ class QueryTriangles:
         return QueryTriangles(self.members[::step], self.numbers[::step], self.tolerances[::step])
 
     def mirrored(self) -> QueryTriangles:
-        """Return the triangles as the mirrored image has them."""
+        """Return the triangles of the mirrored image."""
         return QueryTriangles(self.members, self.numbers * np.array([1, -1, 1, 1, 1]), self.tolerances)
 
 
 def query_triangles(query: SeenLandmarks, settings: ConstellationSettings) -> QueryTriangles:
-    """Triangles of an image's whole objects of known class.
+    """Return the triangles of an image's whole landmarks of known class.
 
-    One whose sides are so alike that noise could change their order is given in each order.
+    If noise could change the order of a triangle's sides, it is returned in each order.
     """
     usable = np.flatnonzero(query.whole & (query.ranks >= 0))
     areas = np.exp(query.log_areas[usable])

@@ -1,6 +1,6 @@
-"""Index of a catalogue's labeled triangles: which ones look like a triangle of an image.
+"""Index of the labeled triangles of a map, which finds those similar to a triangle of an image.
 
-Told in docs/explanation/method.md#constellation.
+See docs/explanation/method.md#constellation.
 """
 
 from __future__ import annotations
@@ -19,20 +19,20 @@ from .triangles import ORDERS, canonical_order, describe_triangles, neighbor_pai
 LOWEST = np.array([-0.1, -1.0, -10.0, -10.0, -10.0])
 CELL = np.array([0.05, 0.05, 0.5, 0.5, 0.5])
 CELLS = np.array([14, 40, 20, 20, 20], np.int64)
-"""Quantization of a triangle's five numbers; values outside are counted to the outermost cells."""
+"""Quantization of a triangle's five numbers; values outside belong to the outermost cells."""
 
 LABEL_BUCKETS = 900
-"""Label triples share this many buckets, so that a key fits into 32 bits; 9 classes have one bucket a triple."""
+"""Number of buckets for label triples, so that a key fits into 32 bits; up to 9 classes have one bucket a triple."""
 
 FINE_STEPS = 255
-"""The five numbers are also kept in 8 bits each over the whole range, to check a hit without computing it again."""
+"""The five numbers are also stored in 8 bits each over the whole range, to check a hit without computing it again."""
 
 BUILD_CHUNK = 100_000
-"""Objects whose triangles are described at a time; bounds the memory of a build."""
+"""Landmarks processed at a time, which limits the memory of a build."""
 
 AREA_BIN = 0.25
 AREA_BINS = np.arange(-5.0, 25.0, AREA_BIN)
-"""Bins of ln area in which each class's sizes are counted."""
+"""Bins of ln area for the size distribution of each class."""
 
 FINE_UNIT = CELL * CELLS / FINE_STEPS
 
@@ -42,26 +42,26 @@ IndexParts = dict[str, np.ndarray]
 
 @dataclass(frozen=True)
 class ConstellationIndex:
-    """A catalogue prepared for localization; N objects, T triangles, K neighbors, C classes.
+    """A map prepared for localization: N landmarks, T triangles, K neighbors, C classes.
 
     Attributes:
-        origin: Map coordinates x + iy of ``points``' zero.
+        origin: Map coordinates x + iy of the zero of ``points``.
         points: (N,) complex128, x + iy in map units.
         class_values: (C,) uint8, ascending.
-        ranks: (N,) int64, place of each object's class there.
+        ranks: (N,) int64, index of each landmark's class in ``class_values``.
         log_areas: (N,) ln m².
-        densities: (N,) objects of the same class per square map unit nearby.
+        densities: (N,) landmarks of the same class per square map unit nearby.
         whole: (N,) bool, not cut by the map's edge.
-        minimum_area_m2: Smallest of the catalogue.
-        neighbors: (N, K) int32, nearest larger objects, −1 where there are no more.
+        minimum_area_m2: Smallest area on the map.
+        neighbors: (N, K) int32, nearest larger landmarks, −1 for missing ones.
         keys: (T,) uint32, ascending.
-        triangles: (T,) int32, (anchor · P + pair) · 6 + order, P pairs of neighbors; int64 from 23 million objects on.
+        triangles: (T,) int32, (anchor · P + pair) · 6 + order, P pairs of neighbors; int64 from 23 million landmarks.
         fine: (T, 5) uint8, the five numbers in steps of 1 / 255 of their range.
-        matcher: Finds the nearest object of a class.
+        matcher: Finds the nearest landmark of a class.
         area_densities: (C, B) density of ln area in AREA_BINS.
-        by_easting: (N,) int64, objects from west to east.
-        eastings: (N,) theirs, ascending.
-        settings: It was built with, and every search in it uses.
+        by_easting: (N,) int64, landmarks from west to east.
+        eastings: (N,) their eastings, ascending.
+        settings: Settings of its build, used by every search in it.
     """
 
     origin: complex
@@ -86,7 +86,7 @@ class ConstellationIndex:
         return len(self.points)
 
     def members(self, triangles: np.ndarray) -> list[np.ndarray]:
-        """Return (H,) catalogue objects A, of B and of C, of triangles (H,) given by their number in ``triangles``."""
+        """Return (H,) landmarks A, B and C of triangles (H,), given by their index in ``triangles``."""
         count, places = self.neighbors.shape[1], _corner_places(self.neighbors.shape[1])
         codes, near = self.triangles.take(triangles), self.neighbors.ravel()
         anchors = codes // len(places)
@@ -94,27 +94,27 @@ class ConstellationIndex:
         anchors = anchors.astype(np.int64)
         first = anchors * count
         corners = (places[:, k].take(corner) for k in range(3))
-        # The neighbors of anchor n begin at n K; an anchor is told by −1, which finds something else first.
+        # The neighbors of anchor n start at n K. −1 marks the anchor; the value that it finds is not used.
         return [np.where(of < 0, anchors, near.take(first + of)) for of in corners]
 
     @property
     def keys_tell_classes(self) -> bool:
-        """Whether triangles of other classes have other keys, so that their classes need no second look."""
+        """Whether triangles of other classes have other keys, so that their classes need no check."""
         return len(self.class_values) ** 3 <= LABEL_BUCKETS
 
     def anchors(self) -> np.ndarray:
-        """Return (T,) the object that each triangle was made of with two of its neighbors."""
+        """Return (T,) anchors: each triangle consists of its anchor and two neighbors."""
         return self.triangles // (len(neighbor_pairs(self.neighbors.shape[1])) * len(ORDERS))
 
     def within(self, low: complex, high: complex) -> np.ndarray:
-        """Return (M,) objects in the box between two corners."""
+        """Return (M,) landmarks in the box between two corners."""
         first, last = np.searchsorted(self.eastings, (low.real, high.real))
         found = self.by_easting[first:last]
         northings = self.points.imag[found]
         return found[(northings >= low.imag) & (northings <= high.imag)]
 
     def rank_of(self, classes: np.ndarray) -> np.ndarray:
-        """Return (n,) places of class values in ``class_values``, −1 for classes the catalogue does not have."""
+        """Return (n,) indices of class values in ``class_values``, −1 for classes that the map lacks."""
         place = np.searchsorted(self.class_values, classes)
         place = np.minimum(place, max(len(self.class_values) - 1, 0))
         known = self.class_values[place] == classes if len(self.class_values) else np.zeros(len(classes), bool)
@@ -122,7 +122,7 @@ class ConstellationIndex:
 
 
 def full_area(contour_areas: np.ndarray | float, pixel: float) -> np.ndarray:
-    """Areas of objects from their contours' areas, which run through pixel centers and so lose half a pixel all around.
+    """Return full areas from contour areas; contours connect pixel centers and so omit half a pixel all around.
 
     Exact for squares. Makes areas of images of different scale comparable.
 
@@ -136,23 +136,23 @@ def full_area(contour_areas: np.ndarray | float, pixel: float) -> np.ndarray:
 def build_index(
     references: MapLandmarks, pixel_size_m: float, settings: ConstellationSettings = CONSTELLATION
 ) -> ConstellationIndex:
-    """Indexes all landmarks of a map. Seconds at 10⁵ objects.
+    """Index all landmarks of a map; takes seconds for 10⁵ landmarks.
 
-    Objects cut by the map's edge take no part in triangles: their centers are not theirs.
+    Landmarks cut by the map's edge are not in triangles, because their true centers are unknown.
 
     Args:
-        pixel_size_m: Of the label map that they are of.
-        settings: The index is built with, and every search in it uses.
+        pixel_size_m: Pixel size of their label map.
+        settings: Settings of the build and of every search in the index.
     """
     return index_of_parts(references, pixel_size_m, settings, index_parts(references, pixel_size_m, settings))
 
 
 def index_parts(references: MapLandmarks, pixel_size_m: float, settings: ConstellationSettings) -> IndexParts:
-    """Return what of an index takes time to make, by name; ``part_shapes`` tells their kinds.
+    """Return the parts of an index that take time to compute, by name; ``part_shapes`` describes them.
 
     Args:
-        pixel_size_m: Of the label map that they are of.
-        settings: The index is built with.
+        pixel_size_m: Pixel size of the label map.
+        settings: Settings of the build.
     """
     bare = _Bare(references, pixel_size_m)
     neighbors, keys, triangles, fine = _all_triangles(bare.points, bare.ranks, bare.log_areas, bare.whole, settings)
@@ -168,7 +168,7 @@ def index_parts(references: MapLandmarks, pixel_size_m: float, settings: Constel
 
 
 def part_shapes(count: int, settings: ConstellationSettings) -> dict[str, tuple[str, tuple[int | None, ...]]]:
-    """Kind and shape of each part of an index of ``count`` landmarks; None is the number of triangles."""
+    """Return type and shape of each part of an index of ``count`` landmarks; None is the number of triangles."""
     return {
         "neighbors": ("<i4", (count, settings.limits.neighbors)),
         "keys": ("<u4", (None,)),
@@ -187,7 +187,7 @@ def _kind_of_codes(count: int, settings: ConstellationSettings) -> str:
 def index_of_parts(
     references: MapLandmarks, pixel_size_m: float, settings: ConstellationSettings, parts: IndexParts
 ) -> ConstellationIndex:
-    """Return the index of landmarks whose parts were made, or kept, before."""
+    """Return the index of landmarks from its computed or cached parts."""
     bare = _Bare(references, pixel_size_m)
     return ConstellationIndex(
         bare.origin,
@@ -211,7 +211,7 @@ def index_of_parts(
 
 
 class _Bare:
-    """Landmarks as an index has them, which takes no time to make."""
+    """Landmarks in the form of an index, without the parts that take time."""
 
     def __init__(self, references: MapLandmarks, pixel_size_m: float) -> None:
         self.positions = np.asarray(references.positions, np.float64).reshape(-1, 2)
@@ -249,20 +249,20 @@ def cell_keys(ranks: np.ndarray, class_count: int, cells: np.ndarray) -> np.ndar
     return key.astype(np.uint32)
 
 
-def quantized(numbers: np.ndarray) -> np.ndarray:
+def quantize(numbers: np.ndarray) -> np.ndarray:
     """Return (T, 5) int64 cells of descriptors (T, 5)."""
     return np.clip(np.floor((numbers - LOWEST) / CELL), 0, CELLS - 1).astype(np.int64)
 
 
 def fine_values(numbers: np.ndarray) -> np.ndarray:
-    """Return (T, 5) float64: descriptors in steps of 1 / 255 of their range, not rounded."""
+    """Return (T, 5) float64 descriptors in steps of 1 / 255 of their range, not rounded."""
     return np.clip((numbers - LOWEST) / FINE_UNIT, 0, FINE_STEPS)
 
 
 def key_ranges(
     index: ConstellationIndex, numbers: np.ndarray, ranks: np.ndarray, tolerances: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Stretches of the index that may hold triangles like the given ones.
+    """Return ranges of the index that may contain triangles similar to the given ones.
 
     Args:
         numbers: (Q, 5) descriptors.
@@ -270,11 +270,11 @@ def key_ranges(
         tolerances: (Q, 5) of the descriptors.
 
     Returns:
-        (R,) given triangle, (R,) first and (R,) last + 1 triangle of the index, none empty.
+        (R,) given triangle, (R,) first and (R,) last + 1 triangle of the index; no range is empty.
     """
-    low, high = quantized(numbers - tolerances), quantized(numbers + tolerances)
+    low, high = quantize(numbers - tolerances), quantize(numbers + tolerances)
     spans = high - low + 1
-    # All cells of a triangle but those of the last number, which are neighbors in the index: counted up like digits.
+    # Cells of the last number are adjacent in the index; all combinations of the others are counted up like digits.
     each = spans[:, :-1].prod(axis=1)
     which = np.repeat(np.arange(len(numbers)), each)
     counted = np.arange(len(which)) - np.repeat(np.cumsum(each) - each, each)
@@ -283,7 +283,7 @@ def key_ranges(
         counted, step = np.divmod(counted, spans[which, column])
         first_key += (step * int(CELLS[column + 1 :].prod())).astype(np.uint32)
     last_key = first_key + (spans[which, -1] - 1).astype(np.uint32)
-    # Ascending keys are found several times faster: neighboring searches share their way through the cache.
+    # Ascending keys are found several times faster, because successive searches use the same cached memory.
     order = np.argsort(first_key)
     first = np.searchsorted(index.keys, first_key[order], side="left")
     last = np.searchsorted(index.keys, last_key[order], side="right")
@@ -292,31 +292,31 @@ def key_ranges(
 
 
 def expand_ranges(first: np.ndarray, last: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return every number in stretches first … last − 1.
+    """Return every number in ranges first … last − 1.
 
     Args:
         first: (R,) int.
-        last: (R,) int, one more than the last number.
+        last: (R,) int, exclusive.
 
     Returns:
-        (H,) which stretch and (H,) the number.
+        (H,) index of the range and (H,) the number.
     """
     spans = last - first
     return np.repeat(np.arange(len(first)), spans), numbers_in(first, spans)
 
 
 def numbers_in(first: np.ndarray, spans: np.ndarray) -> np.ndarray:
-    """Return (H,) every number in stretches (R,) that begin at ``first`` and are ``spans`` long."""
+    """Return (H,) every number in ranges (R,) that start at ``first`` and are ``spans`` long."""
     ends = np.cumsum(spans)
     numbers = np.repeat(first - (ends - spans), spans)
     numbers += np.arange(len(numbers))
     return numbers
 
 
-def like_triangles(
+def similar_triangles(
     index: ConstellationIndex, hits: np.ndarray, source: np.ndarray, numbers: np.ndarray, tolerances: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return those of the hits whose five numbers agree with those of their triangle, and these triangles.
+    """Return the hits with five numbers within the tolerances of their given triangle's, and these triangles.
 
     Args:
         hits: (H,) triangles of the index.
@@ -330,7 +330,7 @@ def like_triangles(
     high = np.clip(np.floor(wanted + reach), 0, FINE_STEPS).astype(np.uint8)
     values, first = index.fine.ravel(), hits * len(CELLS)
     for column in range(len(CELLS)):
-        # Below the lowest they wrap around and are larger than any span.
+        # Values below the lowest wrap around and exceed any span.
         above = values[column:].take(first) - low[:, column].copy().take(source)
         agree = np.flatnonzero(above <= (high - low)[:, column].copy().take(source))
         first, source = first.take(agree), source.take(agree)
@@ -340,7 +340,7 @@ def like_triangles(
 def _all_triangles(
     points: np.ndarray, ranks: np.ndarray, log_areas: np.ndarray, whole: np.ndarray, settings: ConstellationSettings
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Neighbors (N, K), and keys, codes and fine numbers of all triangles of the catalogue."""
+    """Return neighbors (N, K), and keys, codes and fine numbers of all triangles of the map."""
     neighbor_count = settings.limits.neighbors
     usable = np.flatnonzero(whole)
     neighbors = np.full((len(points), neighbor_count), -1, np.int32)
@@ -359,7 +359,7 @@ def _all_triangles(
         large &= sides[:, 0] > 0
         triple = np.take_along_axis(triple[large], ORDERS[order[large]], axis=1)
         numbers = describe_triangles(points[triple], log_areas[triple])
-        keys = cell_keys(ranks[triple], count, quantized(numbers))
+        keys = cell_keys(ranks[triple], count, quantize(numbers))
         codes = (anchors[large] * len(pairs) + pair[large]) * len(ORDERS) + order[large]
         parts.append((keys, codes.astype(kind), np.rint(fine_values(numbers)).astype(np.uint8)))
     keys, codes, fine = (np.concatenate([part[i] for part in parts]) for i in range(3))
@@ -368,7 +368,7 @@ def _all_triangles(
 
 @lru_cache
 def _corner_places(neighbor_count: int) -> np.ndarray:
-    """Return (P · 6, 3) places of A, B, C among an anchor's neighbors, −1 for the anchor, by the rest of a triangle's code."""
+    """Return (P · 6, 3) positions of A, B, C among the anchor's neighbors, −1 for the anchor, by code modulo P · 6."""
     pairs = neighbor_pairs(neighbor_count)
     triples_of = np.column_stack([np.full(len(pairs), -1), pairs])
     return triples_of[:, ORDERS].reshape(-1, 3)

@@ -1,6 +1,6 @@
-"""Triangles of the map like those of an image, looked up and turned into poses.
+"""Look up triangles of the map that are similar to those of an image, and convert them to poses.
 
-Told in docs/explanation/method.md#constellation.
+See docs/explanation/method.md#constellation.
 """
 
 from __future__ import annotations
@@ -12,57 +12,57 @@ from functools import cached_property
 import numpy as np
 
 from ..localization import Prior
-from .clusters import Poses, Seeds, clustered, poses_in_cells
+from .clusters import Poses, Seeds, cluster, poses_in_cells
 from .hypotheses import QueryTriangles, SeenLandmarks
-from .index import ConstellationIndex, key_ranges, like_triangles, numbers_in
+from .index import ConstellationIndex, key_ranges, numbers_in, similar_triangles
 
 AREA_TOLERANCE = 0.4
-"""Tolerance of ln(area / |AB|²): edges off by a pixel or two."""
+"""Tolerance of ln(area / |AB|²): boundaries with an error of one or two pixels."""
 
 PORTION = 100_000
-"""Triangles of the index looked at together; few enough that what is made of them stays in the cache."""
+"""Triangles of the index processed at a time; few enough for their data to stay in the cache."""
 
 
 class Lookup:
-    """The poses that triangles of an image have where the map's look the same, as far as was asked for.
+    """Poses at which triangles of an image match similar ones of the map.
 
-    What was looked up is kept: a search that looks farther goes on from there.
+    Results are cached: a wider search continues from them.
     """
 
     def __init__(
         self, index: ConstellationIndex, query: SeenLandmarks, triangles: QueryTriangles, prior: Prior | None
     ) -> None:
-        """Look nothing up yet.
+        """Look up nothing yet.
 
         Args:
-            triangles: All or some of its triangles.
-            prior: What is known beforehand: no other poses are kept.
+            triangles: All or some triangles of the image.
+            prior: Prior that restricts the poses.
         """
         self.index, self.query, self.triangles, self.prior = index, query, triangles, prior
         self._done = np.zeros(len(triangles), bool)
         self._found: list[Poses] = []
 
     def mirrored(self) -> Lookup:
-        """Return of the mirrored image, which has no heading that could be known."""
+        """Return the lookup for the mirrored image, without a prior heading."""
         prior = None if self.prior is None else replace(self.prior, heading_deg=None)
         return Lookup(self.index, self.query.mirrored(), self.triangles.mirrored(), prior)
 
     def every(self, step: int) -> Lookup:
-        """Return of the first triangle and every ``step``-th after it."""
+        """Return the lookup for the first triangle and every ``step``-th after it."""
         return Lookup(self.index, self.query, self.triangles.every(step), self.prior)
 
     def poses(self, cap: int) -> tuple[list[Poses], bool]:
-        """Poses in portions, of the triangles with the fewest like ones, and whether any triangle is left out.
+        """Return poses in portions, for the triangles with the fewest hits, and whether any triangle is omitted.
 
         Args:
-            cap: Triangles of the index looked at, at most; where they are more, only those where the prior has the
-                image are counted.
+            cap: Largest number of index triangles to examine. If there are more, only those near the prior position
+                are counted.
         """
         which, first, last = self._stretches
         if (last - first).sum() > cap:
             near = _triangles_near(self.index, self.query, self.prior)
             if near is not None:
-                # Stretches of ``near`` instead of stretches of the index.
+                # Ranges of ``near`` instead of ranges of the index.
                 first, last = np.searchsorted(near, first), np.searchsorted(near, last)
                 allowed = self._rarest(last - first, cap)
                 some = allowed[which]
@@ -77,7 +77,7 @@ class Lookup:
 
     @cached_property
     def _stretches(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """(R,) triangle of the image, (R,) first and (R,) last + 1 triangle of the index that may be like it."""
+        """(R,) triangle of the image, (R,) first and (R,) last + 1 triangle of the index that may be similar."""
         ranks = self.query.ranks[self.triangles.members]
         return key_ranges(self.index, self.triangles.numbers, ranks, self._reach)
 
@@ -99,12 +99,12 @@ class Lookup:
     def _look_up(
         self, which: np.ndarray, first: np.ndarray, last: np.ndarray, near: np.ndarray | None
     ) -> Iterator[Poses]:
-        """Poses of the like ones in stretches, of ``near`` or of the index, a portion at a time."""
+        """Yield poses of the similar triangles in ranges of ``near`` or of the index, a portion at a time."""
         for portion in _portions(last - first, PORTION):
             spans = last[portion] - first[portion]
             source, hits = np.repeat(which[portion], spans), numbers_in(first[portion], spans)
             hits = hits if near is None else near[hits]
-            like, source = like_triangles(self.index, hits, source, self.triangles.numbers, self._reach)
+            like, source = similar_triangles(self.index, hits, source, self.triangles.numbers, self._reach)
             centers, turns, focuses = _fitted(self.index, self.query, self.triangles.members, source, like)
             kept = np.flatnonzero(allowed_poses(self.index, centers, turns, self.prior))
             fitted = centers.take(kept), turns.take(kept), focuses.take(kept)
@@ -112,22 +112,22 @@ class Lookup:
 
 
 def find_seeds(lookup: Lookup, cap: int, count: int | None = None, prior: Prior | None = None) -> Seeds:
-    """Return the most voted poses of an image.
+    """Return the poses of an image with the most votes.
 
     Args:
-        cap: Triangles of the index looked at, at most, as ``Lookup.poses`` has it.
-        count: Poses of each of two lattices of cells; as many as the index's settings say without it.
-        prior: What is known besides what the lookup knows.
+        cap: Largest number of index triangles to examine, see ``Lookup.poses``.
+        count: Poses of each of two lattices of cells; the default is the index's setting.
+        prior: Additional prior beyond that of the lookup.
     """
     portions, capped = lookup.poses(cap)
     if prior is not None:
         allowed = (allowed_poses(lookup.index, poses.centers, poses.turns, prior) for poses in portions)
         portions = [poses.select(np.flatnonzero(kept)) for poses, kept in zip(portions, allowed)]
-    return clustered(portions, capped, count or lookup.index.settings.limits.seeds)
+    return cluster(portions, capped, count or lookup.index.settings.limits.seeds)
 
 
 def _portions(spans: np.ndarray, most: int) -> Iterator[slice]:
-    """Stretches in portions of about ``most`` triangles, so that memory is bounded."""
+    """Yield ranges in portions of about ``most`` triangles, which limits memory."""
     ends = np.cumsum(spans)
     first = 0
     while first < len(spans):
@@ -140,19 +140,19 @@ def _portions(spans: np.ndarray, most: int) -> Iterator[slice]:
 def _fitted(
     index: ConstellationIndex, query: SeenLandmarks, triple: np.ndarray, source: np.ndarray, hits: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Centers, turns and the triangles' middles in the image of like triangles whose classes agree.
+    """Return centers, turns and the triangles' centers in the image, for similar triangles with equal classes.
 
     Args:
         triple: (Q, 3) corners of the image's triangles.
         source: (H,) the triangle of the image of each hit.
-        hits: (H,) the triangles of the index that are like them.
+        hits: (H,) the similar triangles of the index.
     """
     members = index.members(hits)
     if not index.keys_tell_classes:
         alike = [index.ranks[of] == query.ranks[triple[source, k]] for k, of in enumerate(members)]
         same = np.logical_and.reduce(alike)
         members, source = [of[same] for of in members], source[same]
-    # Least squares of three points each, the same as ``fit_similarity``: what only the image tells once a triangle.
+    # Least squares of three points, as in ``fit_similarity``; factors of the image are computed once per triangle.
     corners = query.points[triple]
     middles = corners.mean(axis=1)
     away = corners - middles[:, None]
@@ -160,16 +160,16 @@ def _fitted(
     a, b, c = (index.points.take(of) for of in members)
     middles = middles.take(source)
     turns = away[:, 1].take(source) * (b - a) + away[:, 2].take(source) * (c - a)
-    # A complex number over 3 takes several times as long as its two parts times a third.
+    # Dividing a complex number by 3 takes several times as long as multiplying its two parts by a third.
     centers = ((a + b + c).view(np.float64) * (1 / 3)).view(np.complex128)
     return centers - turns * middles, turns, middles
 
 
 def _triangles_near(index: ConstellationIndex, query: SeenLandmarks, prior: Prior | None) -> np.ndarray | None:
-    """Ascending triangles of the index that an image may show at a prior's position; None without one."""
+    """Return ascending triangles of the index that an image may show at the prior position; None without one."""
     if prior is None or prior.position is None or prior.radius is None or prior.pixel_size_range is None:
         return None
-    # Objects lie within half a diagonal of the center; the rest is for triangles that fit only nearly.
+    # Landmarks are within half a diagonal of the center; the rest is for triangles that match approximately.
     reach = prior.radius + query.diagonal * prior.pixel_size_range[1]
     center, corner = complex(*prior.position) - index.origin, complex(reach, reach)
     inside = np.zeros(len(index), bool)

@@ -1,4 +1,4 @@
-"""Which objects of the map an image's match at a pose: the nearest of their class, within what noise explains."""
+"""Match landmarks of an image with the nearest ones of their class on the map, within the noise of a pose."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from .index import ConstellationIndex
 from .settings import NoiseModel
 
 NOISE_FACTORS = (0.5, 3.0)
-"""How much less and more noise than assumed an image may have; measured from its own residuals."""
+"""Smallest and largest ratio of an image's measured noise to the assumed one."""
 
 ASSUMED_MATCHES = 4
-"""So many matches with just the assumed noise count with the measured ones: as many numbers as a pose has twice over,
-so that a handful of residuals can't make the noise vanish. Set by hand."""
+"""Number of matches with exactly the assumed noise that are added to the measured ones: twice the parameters of a pose,
+so that a few residuals can't reduce the noise to nothing. Set by hand."""
 
 MEDIAN_OF_RAYLEIGH = 1.1774
 """Median length of a residual whose two coordinates have a standard deviation of 1."""
@@ -25,11 +25,11 @@ MEDIAN_OF_RAYLEIGH = 1.1774
 
 @dataclass(frozen=True)
 class Nearest:
-    """Nearest objects of the map to those of an image, of the same class; … stands for as many poses as there are.
+    """Nearest landmarks of the map to those of an image, of the same class; … stands for the poses.
 
     Attributes:
-        distances: (…, n) map units, inf where there is none.
-        objects: (…, n) int64, −1 where there is none.
+        distances: (…, n) map units, inf without one.
+        objects: (…, n) int64, −1 without one.
         deviations: (…, n) σ of each distance, map units.
     """
 
@@ -42,7 +42,7 @@ class Nearest:
 
 
 def center_noise(log_areas_px: np.ndarray, pixel_size: np.ndarray | float, noise: NoiseModel) -> np.ndarray:
-    """Assumed σ of centers, map units.
+    """Return the assumed σ of centers, map units.
 
     Args:
         log_areas_px: (…, n) ln of areas in px².
@@ -52,12 +52,12 @@ def center_noise(log_areas_px: np.ndarray, pixel_size: np.ndarray | float, noise
 
 
 def places_on_map(query: SeenLandmarks, poses: Sequence[Pose]) -> np.ndarray:
-    """Return (S, n) complex: where each of S poses puts the image's objects."""
+    """Return (S, n) complex: map positions of the image's landmarks at each of S poses."""
     return np.array([pose.on_map(query.points) for pose in poses])
 
 
 def nearest_objects(index: ConstellationIndex, query: SeenLandmarks, poses: Sequence[Pose]) -> Nearest:
-    """Return what is nearest to the image's objects at each of S poses, (S, n) each, with the assumed deviations."""
+    """Return what is nearest to the image's landmarks at each of S poses, (S, n), with the assumed deviations."""
     distances, objects = index.matcher.match(places_on_map(query, poses), query.ranks)
     sizes = np.array([abs(pose.turn) for pose in poses])
     noise = center_noise(query.log_areas, sizes[:, None], index.settings.noise)
@@ -65,11 +65,11 @@ def nearest_objects(index: ConstellationIndex, query: SeenLandmarks, poses: Sequ
 
 
 def matched_within(nearest: Nearest, ends: np.ndarray) -> np.ndarray:
-    """Return (S, n) bool: matches that end within ``ends`` (S, n); of objects that share one of the map only the nearest.
+    """Return (S, n) bool: matches within ``ends`` (S, n); each landmark of the map matches its nearest only.
 
-    That it is too far itself lets no other have it.
+    A nearest one that is too far still blocks the others.
     """
-    # One farther than every end is none, and keeps none from its match: most need no sorting.
+    # Landmarks beyond every end neither match nor block others, so most need no sorting.
     near = nearest.distances <= ends.max(axis=1, keepdims=True)
     rows, columns = np.nonzero(near & (nearest.objects >= 0))
     distances, objects = nearest.distances[rows, columns], nearest.objects[rows, columns]
@@ -83,19 +83,19 @@ def matched_within(nearest: Nearest, ends: np.ndarray) -> np.ndarray:
 
 
 def biweight(distances: np.ndarray, ends: np.ndarray) -> np.ndarray:
-    """Tukey's biweight: (…) weights, 1 at distance 0, falling smoothly to 0 at the end."""
+    """Return Tukey's biweight: (…) weights, 1 at distance 0, decreasing smoothly to 0 at the end."""
     return np.maximum(1 - (distances / ends) ** 2, 0) ** 2
 
 
 def noise_factor(residuals: np.ndarray, fitted: int) -> np.ndarray:
     """Return (…) σ of matches over the assumed one.
 
-    From the median, because some matches are wrong. A pose takes its numbers out of the residuals: the squares of n
-    true ones are smaller by 2 n / (2 n − fitted). Few residuals tell little, so the assumption counts as well.
+    Uses the median, because some matches are wrong. Fitting a pose reduces the residuals: the squares of n true ones
+    are smaller by 2 n / (2 n − fitted). Few residuals are uncertain, so the assumption also counts.
 
     Args:
-        residuals: (…, n) lengths over the assumed σ; inf where there is none, but one at least in each row.
-        fitted: Numbers of the pose.
+        residuals: (…, n) lengths over the assumed σ; inf for missing ones, at least one finite in each row.
+        fitted: Number of parameters of the pose.
     """
     count = np.isfinite(residuals).sum(axis=-1)
     ordered = np.sort(residuals, axis=-1)
@@ -108,6 +108,6 @@ def noise_factor(residuals: np.ndarray, fitted: int) -> np.ndarray:
 
 
 def median(values: np.ndarray) -> float:
-    """Median of a few values, (n,) with n ≥ 1; NumPy's takes ten times as long to come to the same."""
+    """Return the median of a few values, (n,) with n ≥ 1, ten times as fast as NumPy's, with the same result."""
     ordered = np.sort(values)
     return float(ordered[(len(ordered) - 1) // 2] + ordered[len(ordered) // 2]) / 2

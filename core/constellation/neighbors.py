@@ -1,4 +1,4 @@
-"""Neighbors among points: nearest larger objects, and how dense a point's own kind is around it."""
+"""Neighbors among points: nearest larger landmarks, and the local density of a landmark's class."""
 
 from __future__ import annotations
 
@@ -8,23 +8,23 @@ import cv2
 import numpy as np
 
 CANDIDATES_PER_NEIGHBOR = 5
-"""Neighbors looked at for each larger one wanted: half of them are larger by construction, locally more or fewer."""
+"""Neighbors examined for each larger one wanted: half of them are larger by construction, locally more or fewer."""
 
 DENSITY_NEIGHBORS = 6
-"""The distance of this neighbor of the same class gives the local density."""
+"""The local density follows from the distance to this neighbor of the same class."""
 
 KD_TREE_SINGLE = 4
 """OpenCV's name for its exact, deterministic k-d tree (FLANN_INDEX_KDTREE_SINGLE)."""
 
 LEAF_POINTS = 12
-"""Points in a leaf of that tree; only speed depends on it."""
+"""Points in a leaf of that tree; affects only the speed."""
 
 
 class ClassMatcher:
-    """Finds the nearest object of the same class, quickly and many at a time."""
+    """Finds the nearest landmark of the same class, many at a time."""
 
     def __init__(self, points: np.ndarray, ranks: np.ndarray) -> None:
-        """Keep the objects; the tree of a class is made at its first use.
+        """Store the landmarks; the tree of a class is built at its first use.
 
         Args:
             points: (N,) complex, near zero.
@@ -34,14 +34,14 @@ class ClassMatcher:
         self._made: dict[int, tuple[np.ndarray, Any]] = {}
 
     def match(self, places: np.ndarray, ranks: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the nearest object of the same class to each place.
+        """Return the nearest landmark of the same class for each point.
 
         Args:
             places: (S, n) complex.
-            ranks: (n,) int, −1 for none.
+            ranks: (n,) int, −1 for unknown classes.
 
         Returns:
-            (S, n) float32 distances and (S, n) int64 objects; inf and −1 where the class has none.
+            (S, n) float32 distances and (S, n) int64 landmarks; inf and −1 where the class has no landmark.
         """
         distances = np.full(places.shape, np.inf, np.float32)
         objects = np.full(places.shape, -1, np.int64)
@@ -55,7 +55,7 @@ class ClassMatcher:
         return distances, objects
 
     def _tree(self, rank: int) -> tuple[np.ndarray, Any]:
-        """Return the objects of a class and their tree."""
+        """Return the landmarks of a class and their tree."""
         if rank not in self._made:
             members = np.flatnonzero(self._ranks == rank)
             self._made[rank] = members, make_tree(as_float32(self._points[members])) if len(members) else None
@@ -63,14 +63,14 @@ class ClassMatcher:
 
 
 def as_float32(points: np.ndarray) -> np.ndarray:
-    """Return (n, 2) float32 of (n,) complex points."""
+    """Return (n,) complex points as (n, 2) float32."""
     pairs = np.empty((len(points), 2), np.float32)
     pairs[:, 0], pairs[:, 1] = points.real, points.imag
     return pairs
 
 
-def make_tree(points_xy: np.ndarray) -> Any:  # noqa: ANN401 -- OpenCV tells no type of it
-    """OpenCV's exact k-d tree of points (N, 2) float32."""
+def make_tree(points_xy: np.ndarray) -> Any:  # noqa: ANN401 -- OpenCV has no type for it
+    """Return OpenCV's exact k-d tree of points (N, 2) float32."""
     return cv2.flann_Index(  # type: ignore[attr-defined] # OpenCV has it
         points_xy, {"algorithm": KD_TREE_SINGLE, "leaf_max_size": LEAF_POINTS}
     )
@@ -91,23 +91,24 @@ def nearest(points_xy: np.ndarray, queries_xy: np.ndarray, count: int) -> tuple[
 
 
 def nearest_larger(points_xy: np.ndarray, areas: np.ndarray, count: int) -> np.ndarray:
-    """Return each object's nearest objects of larger area.
+    """Return the nearest landmarks of larger area for each landmark.
 
-    Whatever the scale of an image, the same objects are found: that is how dense towns are thinned. Objects are halved
-    by area; in each half all but the largest are searched for the others' neighbors, so the work is about 2 N
+    The result is independent of the scale of an image, which is why dense towns are thinned in this way. Landmarks are
+    halved by area; in each half all but the largest are searched for the others' neighbors, so the work is about 2 N
     nearest-neighbor searches.
 
     Args:
         points_xy: (N, 2) float.
         areas: (N,) in the square of any unit.
-        count: Objects wanted for each.
+        count: Neighbors for each landmark.
 
     Returns:
+        (N, count) int32, nearest first, −1 for missing ones.
         (N, count) int32, nearest first, −1 where there are no more.
     """
     found = np.full((len(areas), count), -1, np.int32)
     points = centered_float32(points_xy)
-    # Position breaks ties of area, so that the answer does not hang on the objects' order.
+    # Position breaks ties of area, so that the result is independent of the order of the landmarks.
     order = np.lexsort((points[:, 1], points[:, 0], areas))
     first, candidates = 0, CANDIDATES_PER_NEIGHBOR * count
     while first < len(order):
@@ -119,13 +120,14 @@ def nearest_larger(points_xy: np.ndarray, areas: np.ndarray, count: int) -> np.n
 
 
 def local_density(points_xy: np.ndarray, classes: np.ndarray) -> np.ndarray:
-    """Return (N,) objects of the same class per unit of area around each object.
+    """Return (N,) landmarks of the same class per unit of area around each landmark.
 
-    From the distance of the k-th neighbor of its class, k / (π d²); of the whole extent where a class has few objects.
+    The density is k / (π d²) with the distance d of the k-th neighbor of its class; for a class with few landmarks it
+    is that of the whole extent.
 
     Args:
         points_xy: (N, 2) float.
-        classes: (N,) class of each object, or its rank.
+        classes: (N,) class of each landmark, or its rank.
     """
     points, count = centered_float32(points_xy), DENSITY_NEIGHBORS
     density = np.empty(len(classes))
@@ -142,13 +144,13 @@ def local_density(points_xy: np.ndarray, classes: np.ndarray) -> np.ndarray:
 
 
 def centered_float32(points_xy: np.ndarray) -> np.ndarray:
-    """Return (N, 2) float32 relative to the mean, as map coordinates of millions of meters need."""
+    """Return (N, 2) float32 relative to the mean: map coordinates in millions of meters would lose digits."""
     points = np.asarray(points_xy, np.float64).reshape(-1, 2)
     return np.ascontiguousarray(points - (points.mean(axis=0) if len(points) else 0), np.float32)
 
 
 def spatial_order(points_xy: np.ndarray) -> np.ndarray:
-    """Return (N,) an order in which near points follow each other (strips), so that searches find their data in the cache."""
+    """Return (N,) an order with near points next to each other (strips), so that searches find data in the cache."""
     strips = max(int(np.sqrt(len(points_xy) / 20)), 1)
     low = points_xy[:, 0].min()
     strip = ((points_xy[:, 0] - low) / (np.ptp(points_xy[:, 0]) + 1e-6) * strips).astype(np.int64)
@@ -158,7 +160,7 @@ def spatial_order(points_xy: np.ndarray) -> np.ndarray:
 def _larger_among(
     points: np.ndarray, members: np.ndarray, anchor_count: int, count: int, candidates: int
 ) -> np.ndarray:
-    """Return (anchor_count, count) nearest larger objects, among so many candidates, of the first members.
+    """Return (anchor_count, count) nearest larger landmarks, among ``candidates`` nearest ones, of the first members.
 
     members are in ascending order of area.
     """

@@ -1,6 +1,6 @@
-"""The places where an image may lie: clusters are fitted, verified, tried with a tilted camera, the best few kept.
+"""Search of candidates: clusters are fitted, verified, tested with a tilted camera, and the best few returned.
 
-Told in docs/explanation/method.md#constellation.
+See docs/explanation/method.md#constellation.
 """
 
 from __future__ import annotations
@@ -27,51 +27,51 @@ from .verification import (
 )
 
 ROUGH_GATES = (0.012, 0.006)
-"""How far a match may be off in the rough fits, one after the other, share of the image's diagonal. Set by hand."""
+"""Largest residuals of matches in the successive rough fits, share of the image's diagonal. Set by hand."""
 
 FEW_OBJECTS = 40
-"""Up to so many objects a pose is verified from its seed as well as from its rough fit, which may have settled on wrong
-matches. Set by hand."""
+"""Up to this many landmarks a pose is verified from its seed as well as from its rough fit, which may have converged to
+wrong matches. Set by hand."""
 
 SAME_PLACE_IN_NOISE = 5.0
-"""Poses whose objects lie nearer to each other than this many σ are the same place."""
+"""Poses are at the same place if their landmarks are nearer to each other than this many σ."""
 
 SAME_TILTED_PLACE = 0.04
-"""The same of a level and a tilted pose, share of the image's diagonal. Set by hand."""
+"""The same for a level and a tilted pose, share of the image's diagonal. Set by hand."""
 
 REPEATED = 0.15
-"""A step is a repeat of the map if it leads this share of the objects to another of their class … Set by hand."""
+"""A step is a repeat of the map if it moves this share of the landmarks to another of their class … Set by hand."""
 
 REPEAT_REACH = 0.5
-"""… and is at most this share of their extent long. Set by hand."""
+"""… and its length is at most this share of their extent. Set by hand."""
 
 COPY_REACH = 1.0
-"""Diagonals of the image around a fix in which ground is sought that looks the same: two estates built by one plan are
-beside each other."""
+"""Diagonals of the image around a fix where similar ground is searched: two estates built by one plan are next to each
+other."""
 
 COPY_AREA_IN_NOISE = 3.0
-"""Objects of such ground have the areas of each other within so many ``area_deviation``."""
+"""Largest difference of areas between landmarks of such ground, in ``area_deviation``."""
 
 
 class Round(NamedTuple):
-    """How far one round of a search looks: for these triangles, the cap on their hits, and poses of each lattice."""
+    """Extent of one round of a search: triangles, the cap on their hits, and the poses of each lattice."""
 
     lookup: Lookup
     cap: int
     seeds: int
     prior: Prior | None = None
-    """What is known besides what the lookup knows."""
+    """Additional prior beyond that of the lookup."""
 
     def mirrored(self) -> Round:
-        """As far for the mirrored image."""
+        """Return the same round for the mirrored image."""
         return self._replace(lookup=self.lookup.mirrored())
 
 
 def rounds(everything: Lookup) -> list[Round]:
-    """Return a few triangles from all over the image, then all with caps that rise.
+    """Return the rounds: a few triangles from all over the image, then all with increasing caps.
 
-    By chance a map of more landmarks has more places that look like the image, of which more are tried where the first
-    rounds brought nothing.
+    A map of more landmarks has more places that resemble the image by chance. So more candidates are tested if the
+    first rounds bring nothing.
     """
     limits = everything.index.settings.limits
     some = everything.every(max(-(-len(everything.triangles) // limits.first_triangles), 1))
@@ -88,7 +88,7 @@ def search(verifier: Verifier, query: SeenLandmarks, reach: Round) -> tuple[list
 
 
 def level_poses(verifier: Verifier, query: SeenLandmarks, reach: Round) -> tuple[list[PoseEvidence], Seeds]:
-    """Return the best few poses of a level camera at different places, best first; and the clusters they come from."""
+    """Return the best few poses of a level camera at different places, best first; and their clusters."""
     settings = verifier.index.settings
     seeds = find_seeds(reach.lookup, reach.cap, reach.seeds, reach.prior)
     found = Found(query, settings.decision)
@@ -103,7 +103,7 @@ def level_poses(verifier: Verifier, query: SeenLandmarks, reach: Round) -> tuple
         poses.append(Pose(complex(centers[number]), complex(turns[number])))
         seed = Pose(complex(seeds.centers[number]), complex(seeds.turns[number]))
         if len(telling.points) <= FEW_OBJECTS and seed != poses[-1]:
-            # The rough fit of few objects may have settled on wrong matches.
+            # The rough fit of few landmarks may have converged to wrong matches.
             poses.append(seed)
     for evidence in verify(verifier, telling, poses):
         found.add(evidence)
@@ -113,13 +113,13 @@ def level_poses(verifier: Verifier, query: SeenLandmarks, reach: Round) -> tuple
 def _worth_a_trial(
     query: SeenLandmarks, centers: np.ndarray, turns: np.ndarray, scores: np.ndarray, limits: SearchLimits
 ) -> list[int]:
-    """Return the roughly fitted poses that are verified, best first: of those at one place the best, none far below the best.
+    """Return the roughly fitted poses to verify, best first: the best one of each place, none far below the best.
 
     Args:
         centers: (S,) complex, map units from the index's origin.
         turns: (S,) complex, heading and pixel size.
         scores: (S,) of the rough fits.
-        limits: How many, and how far below.
+        limits: Largest number, and smallest share of the best score.
     """
     chosen: list[int] = []
     tried: list[np.ndarray] = []
@@ -141,7 +141,7 @@ def _worth_a_trial(
 def tilted_poses(
     verifier: Verifier, query: SeenLandmarks, level: list[PoseEvidence], seeds: Seeds
 ) -> list[PoseEvidence]:
-    """Return the best few poses with those of a camera that may be tilted, best first."""
+    """Return the best few poses, including those of a possibly tilted camera, best first."""
     settings = verifier.index.settings
     if not level:
         return []
@@ -163,10 +163,10 @@ def tilted_poses(
 
 
 class Found:
-    """Poses of an image at different places: of those at one place the best stays.
+    """Poses of an image at different places: only the best one of each place remains.
 
     Attributes:
-        poses: In the order in which they came.
+        poses: In the order in which they were added.
     """
 
     def __init__(self, query: SeenLandmarks, decision: Decision, poses: Sequence[PoseEvidence] = ()) -> None:
@@ -176,7 +176,7 @@ class Found:
 
     @property
     def best_first(self) -> list[PoseEvidence]:
-        """The poses, those of most log odds first."""
+        """The poses in descending order of log odds."""
         return sorted(self.poses, key=lambda evidence: -evidence.log_odds)
 
     def knows(self, evidence: PoseEvidence) -> bool:
@@ -184,7 +184,7 @@ class Found:
         return bool(self._at_its_place(evidence, evidence.pose.on_map(self._query.points)).any())
 
     def add(self, evidence: PoseEvidence) -> None:
-        """Take it in unless a better one is at its place; a tilted one must be clearly better."""
+        """Add it unless a better one is at its place; a tilted one must be clearly better."""
         on_map = evidence.pose.on_map(self._query.points)
         same = self._at_its_place(evidence, on_map)
         better = evidence.log_odds - (0 if evidence.pose.is_level else self._decision.tilted_margin)
@@ -194,7 +194,7 @@ class Found:
             self._on_map = [*(self._on_map[number] for number in others), on_map]
 
     def _at_its_place(self, evidence: PoseEvidence, on_map: np.ndarray) -> np.ndarray:
-        """Return (k,) bool: poses that put the image's objects on the same spots, as far as their noise tells."""
+        """Return (k,) bool: poses that map the image's landmarks to the same points, within their noise."""
         if not self.poses:
             return np.zeros(0, bool)
         noise = np.maximum([other.noise for other in self.poses], evidence.noise)
@@ -207,16 +207,16 @@ class Found:
 
 
 def _distances(on_map: np.ndarray, others: list[np.ndarray]) -> np.ndarray:
-    """Return (k,) median distance on the map between an image's objects (n,) and the same at each of k other poses."""
+    """Return (k,) median distance on the map between an image's landmarks (n,) and those at each of k other poses."""
     ordered = np.sort(np.abs(np.array(others) - on_map), axis=1)
     count = ordered.shape[1]
     return (ordered[:, (count - 1) // 2] + ordered[:, count // 2]) / 2
 
 
 def _is_level(verifier: Verifier, telling: SeenLandmarks, evidence: PoseEvidence) -> bool:
-    """Return whether a pose is evident, its noise no more than assumed, and its matches have no use for a tilted camera.
+    """Return whether a pose is evident, its noise at most the assumed one, and a tilted camera would fit no better.
 
-    A few of an image's landmarks may lie so near each other that no tilt shows.
+    A few of an image's landmarks may be too close to each other to show a tilt.
     """
     decision = verifier.index.settings.decision
     if evidence.log_odds < decision.minimum_log_odds or evidence.noise_factor > 1:
@@ -227,7 +227,7 @@ def _is_level(verifier: Verifier, telling: SeenLandmarks, evidence: PoseEvidence
 
 
 def _is_as_good(tilted: PoseEvidence, level: PoseEvidence, decision: Decision) -> bool:
-    """Return whether a tilted pose needs no other: it is as good as a level one and no better, or explains the image."""
+    """Return whether a tilted pose needs no other: it equals a level one in quality, or explains the image."""
     if tilted.log_odds < max(level.log_odds - decision.tilted_slack, decision.minimum_log_odds):
         return False
     is_level = len(level.matched) > FEW_OBJECTS and tilted.log_odds < level.log_odds + decision.tilted_margin
@@ -235,24 +235,24 @@ def _is_as_good(tilted: PoseEvidence, level: PoseEvidence, decision: Decision) -
 
 
 def _agrees(evidence: PoseEvidence, decision: Decision) -> bool:
-    """Return whether a pose explains the image, so that no other camera needs a trial."""
+    """Return whether a pose explains the image, so that no other camera needs a test."""
     share = len(evidence.matched) / max(evidence.considered, 1)
     exact = evidence.noise_factor < decision.tilted_noise
     return evidence.log_odds >= decision.minimum_log_odds and exact and share > decision.tilted_share
 
 
 def with_repeats(verifier: Verifier, query: SeenLandmarks, found: list[PoseEvidence]) -> list[PoseEvidence]:
-    """Return the poses found, and the best one moved by the steps at which the map repeats itself there, best first."""
+    """Return the poses, and the best one moved by the steps at which the map repeats itself there, best first."""
     return _with_moved(verifier, query, found, repeats(verifier, query, found[0]))
 
 
 def with_copies(
     verifier: Verifier, query: SeenLandmarks, found: list[PoseEvidence], prior: Prior | None
 ) -> list[PoseEvidence]:
-    """Return the poses found, and the best one moved to where the map around looks the same, best first.
+    """Return the poses, and the best one moved to similar ground nearby, best first.
 
-    An image may have no triangle in common with its place, but by chance one with a copy of that, of two estates built
-    by one plan.
+    An image may have no triangle in common with its true place, but one with a copy of it by chance, for example with
+    the other of two estates built by one plan.
     """
     steps = copies(verifier, query, found[0])
     turns = np.full(len(steps), found[0].pose.turn)
@@ -273,7 +273,7 @@ def _with_moved(
 
 
 def repeats(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) -> list[complex]:
-    """Steps at which enough of the matched objects have another of their class, most frequent first."""
+    """Return steps that move enough of the matched landmarks to others of their class, most frequent first."""
     index, settings = verifier.index, verifier.index.settings
     points, ranks = index.points[evidence.objects], index.ranks[evidence.objects]
     if len(points) < MINIMUM_OBJECTS:
@@ -289,7 +289,7 @@ def repeats(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) ->
 
 
 def copies(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) -> list[complex]:
-    """Steps at which enough of the matched objects have one of their class and area, most frequent first."""
+    """Return steps that move enough of the matched landmarks to one of their class and area, most frequent first."""
     index, settings = verifier.index, verifier.index.settings
     if len(evidence.objects) < MINIMUM_OBJECTS:
         return []

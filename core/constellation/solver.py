@@ -1,6 +1,6 @@
-"""Constellation localization: landmarks as stars. Finds an image's position, or says why not.
+"""Constellation: find an image's position from its landmarks as from stars, or give a reason for no position.
 
-Told in docs/explanation/method.md#constellation.
+See docs/explanation/method.md#constellation.
 """
 
 from __future__ import annotations
@@ -10,13 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..geometry.error_settings import SharedErrors
-from ..geometry.pose import (
-    Pose,
-    PoseCovariance,
-    heading_of,
-    image_points,
-    turn_of,
-)
+from ..geometry.pose import Pose, PoseCovariance, heading_of, image_points, turn_of
 from ..geometry.shared_errors import LANDMARKS, VIEW, MatchedPoints, refined_pose
 from ..landmarks.landmarks import Landmarks
 from ..localization import (
@@ -42,10 +36,10 @@ from .settings import ConstellationSettings
 from .verification import MINIMUM_MATCHES, PoseEvidence, Verifier, telling_objects, verify, verify_tilted
 
 SIDE_PIXEL_SIZES = 1.11
-"""Two parts of an image have about the same pixel size up to this ratio."""
+"""Largest ratio of pixel sizes between two parts of an image from one camera."""
 
 
-def localize(  # noqa: PLR0913 - the image, the map, and what is known and asked
+def localize(  # noqa: PLR0913 - the image, the map, the prior and the settings
     objects: Landmarks,
     size_wh: tuple[float, float],
     index: ConstellationIndex,
@@ -54,14 +48,14 @@ def localize(  # noqa: PLR0913 - the image, the map, and what is known and asked
     allowed_risk: float = RISK,
     errors: SharedErrors | None = None,
 ) -> Localization:
-    """Position, heading and pixel size of an image from its landmarks, or why there is no fix. Deterministic.
+    """Return position, heading and pixel size of an image from its landmarks, or the reason for no fix. Deterministic.
 
     Args:
         objects: Landmarks of the whole image.
         size_wh: (width, height) of the image, pixels.
-        minimum_area_px: Contour area below which landmarks were not extracted; by default the smallest one's.
-        allowed_risk: Probability of being wrong up to which the best place is a fix.
-        errors: What is known of errors that landmarks share; the defaults without it.
+        minimum_area_px: Minimum contour area of the extracted landmarks; by default that of the smallest one.
+        allowed_risk: Maximum error probability of a fix.
+        errors: Prior knowledge of errors that landmarks share; defaults without it.
     """
     settings = index.settings
     query = make_query(objects, index, size_wh)
@@ -81,22 +75,22 @@ def localize(  # noqa: PLR0913 - the image, the map, and what is known and asked
     if other is None:
         return replace(decided, reason=_remark(of_image, _agreement_of_map(index, best), query.diagonal, settings))
     places = decided.best, _place(index, other, other.pose)
-    told = Sentence("Landmarks agree with the map on one side of the image only: it may show two places.")
-    return replace(decided, status=Status.AMBIGUOUS, reason=told, confidence=None, alternatives=places)
+    reason = Sentence("Landmarks agree with the map on one side of the image only; the image may show two places.")
+    return replace(decided, status=Status.AMBIGUOUS, reason=reason, confidence=None, alternatives=places)
 
 
 def matches_at(
     objects: Landmarks, size_wh: tuple[float, float], index: ConstellationIndex, place: Place
 ) -> Matches | None:
-    """Return which landmarks agree with the map's at a place that another method found, as the constellation verifies it.
+    """Return the landmarks that agree with the map at a candidate of another method, as verified here.
 
     Args:
         objects: Landmarks of the whole image, at least one.
         size_wh: (width, height) of the image, pixels.
-        place: Where the image lies, with heading and pixel size.
+        place: The candidate, with heading and pixel size.
 
     Returns:
-        None where no more agree than by chance.
+        None if no more agree than by chance.
     """
     settings = index.settings
     query = make_query(objects, index, size_wh)
@@ -114,7 +108,7 @@ def matches_at(
 
 
 def make_query(objects: Landmarks, index: ConstellationIndex, size_wh: tuple[float, float]) -> SeenLandmarks:
-    """Return an image's objects as localization uses them; ``size_wh``: (width, height) of the image, pixels."""
+    """Return an image's landmarks in the form for localization; ``size_wh``: (width, height) of the image, pixels."""
     points = image_points(objects.centers_xy, *size_wh)
     log_areas = np.log(full_area(np.asarray(objects.areas_px, np.float64), 1.0))
     whole = ~np.asarray(objects.touches_edge, bool)
@@ -124,7 +118,7 @@ def make_query(objects: Landmarks, index: ConstellationIndex, size_wh: tuple[flo
 def _search_for(
     query: SeenLandmarks, verifier: Verifier, prior: Prior | None, allowed_risk: float, errors: SharedErrors
 ) -> _Searched:
-    """Round by round, until a place is a fix or nothing is left to try."""
+    """Search round by round, until a candidate is a fix or no round is left."""
     index, settings = verifier.index, verifier.index.settings
     searched = _Searched([], [], False, errors)
     everything = Lookup(index, query, query_triangles(query, settings), prior)
@@ -147,7 +141,7 @@ def _search_for(
 
 
 def _decoys(verifier: Verifier, query: SeenLandmarks, reach: Round, searched: _Searched) -> list[PoseEvidence]:
-    """Return the best few poses of the mirrored image, best first; those of tilted cameras only where they could count."""
+    """Return the best few poses of the mirrored image, best first; of tilted cameras only where they could count."""
     mirrored, settings = query.mirrored(), verifier.index.settings
     level, seeds = level_poses(verifier, mirrored, reach.mirrored())
     opponents = replace(searched, decoys=level).opponents(verifier.index)
@@ -159,7 +153,7 @@ def _decoys(verifier: Verifier, query: SeenLandmarks, reach: Round, searched: _S
 
 @dataclass(frozen=True)
 class _Searched:
-    """Poses found for the image and for its mirror, each best first; ``capped``: the search left some out."""
+    """Poses of the image and of its mirror, each best first; ``capped``: the search omitted some."""
 
     found: list[PoseEvidence]
     decoys: list[PoseEvidence]
@@ -167,7 +161,7 @@ class _Searched:
     errors: SharedErrors
 
     def opponents(self, index: ConstellationIndex) -> Opponents:
-        """Return the best place, and what it is compared with."""
+        """Return the best candidate, and what it is compared with."""
         runner_up = max((other.log_odds for other in self.found[1:]), default=-np.inf)
         mirror = float(max(self.decoys[0].log_odds, 0.0)) if self.decoys else 0.0
         return Opponents(self.found[0].log_odds, float(runner_up), mirror, len(index), self.capped)
@@ -176,11 +170,11 @@ class _Searched:
 def _decide(
     objects: Landmarks, query: SeenLandmarks, verifier: Verifier, searched: _Searched, allowed_risk: float
 ) -> Localization:
-    """Return the verdict on the poses found."""
+    """Return the decision on the poses."""
     index, found, capped = verifier.index, searched.found, searched.capped
     count, settings = query.usable_count, index.settings
     if not found:
-        nothing = Sentence("No place on the map has triangles like the image's.")
+        nothing = Sentence("No place on the map has triangles of landmarks like the image's.")
         return Localization(Status.NO_MATCH, Method.CONSTELLATION, count, nothing, search_capped=capped)
     best = found[0]
     pose, covariance = _refined(index, query, best, searched.errors)
@@ -189,7 +183,7 @@ def _decide(
     status, reason = verdict(opponents, len(rivals), allowed_risk, settings.decision)
     if status is Status.NO_MATCH and count < objects_needed(index):
         status, reason = Status.TOO_FEW_REFERENCES, _too_few(count, index, capped).reason
-    # What the image itself leaves open: a map that is not exact makes no place doubtful.
+    # Uncertainty from the image itself; an inaccurate map makes no candidate doubtful.
     open_m = None if covariance is None else float(np.hypot(covariance.part(LANDMARKS), covariance.part(VIEW)))
     flaw = _flaw(verifier, query, best, open_m)
     if status is Status.FIX and flaw is not None:
@@ -218,15 +212,17 @@ def _decide(
 def _flaw(
     verifier: Verifier, query: SeenLandmarks, best: PoseEvidence, error_95: float | None
 ) -> tuple[Status, Sentence] | None:
-    """Status and reason of a place that is no fix however sure it is: of two places, or too loose."""
+    """Return status and reason of a candidate that is never a fix: it shows two places, or is too inaccurate."""
     index, settings = verifier.index, verifier.index.settings
     of_image = _agreement(query, best, settings)
     if empty_side(of_image, _agreement_of_map(index, best), query.diagonal, settings.decision) is not None:
         return Status.AMBIGUOUS, Sentence(
-            "Landmarks agree with the map on one side of the image only: it may show two places."
+            "Landmarks agree with the map on one side of the image only; the image may show two places."
         )
     if error_95 is None or error_95 > settings.decision.largest_error * query.diagonal * abs(best.pose.turn):
-        return Status.NO_MATCH, Sentence("The objects that agree with the map don't fix the position closely enough.")
+        return Status.NO_MATCH, Sentence(
+            "The landmarks that agree with the map do not determine the position closely enough."
+        )
     return None
 
 
@@ -243,14 +239,14 @@ def _agreement_of_map(index: ConstellationIndex, evidence: PoseEvidence) -> Agre
 
 
 def _other_place(query: SeenLandmarks, verifier: Verifier, best: PoseEvidence, side: Side) -> PoseEvidence | None:
-    """Another place that the landmarks of a side show that don't agree with the best one; None where they show none.
+    """Return another place of the disagreeing landmarks on one side, or None.
 
-    One camera made both, most likely: at about the same pixel size, less evidence is enough.
+    One camera most likely took both: at about the same pixel size, less evidence is enough.
     """
     index, settings = verifier.index, verifier.index.settings
     telling = telling_objects(query, settings.limits.largest_objects)
     others = query.select(np.setdiff1d(telling[best.possible], telling[best.matched]))
-    others = others.select(np.flatnonzero(side.holds(others.points)))
+    others = others.select(np.flatnonzero(side.contains(others.points)))
     thorough = replace(settings.limits, verified=settings.limits.side_verified, rough_share=0.0)
     there = replace(verifier, index=replace(index, settings=replace(settings, limits=thorough)), side=side)
     anywhere = Lookup(there.index, others, query_triangles(others, settings), None)
@@ -263,7 +259,7 @@ def _other_place(query: SeenLandmarks, verifier: Verifier, best: PoseEvidence, s
             found = tilted_poses(there, others, found, seeds)
         if found and found[0].log_odds >= least:
             moved = float(np.median(np.abs(found[0].pose.on_map(others.points) - best.pose.on_map(others.points))))
-            # Nearer, it is the same ground, seen by a tilted camera or a lens that no pose describes.
+            # If it moves less, it is the same ground, seen by a tilted camera or a lens that no pose describes.
             return found[0] if moved > SAME_TILTED_PLACE * query.diagonal * size else None
     return None
 
@@ -271,29 +267,29 @@ def _other_place(query: SeenLandmarks, verifier: Verifier, best: PoseEvidence, s
 def _remark(
     of_image: Agreement, of_map: Agreement, diagonal: float, settings: ConstellationSettings
 ) -> Sentence | None:
-    """Return what a fix doesn't hold for: a side on which hardly any landmarks agree, though they show no other place."""
+    """Return the part that a fix is not valid for: a side where hardly any landmarks agree, without another place."""
     unknown, unseen = (_counts_of_side(seen, diagonal, settings) for seen in (of_image, of_map))
     if unknown:
         return Sentence(
-            "In the {part} of the image only {agree} of {count} landmarks agree with the map: new there, off the map, "
-            "or of another place. The fix holds for the rest.",
+            "In the {part} of the image only {agree} of {count} landmarks agree with the map. They may be new, outside "
+            "the map, or at another place. The position is valid for the rest of the image.",
             **unknown,
         )
     if unseen:
         return Sentence(
-            "In the {part} of the image only {agree} of {count} landmarks of the map are seen: hidden, changed, or "
-            "another place. The fix holds for the rest.",
+            "In the {part} of the image only {agree} of {count} landmarks of the map are visible. They may be hidden "
+            "or changed, or it is another place. The position is valid for the rest of the image.",
             **unseen,
         )
     return None
 
 
 def _counts_of_side(seen: Agreement, diagonal: float, settings: ConstellationSettings) -> dict[str, object]:
-    """Return how many landmarks there are on the side on which hardly any agree, and how many do; empty without such a one."""
+    """Return part, agreeing landmarks and all landmarks on the side where hardly any agree; empty without one."""
     side = uneven_side(seen, diagonal, settings.decision)
     if side is None:
         return {}
-    held = side.holds(seen.points)
+    held = side.contains(seen.points)
     right, up = side.direction.real, side.direction.imag
     across, along = "right" if right > 0 else "left", "upper" if up > 0 else "lower"
     part = IMAGE_PARTS[across if abs(right) >= abs(up) else along]
@@ -312,7 +308,7 @@ def _place(index: ConstellationIndex, evidence: PoseEvidence, pose: Pose) -> Pla
 
 
 def _matched(query: SeenLandmarks, evidence: PoseEvidence, settings: ConstellationSettings) -> np.ndarray:
-    """Return (m,) the matched ones among all landmarks of the image."""
+    """Return (m,) indices of the matched ones among all landmarks of the image."""
     return telling_objects(query, settings.limits.largest_objects)[evidence.matched]
 
 
@@ -327,7 +323,7 @@ def _matches(objects: Landmarks, query: SeenLandmarks, index: ConstellationIndex
 def _refined(
     index: ConstellationIndex, query: SeenLandmarks, evidence: PoseEvidence, errors: SharedErrors
 ) -> tuple[Pose, PoseCovariance | None]:
-    """Return the pose with errors that landmarks share, and how exactly it is known; None with too few matches."""
+    """Return the pose with shared errors considered, and its covariance; None with too few matches."""
     if len(evidence.matched) < 3:
         return evidence.pose, None
     points = query.points[_matched(query, evidence, index.settings)]
@@ -338,7 +334,7 @@ def _refined(
 
 
 def objects_needed(index: ConstellationIndex) -> int:
-    """Objects that an image needs for a fix in this catalogue, if all are on the map and noise is small."""
+    """Return how many landmarks an image needs for a fix on this map, if all are on the map and noise is small."""
     settings = index.settings
     if not len(index):
         return MINIMUM_OBJECTS

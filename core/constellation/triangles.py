@@ -1,4 +1,4 @@
-"""Labeled triangles: what is the same about three objects in every image of them, at any scale and heading."""
+"""Labeled triangles: numbers of three landmarks that are equal in every image, at any scale and heading."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ import numpy as np
 from .neighbors import nearest_larger
 
 DESCRIPTORS = 5
-"""Numbers that describe a triangle besides its three labels."""
+"""Numbers that describe a triangle in addition to its three labels."""
 
 # Vertex order A, B, C for each of the six orders of a triple's members.
 ORDERS = np.array([(0, 1, 2), (0, 2, 1), (1, 0, 2), (1, 2, 0), (2, 0, 1), (2, 1, 0)], np.int64)
 
 
 def triples(points: np.ndarray, areas: np.ndarray, neighbor_count: int) -> tuple[np.ndarray, np.ndarray]:
-    """Triples of an object and two of its nearest larger ones.
+    """Return triples of a landmark and two of its nearest larger ones.
 
     Args:
         points: (N,) complex.
         areas: (N,) in the square of the same unit.
-        neighbor_count: K, nearest larger objects of each.
+        neighbor_count: K, nearest larger landmarks of each.
 
     Returns:
         (N, K) int32 neighbors and (N, P) bool, which of the P = K (K − 1) / 2 ``neighbor_pairs`` exist.
@@ -34,12 +34,12 @@ def triples(points: np.ndarray, areas: np.ndarray, neighbor_count: int) -> tuple
 
 
 def neighbor_pairs(neighbor_count: int) -> np.ndarray:
-    """Return (P, 2) the pairs of neighbor ranks that make triples with their anchor."""
+    """Return (P, 2) pairs of neighbor ranks that form triples with their anchor."""
     return np.array(list(combinations(range(neighbor_count), 2)), np.int64).reshape(-1, 2)
 
 
 def canonical_order(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return names the vertices: AB is the longest side, and C lies nearer to A than to B.
+    """Order the vertices: AB is the longest side, and C is nearer to A than to B.
 
     Args:
         points: (T, 3) complex.
@@ -49,7 +49,7 @@ def canonical_order(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """
     opposite = np.abs(points[:, (1, 2, 0)] - points[:, (2, 0, 1)])
     rank = np.argsort(opposite, axis=1, kind="stable")
-    # B lies opposite the shortest side, A opposite the middle one, C opposite the longest.
+    # B is opposite the shortest side, A opposite the middle one, C opposite the longest.
     order = _ORDER_OF_MEMBERS[rank[:, 1], rank[:, 0]]
     return order, np.take_along_axis(opposite, rank, axis=1)
 
@@ -57,7 +57,7 @@ def canonical_order(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def describe_triangles(points: np.ndarray, log_areas: np.ndarray) -> np.ndarray:
     """Return (T, 5) float64: C in the frame of AB (along, across), then ln(area / |AB|²) of A, B and C.
 
-    Turning, moving and scaling change nothing; a mirrored triangle has the opposite second number.
+    They are invariant to rotation, shift and scale; a mirrored triangle has the opposite second number.
 
     Args:
         points: (T, 3) complex in the order A, B, C, y up.

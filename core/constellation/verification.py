@@ -1,6 +1,6 @@
-"""What speaks for a pose: a likelihood ratio for every object of the image and of the map there.
+"""Verify poses: a likelihood ratio for every landmark of the image and of the map there.
 
-Told in docs/explanation/method.md#constellation.
+See docs/explanation/method.md#constellation.
 """
 
 from __future__ import annotations
@@ -29,31 +29,31 @@ from .parts import Side
 from .settings import NoiseModel
 
 MINIMUM_MATCHES = 4
-"""Matches without which a pose is not fitted again: it has four numbers."""
+"""Smallest number of matches for fitting a pose again: a pose has four numbers."""
 
 REFINEMENTS = 6
-"""Rounds of match and fit for one pose. Set by hand."""
+"""Rounds of matching and fitting for one pose. Set by hand."""
 
 ROBUST_REFINEMENTS = 4
-"""The first of them, which trust near matches more, to leave wrong ones; the others weigh by Huber's rule, whose
-uncertainty ``level_covariance`` computes. Set by hand."""
+"""The first rounds, which trust near matches more, to drop wrong ones; the others weigh by Huber's rule, which the
+covariance assumes. Set by hand."""
 
 GROWING_GATE = 0.006
-"""For tilted cameras: how far off a match may be, besides its noise, share of the image's diagonal. Set by hand."""
+"""For tilted cameras: largest residual of a match beyond its noise, share of the image's diagonal. Set by hand."""
 
 GROWING_REACH = (0.15, 0.2, 0.3, 0.4, 0.55, 0.75, 1.0, 1.0)
-"""For tilted cameras: how far from where the pose holds matches are taken, round by round, share of the diagonal. Set
-by hand."""
+"""For tilted cameras: largest distance of matches from the point where the pose is valid, round by round, share of the
+diagonal. Set by hand."""
 
 ASSUMED_OBJECTS = 3
-"""Objects that make a hypothesis can't be evidence for it. Any three of those matched may have made it, so this many
-times their mean is taken off."""
+"""Landmarks that form a hypothesis can't be evidence for it. Any three of the matched ones may have formed it, so this
+many times their mean is subtracted."""
 
 ASSUMED_OBJECTS_TILTED = 5
-"""The same for a tilted camera, whose pose has four numbers more, as many as two objects bring."""
+"""The same for a tilted camera, with four more numbers in its pose, as many as two landmarks give."""
 
 FIRST_NOISE_FACTOR = 2.0
-"""Noise over the assumed one with which matches are first sought, of a pose that is not yet fitted."""
+"""Ratio of noise to the assumed one for the first matches of a pose that is not yet fitted."""
 
 
 @dataclass(frozen=True)
@@ -62,12 +62,12 @@ class PoseEvidence:
 
     Attributes:
         log_odds: Natural logarithm of the odds against chance.
-        matched: (m,) int64, objects of the image.
-        objects: (m,) int64, those of the map.
+        matched: (m,) int64, landmarks of the image.
+        objects: (m,) int64, landmarks of the map.
         deviations: (m,) σ of each match, map units.
-        noise_factor: How much of the assumed noise there is.
-        expected: (M,) int64, objects of the map that should be seen.
-        possible: (k,) int64, objects of the image that could be on the map.
+        noise_factor: Ratio of the noise to the assumed one.
+        expected: (M,) int64, landmarks of the map that should be visible.
+        possible: (k,) int64, landmarks of the image that could be on the map.
     """
 
     pose: Pose
@@ -85,23 +85,18 @@ class PoseEvidence:
         return median(self.deviations) if len(self.deviations) else 0.0
 
     @property
-    def missing(self) -> int:
-        """How many objects of the map should be seen and aren't."""
-        return len(np.setdiff1d(self.expected, self.objects))
-
-    @property
     def considered(self) -> int:
-        """How many objects of the image could be on the map."""
+        """Number of landmarks of the image that could be on the map."""
         return len(self.possible)
 
 
 @dataclass(frozen=True)
 class Verifier:
-    """What verification needs of catalogue and image.
+    """Data of map and image for verification.
 
     Attributes:
-        minimum_area_px: Area, px², below which objects were not taken from the image.
-        side: The part of the image that is looked at; None for all of it.
+        minimum_area_px: Smallest area, px², of landmarks extracted from the image.
+        side: The part of the image to verify; None for all of it.
     """
 
     index: ConstellationIndex
@@ -114,13 +109,13 @@ class Verifier:
 def match_ratios(
     index: ConstellationIndex, query: SeenLandmarks, nearest: Nearest, log_scale: np.ndarray
 ) -> np.ndarray:
-    """Return (…, n) likelihood ratio of every object's nearest match against a random hit at the local density.
+    """Return (…, n) likelihood ratio of every landmark's nearest match against a random hit at the local density.
 
-    Without a match it is 0.
+    It is 0 without a match.
 
     Args:
-        query: The image's n objects.
-        nearest: What is nearest to them.
+        query: The image's n landmarks.
+        nearest: Their nearest landmarks of the map.
         log_scale: ln pixel size, broadcastable.
     """
     noise, deviations = index.settings.noise, nearest.deviations
@@ -136,7 +131,7 @@ def match_ratios(
 
 
 def gains(ratios: np.ndarray, distractors: float | np.ndarray) -> np.ndarray:
-    """Logarithm of every object's likelihood ratio, if a share (broadcastable) has nothing to do with the map."""
+    """Return ln of every landmark's likelihood ratio, if a share (broadcastable) is unrelated to the map."""
     return np.log(distractors + (1 - distractors) * ratios)
 
 
@@ -147,16 +142,16 @@ def averaged_log_odds(
     assumed: np.ndarray | int,
     noise: NoiseModel,
 ) -> np.ndarray:
-    """Return (…) logarithm of the likelihood ratio of all objects, averaged over shares of distractors and visibilities.
+    """Return (…) log likelihood ratio of all landmarks, averaged over shares of distractors and visibilities.
 
-    How poor an image's labels are is not known beforehand. At the shares that suit it, a poor image keeps evidence that
-    one fixed share would take from it, and a good one loses no more than ln of their number.
+    The quality of an image's labels is unknown beforehand. With the shares that suit it, a poor image keeps evidence
+    that one fixed share would remove, and a good one loses at most ln of their number.
 
     Args:
-        ratios: (…, n) of the image's objects; 1 for one that is neither for the pose nor against it.
+        ratios: (…, n) of the image's landmarks; 1 for one that is neither for the pose nor against it.
         matched: (…, n) bool, those with a match.
-        missing: (…) objects of the map that should be seen and aren't.
-        assumed: (…) matches that may have made the hypothesis; so many times their mean gain is taken off.
+        missing: (…) landmarks of the map that should be visible and are not.
+        assumed: (…) matches that may have formed the hypothesis; this many times their mean gain is subtracted.
         noise: The shares.
     """
     distractors, unseen = np.array(noise.distractors), np.log1p(-np.array(noise.visibility))
@@ -175,13 +170,13 @@ def _normal(x: np.ndarray, deviation: float) -> np.ndarray:
 def rough_scores(
     index: ConstellationIndex, query: SeenLandmarks, centers: np.ndarray, turns: np.ndarray, gates: Sequence[float]
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Poses fitted all at once, with shrinking gates, and their scores; what the image lacks doesn't count.
+    """Fit poses all at once, with shrinking gates, and return them with scores; missing landmarks do not count.
 
     Args:
-        query: The image's most telling objects only, all of known class.
+        query: The image's largest landmarks only, all of known class.
         centers: (S,) complex, map units from the index's origin.
         turns: (S,) complex, heading and pixel size.
-        gates: How far off a match may be, one after the other, pixels.
+        gates: Largest residuals of a match, one after the other, pixels.
 
     Returns:
         (S,) centers, turns and scores.
@@ -206,28 +201,28 @@ def rough_scores(
 
 
 def telling_objects(query: SeenLandmarks, count: int) -> np.ndarray:
-    """Ascending places of the largest whole objects of known class, at most ``count``."""
+    """Return ascending indices of the largest whole landmarks of known class, at most ``count``."""
     usable = np.flatnonzero(query.whole & (query.ranks >= 0))
     return np.sort(usable[np.argsort(-query.log_areas[usable], kind="stable")[:count]])
 
 
 def verify(verifier: Verifier, query: SeenLandmarks, poses: Sequence[Pose]) -> list[PoseEvidence]:
-    """Refine poses of a level camera by match and fit, each on its own but all at once, then weighs them.
+    """Refine poses of a level camera by matching and fitting, independently but all at once, then weigh them.
 
     Args:
         query: The image's ``telling_objects``.
-        poses: First ones.
+        poses: Initial poses.
     """
     return _refined(verifier, query, poses, tilted=False)
 
 
 def verify_tilted(verifier: Verifier, query: SeenLandmarks, pose: Pose, focus: complex) -> PoseEvidence:
-    """Return the same for a camera that may be tilted.
+    """Verify a pose of a camera that may be tilted.
 
     Args:
         query: The image's ``telling_objects``.
-        pose: A first one.
-        focus: Where in the image it holds; matches spread from there over the image.
+        pose: Initial pose.
+        focus: Point of the image where it is valid; matches spread from there over the image.
     """
     sigmas = verifier.index.settings.noise.gate_in_noise
     gate = GROWING_GATE * query.diagonal
@@ -248,11 +243,11 @@ def verify_tilted(verifier: Verifier, query: SeenLandmarks, pose: Pose, focus: c
 
 
 def gained_by_tilt(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) -> float:
-    """Log likelihood that the matches of a level pose gain if the camera may be tilted; 2 on average if it is level.
+    """Return the gain in log likelihood of a level pose's matches if the camera may be tilted; about 2 if it is level.
 
     Args:
         query: The image's ``telling_objects``.
-        evidence: Of a level pose, with ``minimum_matches`` or more.
+        evidence: Of a level pose, with at least ``MINIMUM_MATCHES``.
     """
     image, on_map = query.points[evidence.matched], verifier.index.points[evidence.objects]
     level = np.abs(evidence.pose.on_map(image) - on_map)
@@ -264,13 +259,13 @@ def gained_by_tilt(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvide
 
 
 def _surprise(variance: float, least: float) -> float:
-    """−ln likelihood of a residual whose squares have this mean along each axis, if noise is as large but not less."""
+    """Return −ln likelihood of residuals with this mean square on each axis, with equal noise, at least ``least``."""
     noise = max(variance, least)
     return float(np.log(noise) + variance / noise)
 
 
 def _refined(verifier: Verifier, query: SeenLandmarks, poses: Sequence[Pose], tilted: bool) -> list[PoseEvidence]:
-    """Match and fit until both agree; then the evidence. A pose that loses its matches stays as it was."""
+    """Match and fit until both agree, then weigh. A pose that loses its matches stays unchanged."""
     index, settings = verifier.index, verifier.index.settings
     if not poses:
         return []
@@ -314,13 +309,13 @@ def _refined(verifier: Verifier, query: SeenLandmarks, poses: Sequence[Pose], ti
 
 
 def _fitted(query: SeenLandmarks, on_map: np.ndarray, weights: np.ndarray, poses: list[Pose]) -> list[Pose]:
-    """Poses of level cameras by least squares, on matches (S, n) with weights, 0 for none; ``poses`` are not used."""
+    """Return poses of level cameras by least squares, on matches (S, n) with weights, 0 for no match."""
     fitted = fit_similarity(query.points[None], on_map, weights)
     return [Pose(complex(center), complex(turn)) for center, turn in zip(*fitted)]
 
 
 def _fitted_tilted(query: SeenLandmarks, on_map: np.ndarray, weights: np.ndarray, poses: list[Pose]) -> list[Pose]:
-    """Return the same for cameras that may be tilted, beginning at ``poses``."""
+    """Return poses of cameras that may be tilted, starting at ``poses``."""
     fitted = []
     for pose, points, weight in zip(poses, on_map, weights):
         kept = np.flatnonzero(weight)
@@ -328,21 +323,16 @@ def _fitted_tilted(query: SeenLandmarks, on_map: np.ndarray, weights: np.ndarray
     return fitted
 
 
-def weigh(verifier: Verifier, query: SeenLandmarks, pose: Pose, factor: float) -> PoseEvidence:
-    """Return the evidence for a pose as it is.
-
-    Args:
-        query: The image's ``telling_objects``.
-        pose: Where the image may lie.
-        factor: How much of the assumed noise there is.
-    """
-    return weigh_all(verifier, query, [pose], np.array([factor]))[0]
-
-
 def weigh_all(
     verifier: Verifier, query: SeenLandmarks, poses: Sequence[Pose], factors: np.ndarray
 ) -> list[PoseEvidence]:
-    """Return the evidence for each of S poses, with its factor (S,) of the assumed noise, as ``weigh`` has it."""
+    """Return the evidence for each of S poses without fitting it.
+
+    Args:
+        query: The image's ``telling_objects``.
+        poses: S poses.
+        factors: (S,) ratio of the noise to the assumed one.
+    """
     index, settings = verifier.index, verifier.index.settings
     log_sizes = np.log([pose.pixel_sizes(query.points) for pose in poses])
     nearest = nearest_objects(index, query, poses)
@@ -350,8 +340,8 @@ def weigh_all(
     is_matched = matched_within(nearest, settings.noise.gate_in_noise * deviations)
     objects = np.where(is_matched, nearest.objects, -1)
     ratios = match_ratios(index, query, Nearest(nearest.distances, objects, deviations), log_sizes)
-    # Smaller than anything on the map, more than area noise explains: neither for nor against. Were those that match
-    # for it, a pose at which hardly anything is large enough would have nothing against it.
+    # Landmarks much smaller than any on the map, beyond area noise, are neither for nor against a pose. If their
+    # matches counted, a pose at which hardly any landmark is large enough would have no evidence against it.
     smallest = (
         np.log(max(index.minimum_area_m2, 1e-12)) - settings.noise.smaller_in_noise * settings.noise.area_deviation
     )
@@ -366,7 +356,7 @@ def weigh_all(
     found = []
     for k, pose in enumerate(poses):
         matched = np.flatnonzero(is_matched[k])
-        # Matches that draw a camera to a tilt that no camera has are no evidence for it.
+        # Matches that force a tilt that no camera has are no evidence for it.
         odds = float(log_odds[k]) - pose.tilt_surprise(query.diagonal)
         of_map, noise, possible = objects[k, matched], deviations[k, matched], np.flatnonzero(could_be[k])
         found.append(PoseEvidence(pose, odds, matched, of_map, noise, float(factors[k]), expected[k], possible))
@@ -374,7 +364,7 @@ def weigh_all(
 
 
 def expected_objects(verifier: Verifier, query: SeenLandmarks, pose: Pose) -> np.ndarray:
-    """Return (M,) objects of the map that an image with this pose should show whole, none smaller than those in ``query``."""
+    """Return (M,) landmarks of the map that an image with this pose should show whole, no smaller than in ``query``."""
     index, settings = verifier.index, verifier.index.settings
     half = complex(verifier.width_px, verifier.height_px) / 2
     corners = pose.on_map(np.array([half, -half, half.conjugate(), -half.conjugate()]))
@@ -386,7 +376,7 @@ def expected_objects(verifier: Verifier, query: SeenLandmarks, pose: Pose) -> np
     edge = np.exp(log_areas_px / 2)
     seen = (np.abs(inside.real) < half.real - edge) & (np.abs(inside.imag) < half.imag - edge)
     if verifier.side is not None:
-        seen &= verifier.side.holds(inside)
+        seen &= verifier.side.contains(inside)
     smallest = np.log(max(verifier.minimum_area_px, 1e-12))
     if len(query.points) >= settings.limits.largest_objects:
         smallest = max(smallest, float(query.log_areas.min()))

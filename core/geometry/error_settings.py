@@ -18,12 +18,12 @@ square between maps of Liechtenstein of two dates, by different mappers."""
 NETWORK_SPREAD = 0.6
 """Default standard deviation along each axis of a network's class offset, meters. The network that was measured shows
 buildings 0.4 to 0.6 m away from the sun; the offset varies by 0.35 m between pieces of ground
-(docs/reference/settings.md#what-networks-shift)."""
+(docs/development.md#class-offsets-of-networks)."""
 
 
 @dataclass(frozen=True)
 class ErrorSettings:
-    """Settings of the covariance of a pose (docs/explanation/method.md#how-exactly).
+    """Settings of the covariance of a pose (docs/explanation/method.md#position-error).
 
     Attributes:
         map_kernels: How neighbors share a map's displacement, (length in meters, share of the variance); the rest is

@@ -1,9 +1,11 @@
 """Covariance of a pose with shared errors: generalized least squares on the landmarks that agree.
 
-See docs/explanation/method.md#how-exactly. A map displaces neighboring landmarks alike, a network shifts all landmarks
-of a class, lens distortion and tilt deform the whole image: such errors do not average out. Each is a random effect
-with a variance. Variances that residuals can show (noise of single landmarks, displacement of the map, lens and tilt)
-are integrated out with their restricted likelihood; the others are stated values.
+See docs/explanation/method.md#position-error.
+
+A map displaces neighboring landmarks alike, a network shifts all landmarks of a class, lens distortion and tilt deform
+the whole image: such errors do not average out. Each is a random effect with a variance. Variances that residuals can
+show (noise of single landmarks, displacement of the map, lens and tilt) are integrated out with their restricted
+likelihood; the others are stated values.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Class offsets of a network: how far from their true positions a prediction shows the landmarks of each class.
 
-See docs/explanation/method.md#what-a-network-shifts. Landmarks of two label images of one ground are paired. Each piece
+See docs/explanation/method.md#class-offset. Landmarks of two label images of one ground are paired. Each piece
 of ground has the median of its pairs; the variation between pieces beyond chance is the spread of the offset.
 """
 

@@ -1,4 +1,6 @@
-"""Landmark errors of a prediction: missed, spurious, mislabeled, boundary jitter (docs/explanation/method.md).
+"""Landmark errors of a prediction: missed, spurious, mislabeled, boundary jitter.
+
+See docs/explanation/method.md#noise-of-a-network.
 
 Simulated images are degraded with the same numbers, so that a compared network can be assessed.
 """

@@ -1,10 +1,10 @@
-"""METHOD 0: two roads to one fix, constellation and map correlation, each checked by the other's evidence.
+"""Method *Automatic*: constellation and map correlation, each checked with the other's evidence.
 
-Told in docs/explanation/method.md#automatic.
+See docs/explanation/method.md#automatic.
 
-Centers of gravity and class areas fail for different reasons, so that one road's place is hardly ever the other's by
-chance. A constellation's fix stands unless class areas speak against it. The opposite is no test: where labels are poor
-landmarks do not come out whole, and they disagree at right places as at wrong ones.
+Centers of gravity and class areas fail for different reasons, so both methods rarely find the same wrong position by
+chance. A position of the constellation is kept unless class areas contradict it. The opposite is no test: with poor
+labels landmarks are not complete, and they disagree at right positions as well as at wrong ones.
 """
 
 from __future__ import annotations
@@ -18,18 +18,18 @@ from ..sentences import Sentence
 from .settings import LOCALIZER, LocalizerSettings
 
 
-def checked_by_areas(
+def check_by_areas(
     found: Localization, agreement: float | None, settings: LocalizerSettings = LOCALIZER
 ) -> Localization:
-    """Return the constellation's place, judged by class areas there as well: they may speak against a fix, or make one.
+    """Check the constellation's candidate with class areas, which may reject a fix or make it one.
 
-    Where landmarks are, the constellation searched; how well class areas agree there, nobody searched for, so that it
-    is evidence of its own (``agreement_curve``).
+    The constellation searched for agreeing landmarks; nothing searched for agreeing class areas at its candidate, so
+    they are independent evidence (``agreement_curve``).
 
     Args:
         found: Of the constellation.
-        agreement: Correlation of class areas at its best place; None where they can't tell.
-        settings: What agreement is worth, and the risk that is allowed.
+        agreement: Correlation of class areas at its best candidate; None if unknown.
+        settings: Weight of the agreement, and the maximum error probability.
     """
     if agreement is None or found.risk is None:
         return found
@@ -37,8 +37,8 @@ def checked_by_areas(
     found = replace(found, risk=risk)
     if found.is_fix and risk > settings.allowed_risk:
         reason = Sentence(
-            "Landmarks match one place, but class areas there only by {agreement:.2f}: error probability {risk:.2g}; "
-            "at most {allowed:.2g} is allowed.",
+            "Landmarks match at one position, but class areas agree too little there (correlation {agreement:.2f}): "
+            "the error probability is {risk:.2g}; at most {allowed:.2g} is allowed.",
             agreement=agreement,
             risk=risk,
             allowed=settings.allowed_risk,
@@ -50,25 +50,25 @@ def checked_by_areas(
 
 
 def worth_of(agreement: float, settings: LocalizerSettings = LOCALIZER) -> float:
-    """Return what a correlation of class areas is worth: logarithm of the likelihood ratio of right places against wrong ones.
+    """Return ln of the likelihood ratio of right against wrong candidates for a correlation of class areas.
 
     Args:
         agreement: Correlation, −1 to 1.
-        settings: Offset and slope a unit of Fisher's z, least and most.
+        settings: Offset and slope per unit of Fisher's z, minimum and maximum.
     """
     offset, slope, least, most = settings.agreement_curve
     return float(np.clip(offset + slope * np.arctanh(np.clip(agreement, -0.999, 0.999)), least, most))
 
 
-def agreed(
+def combine_agreeing(
     objects: Localization, areas: Localization, shorter_edge_px: int, settings: LocalizerSettings = LOCALIZER
 ) -> Localization | None:
-    """Return the fix of two roads that searched the whole map on their own and found the same place; else None.
+    """Return the fix of two methods that searched the whole map independently and found the same position, or None.
 
     Args:
         objects: Of the constellation, without class areas.
         areas: Of map correlation.
-        settings: How near is the same place, and the risk that is allowed.
+        settings: Tolerance for the same position, and the maximum error probability.
     """
     if objects.best is None or areas.best is None or objects.risk is None or areas.risk is None:
         return None
@@ -85,15 +85,15 @@ def agreed(
 
 
 def _as_fix(found: Localization, risk: float) -> Localization:
-    """Return a place as a fix with the risk that all evidence together leaves; what a fix was said not to hold for stays."""
-    said = found.reason if found.is_fix else None
+    """Return a candidate as a fix with an error probability; a remark about a part of the image is kept."""
+    remark = found.reason if found.is_fix else None
     return replace(
-        found, status=Status.FIX, reason=said, confidence=1 - risk, risk=risk, is_doubted=False, alternatives=()
+        found, status=Status.FIX, reason=remark, confidence=1 - risk, risk=risk, is_doubted=False, alternatives=()
     )
 
 
 def _same(place: Place, areas: Localization, shorter_edge_px: int, settings: LocalizerSettings) -> bool:
-    """Return whether a place is that of map correlation, as exactly as that is known."""
+    """Return whether a candidate is that of map correlation, within its uncertainty."""
     if areas.best is None:
         return False
     heading_deg, pixel_size = place.oriented
@@ -105,12 +105,12 @@ def _same(place: Place, areas: Localization, shorter_edge_px: int, settings: Loc
     return apart <= reach and turned <= settings.near_heading_deg and ratio <= settings.near_ratio
 
 
-def near(fix: Localization, prior: Prior, shorter_edge_px: int, settings: LocalizerSettings = LOCALIZER) -> Prior:
-    """Return what the constellation looks for to confirm map correlation's fix: the same pose, as exactly as that is known.
+def prior_near(fix: Localization, prior: Prior, shorter_edge_px: int, settings: LocalizerSettings = LOCALIZER) -> Prior:
+    """Return the prior with which the constellation can confirm map correlation's fix: its pose and uncertainty.
 
     Args:
         fix: Of map correlation.
-        prior: What is known of the image besides.
+        prior: Prior of the image.
 
     Raises:
         ValueError: There is no fix.
@@ -130,15 +130,15 @@ def near(fix: Localization, prior: Prior, shorter_edge_px: int, settings: Locali
     )
 
 
-def confirmed(areas: Localization, objects: Localization, closer: Prior) -> Localization | None:
-    """Return the fix at the constellation's finer pose, when that is map correlation's too; else None.
+def confirm(areas: Localization, objects: Localization, closer: Prior) -> Localization | None:
+    """Return map correlation's fix with the constellation's finer pose if both agree, or None.
 
-    Where several places are alike for the constellation, map correlation may tell which it is.
+    If several candidates are equal for the constellation, map correlation may select one of them.
 
     Args:
         areas: A fix of map correlation.
-        objects: What the constellation found with the prior ``closer``.
-        closer: Of ``near``.
+        objects: Result of the constellation with the prior ``closer``.
+        closer: Result of ``prior_near``.
     """
     places = objects.alternatives if objects.place is None else (objects.place,)
     here = [_within(place, closer) for place in places]
@@ -147,7 +147,7 @@ def confirmed(areas: Localization, objects: Localization, closer: Prior) -> Loca
     if areas.risk is None:
         return None
     exactness = objects if objects.is_fix else areas
-    # Searched for at that place alone, landmarks are no evidence of their own: the risk stays map correlation's.
+    # The constellation searched there only, so landmarks are no independent evidence: the error probability stays.
     fix = _as_fix(objects, areas.risk)
     return replace(
         fix,
@@ -158,17 +158,17 @@ def confirmed(areas: Localization, objects: Localization, closer: Prior) -> Loca
     )
 
 
-def neither(
+def combine_without_fix(
     objects: Localization, areas: Localization, shorter_edge_px: int, settings: LocalizerSettings = LOCALIZER
 ) -> Localization:
-    """One result with both reasons where neither method has a fix.
+    """Return one result with both reasons if neither method has a fix.
 
-    A place that both found is told once, as the constellation has it.
+    A candidate that both methods found is listed once, as the constellation found it.
 
     Args:
         objects: Of the constellation.
         areas: Of map correlation.
-        settings: How near two places are the same.
+        settings: Tolerance for the same position.
     """
     known = [place.position for place in objects.alternatives]
     others = tuple(
@@ -183,7 +183,7 @@ def neither(
         objects,
         status=Status.AMBIGUOUS if areas.status is Status.AMBIGUOUS else objects.status,
         reason=Sentence(
-            "{constellation} Map correlation has no fix either: {correlation:clause}",
+            "{constellation} Map correlation found no position either: {correlation:clause}",
             constellation=objects.reason,
             correlation=areas.reason,
         ),
@@ -193,27 +193,25 @@ def neither(
 
 
 def _within(place: Place, prior: Prior) -> bool:
-    """Return whether a place is as near to the expected position as a prior says."""
+    """Return whether a candidate is within the search radius of a prior."""
     if prior.position is None or prior.radius is None:
         return True
     return bool(np.hypot(*np.subtract(place.position, prior.position)) <= prior.radius)
 
 
-def saying_what_was_searched(
-    found: Localization, reason: Sentence, sizes: tuple[float, float], prior: Prior
-) -> Localization:
-    """Return the result, its reason with the pixel sizes, headings and ground that were searched in vain."""
+def with_search_range(found: Localization, reason: Sentence, sizes: tuple[float, float], prior: Prior) -> Localization:
+    """Return the result with a reason that states the searched pixel sizes, headings and area."""
     headings, ground = Sentence("all headings"), Sentence("the whole map")
     if prior.heading_deg is not None and prior.heading_range_deg < 180:
         spread, heading = prior.heading_range_deg, prior.heading_deg % 360
         headings = Sentence("headings within {spread:g}° of {heading:g}°", spread=spread, heading=heading)
     if prior.position is not None and prior.radius is not None:
         x, y = prior.position
-        ground = Sentence("the ground within {radius:g} of {x:.0f}, {y:.0f}", radius=prior.radius, x=x, y=y)
+        ground = Sentence("the ground within {radius:g} m of {x:.0f}, {y:.0f}", radius=prior.radius, x=x, y=y)
     return replace(
         found,
         reason=Sentence(
-            "{reason} Searched: {smallest:.3g}–{largest:.3g} map units a pixel, {headings}, {ground}.",
+            "{reason} Searched: pixel sizes {smallest:.3g}–{largest:.3g} m, {headings}, {ground}.",
             reason=reason,
             smallest=sizes[0],
             largest=sizes[1],

@@ -1,4 +1,4 @@
-"""Images of cameras that were not level: as a level camera sees them, and the result for the image as it was taken."""
+"""Leveling of tilted images: labels as a level camera sees them, and the result for the image as taken."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from ..localization import Localization, Prior
 
 
 def level_labels(seen: SeenLabels, way: Leveling) -> SeenLabels:
-    """Return what is seen in an image as a level camera sees it.
+    """Return the labels of an image as a level camera sees them.
 
     Args:
-        seen: In the image as it is.
+        seen: Of the image as taken.
     """
     shares = seen.shares
     if shares is not None:
@@ -26,10 +26,10 @@ def level_labels(seen: SeenLabels, way: Leveling) -> SeenLabels:
 
 
 def of_leveled(prior: Prior, way: Leveling) -> Prior:
-    """Return what is known of the middle of the level image, which is searched for.
+    """Return the prior of the level image's middle.
 
     Args:
-        prior: About the image's center, with a range of pixel sizes.
+        prior: Of the image's center, with a range of pixel sizes.
         way: How the image is leveled.
     """
     if prior.position is None or prior.radius is None or prior.pixel_size_range is None:
@@ -38,14 +38,14 @@ def of_leveled(prior: Prior, way: Leveling) -> Prior:
 
 
 def as_taken(found: Localization, way: Leveling) -> Localization:
-    """Return the result of a leveled image for the image as it was taken.
+    """Return the result of a leveled image for the image as taken.
 
     Args:
         found: Of the leveled image.
 
     Returns:
-        The position is that of the image's center, heading and pixel size are those there, the heading that of its top
-        as a level camera would have it. Footprint and nadir are set; matches are in pixels of the image as taken.
+        Position, heading and pixel size of the image's center; the heading is that of its top after leveling. Footprint
+        and nadir are set; matches are in pixels of the image as taken.
     """
     if found.matches is not None:
         pixels = way.in_image(found.matches.pixels_xy)

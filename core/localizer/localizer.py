@@ -1,4 +1,4 @@
-"""THE localizer: a label image and a reference database in, one result out."""
+"""The localizer: a label image and a reference database in, one result out."""
 
 from __future__ import annotations
 
@@ -33,14 +33,14 @@ from ..windows.topology_vector import (
     vector_confidence,
     vector_distances,
 )
-from .combined import agreed, checked_by_areas, confirmed, near, neither, saying_what_was_searched
+from .combined import check_by_areas, combine_agreeing, combine_without_fix, confirm, prior_near, with_search_range
 from .settings import LOCALIZER, LocalizerSettings
 
 
 def default_scales(method: Method) -> tuple[float, float]:
-    """Ground searched without a prior, as multiples of a window's edge: what the method was calibrated for.
+    """Return the default range of ground sizes, as multiples of a window's edge, that the method was calibrated for.
 
-    Automatic leaves each of its two methods its own.
+    *Automatic* uses the default of each of its two methods.
     """
     by_areas, by_landmarks = LOCALIZER.correlation.scales, LOCALIZER.constellation.limits.scales
     return by_areas if method == Method.MAP_CORRELATION else by_landmarks
@@ -48,13 +48,13 @@ def default_scales(method: Method) -> tuple[float, float]:
 
 @dataclass(frozen=True)
 class DescribedImage:
-    """The largest centered square of an image, described.
+    """Description of the largest centered square of an image.
 
     Attributes:
-        first_xy: Its first pixel (column, row).
-        size: Its edge, pixels.
-        objects: Landmarks, in the square's own pixels.
-        vector: Topology vector; None where there are too few landmarks.
+        first_xy: First pixel of the square (column, row).
+        size: Edge of the square, pixels.
+        objects: Landmarks, in pixels of the square.
+        vector: Topology vector; None with too few landmarks.
     """
 
     first_xy: tuple[int, int]
@@ -66,20 +66,18 @@ class DescribedImage:
 def describe_image(
     labels_hw: np.ndarray, reference_values: tuple[int, ...], area_fraction: float, references_per_vector: int
 ) -> DescribedImage:
-    """Describe an image as a window is described: in its largest centered square, objects and topology vector.
+    """Describe the largest centered square of an image like a window: landmarks and topology vector.
 
     Args:
         labels_hw: (H, W) uint8 labels.
         reference_values: Values of the reference classes, ascending.
-        area_fraction: Smallest area of an object as a fraction of the square's.
-        references_per_vector: Landmarks that a vector holds at most.
+        area_fraction: Smallest area of a landmark as a fraction of the square's.
+        references_per_vector: Largest number of landmarks in a vector.
 
     Raises:
         LabelMapError: The image has no pixels.
     """
-    column, row, size = centered_square(labels_hw.shape)
-    if size < 1:
-        raise LabelMapError("The image has no pixels.")
+    column, row, size = centered_square(_shape(labels_hw))
     square = np.ascontiguousarray(labels_hw[row : row + size, column : column + size])
     objects = extract_landmarks(square, reference_values, area_fraction * size * size)
     vector = topology_vector(
@@ -97,12 +95,12 @@ class Localizer:
         settings: LocalizerSettings = LOCALIZER,
         sun_deg: float | None = None,
     ) -> None:
-        """Make the localizer; indexes are built when they are first needed.
+        """Make the localizer; it builds indexes when they are first needed.
 
         Args:
             database: With its overview for map correlation.
-            settings: Of the methods; other than the default only to calibrate them.
-            sun_deg: Where the sun stood when the images were taken, clockwise from grid north.
+            settings: Of the methods; other values than the default are for calibration only.
+            sun_deg: Azimuth of the sun when the images were taken, clockwise from grid north.
         """
         self.settings = settings
         known = database.parameters.map_accuracy, database.parameters.pixel_size
@@ -118,17 +116,17 @@ class Localizer:
 
     @property
     def landmark_classes(self) -> tuple[str, ...]:
-        """Names of the classes whose areas are landmarks."""
+        """Names of the landmark classes."""
         return tuple(one.name for one in self._database.class_table if one.is_reference)
 
     def localize_by_topology_vector(self, labels_hw: np.ndarray) -> Localization:
-        """Return the published method, exactly: nearest topology vector, accepted up to distance T.
+        """Localize by the published method, exactly: nearest topology vector, accepted up to distance T.
 
         See docs/explanation/method.md#topology-vector.
 
-        The position is the matched window's center; heading and pixel size are
-        not part of the method. With several levels the image is described once for each window size, because the
-        smallest object is the same fraction of the window's area.
+        The position is the matched window's center; the method finds no heading and pixel size. With several levels the
+        image is described once for each window size, because the smallest landmark is the same fraction of the window's
+        area.
 
         Args:
             labels_hw: (H, W) uint8 labels of the database's class table.
@@ -145,7 +143,7 @@ class Localizer:
         distance, index, count = nearest[0]
         if distance > DISTANCE_THRESHOLD:
             reason = Sentence(
-                "The nearest window has distance {distance:.3f}, more than {threshold:g}.",
+                "The most similar window has the distance {distance:.3f}; at most {threshold:g} is accepted.",
                 distance=distance,
                 threshold=DISTANCE_THRESHOLD,
             )
@@ -169,15 +167,15 @@ class Localizer:
 
         Args:
             labels_hw: (H, W) uint8 labels of the database's class table.
-            count: How many at most.
+            count: Largest number of windows.
 
         Returns:
-            Empty where the image shows too few landmarks.
+            Empty if the image shows too few landmarks.
         """
         return [(index, distance) for distance, index, _ in self._nearest_windows(labels_hw, count)[1]]
 
     def _nearest_windows(self, labels_hw: np.ndarray, count: int) -> tuple[int, list[tuple[float, int, int]]]:
-        """Return the most landmarks the image has at any level; (distance, index, landmarks) of the nearest windows."""
+        """Return the largest landmark count at any level, and (distance, index, landmarks) of the nearest windows."""
         most, found = 0, []
         for size, index, vectors in self._levels:
             described = self.describe(labels_hw, size)
@@ -185,18 +183,18 @@ class Localizer:
             if described.vector is None:
                 continue
             distances = vector_distances(described.vector, vectors)
-            # Sorting takes a hundred times as long; both take the first of equal ones.
+            # Sorting takes a hundred times as long; both prefer the first of equal ones.
             nearest = [distances.argmin()] if count == 1 else np.argsort(distances, kind="stable")[:count]
             found += [(float(distances[n]), int(index[n]), len(described.objects)) for n in nearest]
-        # By distance alone: of equal ones the first level's first window comes first.
+        # By distance only: of equal ones the first level's first window comes first.
         return most, sorted(found, key=lambda window: window[0])[:count]
 
     @property
     def index(self) -> ConstellationIndex:
-        """The catalogue's triangles, from the cache or built, which takes seconds at 10⁵ landmarks."""
+        """The triangle index of the map, from the cache or built, which takes seconds for 10⁵ landmarks."""
         if self._index is None:
             settings, database = self.settings.constellation, self._database
-            # Those of a calibration are of no use later.
+            # An index for calibration is not reused.
             is_cached = database.source is not None and settings == CONSTELLATION
             of = cached_index if is_cached else build_index
             self._index = of(database.references, database.parameters.pixel_size, settings)
@@ -205,33 +203,35 @@ class Localizer:
     def localize_by_constellation(
         self, labels_hw: np.ndarray, prior: Prior | None = None, biases: KnownBiases = UNBIASED
     ) -> Localization:
-        """Landmarks as stars (docs/explanation/method.md#constellation); position, heading and pixel size of any image.
+        """Localize an image by the constellation, which finds position, heading and pixel size.
+
+        See docs/explanation/method.md#constellation.
 
         Args:
             labels_hw: (H, W) uint8 labels of the database's class table.
-            prior: Without one on the pixel size, images are searched that show 0.4 to 2.5 times a window's ground.
-            biases: How the labels are shifted.
+            prior: Without a range of pixel sizes, images may show 0.4 to 2.5 times a window's ground.
+            biases: Class offsets of the labels.
 
         Raises:
             LabelMapError: The image has no pixels.
         """
-        height, width = shape_hw = _shape(labels_hw)
+        height, width = _shape(labels_hw)
         prior = prior or Prior()
-        sizes = prior.pixel_size_range or self.pixel_sizes(shape_hw, self.settings.constellation.limits.scales)
+        sizes = prior.pixel_size_range or self.pixel_sizes((height, width), self.settings.constellation.limits.scales)
         prior = replace(prior, pixel_size_range=sizes)
         objects, smallest = self._objects(labels_hw, sizes[1])
         allowed_risk, errors = self.settings.allowed_risk, self.errors.with_biases(biases)
         return solve(objects, (width, height), self.index, prior, smallest, allowed_risk, errors)
 
     def _objects(self, labels_hw: np.ndarray, largest_pixel_size: float) -> tuple[Landmarks, float]:
-        """Return the image's landmarks, and the smallest contour area, px², that the map's may have in it."""
+        """Return the image's landmarks, and the smallest contour area, px², of the map's landmarks in it."""
         parameters = self._database.parameters
         smallest = max(parameters.minimum_area / largest_pixel_size**2, SMALLEST_OBJECT_PX)
         return extract_landmarks(labels_hw, self._database.class_table.reference_values, smallest), smallest
 
     @property
     def pyramid(self) -> MapPyramid:
-        """The overview as map correlation searches it, from the cache or built, which takes seconds for a large map.
+        """The overview for map correlation, from the cache or built, which takes seconds for a large map.
 
         Raises:
             DatabaseError: The database was read without its overview.
@@ -252,32 +252,29 @@ class Localizer:
         shares: ClassShares | None = None,
         biases: KnownBiases = UNBIASED,
     ) -> Localization:
-        """By the overlap of class areas, for labels too poor for centers of gravity.
+        """Localize by the overlap of class areas, for labels too poor for centers of gravity.
 
-        See docs/explanation/method.md#map-correlation.
-
-        Takes seconds without a prior on the position.
+        See docs/explanation/method.md#map-correlation. Takes seconds without a prior position.
 
         Args:
             labels_hw: (H, W) uint8 labels of the database's class table.
-            prior: Without one on the pixel size, images are searched that show 0.4 to 2.5 times a window's ground.
-            shares: Probable shares of classes, which then count instead of the labels.
-            biases: How the labels are shifted.
+            prior: Without a range of pixel sizes, images may show 0.4 to 2.5 times a window's ground.
+            shares: Probable shares of classes, which replace the labels.
+            biases: Class offsets of the labels.
 
         Raises:
             LabelMapError: The image has no pixels.
             DatabaseError: The database was read without its overview.
         """
-        shape_hw = _shape(labels_hw)
         prior = prior or Prior()
-        sizes = prior.pixel_size_range or self.pixel_sizes(shape_hw, self.settings.correlation.scales)
+        sizes = prior.pixel_size_range or self.pixel_sizes(_shape(labels_hw), self.settings.correlation.scales)
         prior = replace(prior, pixel_size_range=sizes)
         errors = self.errors.with_biases(biases)
         return correlate(labels_hw, self.pyramid, prior, self.settings.allowed_risk, errors, shares)
 
     @property
     def has_overview(self) -> bool:
-        """Whether map correlation can be used."""
+        """Whether map correlation is possible."""
         return self._database.overview is not None
 
     def localize_automatically(
@@ -287,46 +284,46 @@ class Localizer:
         shares: ClassShares | None = None,
         biases: KnownBiases = UNBIASED,
     ) -> Localization:
-        """Return the constellation, checked by class areas; where that has no fix, map correlation, made finer by the first.
+        """Localize by the constellation, checked by class areas; without a fix, by map correlation.
 
-        A database without overview leaves the constellation alone. Takes as long as map correlation for images without
-        a fix by the constellation.
+        The constellation refines a position of map correlation. Without an overview only the constellation is used.
+        Images without a fix by the constellation take as long as map correlation.
 
         Args:
             labels_hw: (H, W) uint8 labels of the database's class table.
-            prior: Without one on the pixel size each method searches its own range.
-            shares: Probable shares of classes, which map correlation then takes instead of the labels.
-            biases: How the labels are shifted.
+            prior: Without a range of pixel sizes, each method searches its own range.
+            shares: Probable shares of classes, which replace the labels in map correlation.
+            biases: Class offsets of the labels.
 
         Returns:
-            The method of a fix is the one whose pose it is.
+            The method of a fix is the one that found its pose.
         """
         objects = self.localize_by_constellation(labels_hw, prior, biases)
         if not self.has_overview:
             return objects
         if objects.best is not None:
             agreement = agreement_at(labels_hw, self.pyramid, objects.best)
-            checked = checked_by_areas(objects, agreement, self.settings)
+            checked = check_by_areas(objects, agreement, self.settings)
             if checked.is_fix and checked.reason is None and agreement is not None:
                 return replace(checked, reason=part_against(labels_hw, self.pyramid, objects.best))
             if objects.is_fix or checked.is_fix:
                 return checked
         areas = self.localize_by_map_correlation(labels_hw, prior, shares, biases)
-        both = agreed(objects, areas, min(labels_hw.shape), self.settings)
+        both = combine_agreeing(objects, areas, min(labels_hw.shape), self.settings)
         if both is not None:
             return both
         if not areas.is_fix:
-            return neither(objects, areas, min(labels_hw.shape), self.settings)
+            return combine_without_fix(objects, areas, min(labels_hw.shape), self.settings)
         areas = replace(areas, references=objects.references)
-        closer = near(areas, prior or Prior(), min(labels_hw.shape), self.settings)
-        return confirmed(areas, self.localize_by_constellation(labels_hw, closer, biases), closer) or areas
+        closer = prior_near(areas, prior or Prior(), min(labels_hw.shape), self.settings)
+        return confirm(areas, self.localize_by_constellation(labels_hw, closer, biases), closer) or areas
 
     def pixel_sizes(self, shape_hw: tuple[int, int], scales: tuple[float, float]) -> tuple[float, float]:
-        """Smallest and largest pixel size of images that show about a window's ground.
+        """Return the smallest and largest pixel size for images that show about a window's ground.
 
         Args:
             shape_hw: (height, width) of the image, pixels.
-            scales: Least and most of the ground that its shorter edge shows, in edges of a window.
+            scales: Smallest and largest ground along its shorter edge, in edges of a window.
         """
         parameters = self._database.parameters
         edges = [parameters.window_size * level for level in parameters.levels]
@@ -334,13 +331,10 @@ class Localizer:
         return scales[0] * min(edges) / shorter, scales[1] * max(edges) / shorter
 
     def check(self, method: Method) -> None:
-        """Refuse a method that the database can't serve for any image.
-
-        Args:
-            method: How images are to be localized.
+        """Refuse a method that the database can't support for any image.
 
         Raises:
-            DatabaseError: It can't.
+            DatabaseError: The database can't support it.
         """
         if method == Method.TOPOLOGY_VECTOR and not self._database.windows.described.any():
             raise DatabaseError(
@@ -349,7 +343,7 @@ class Localizer:
                 least=MINIMUM_REFERENCES,
             )
 
-    def localize(  # noqa: PLR0913 - what is known of one image
+    def localize(  # noqa: PLR0913 - the data of one image
         self,
         labels_hw: np.ndarray,
         method: Method,
@@ -362,16 +356,16 @@ class Localizer:
 
         Args:
             labels_hw: (H, W) uint8 labels of the database's class table.
-            with_matches: Look for the landmarks that agree with the map also at a fix that needed none: of map
-                correlation. The constellation tells them anyway.
+            with_matches: Also return matching landmarks for a fix of map correlation, which needs no matches. The
+                constellation always returns them.
             shares: Probable shares of classes, for map correlation.
-            biases: How the labels are shifted; the topology vector takes them as they are.
+            biases: Class offsets of the labels; ignored by the topology vector.
 
         Returns:
             A fix has its footprint.
 
         Raises:
-            DatabaseError: The database can't serve the method.
+            DatabaseError: The database can't support the method.
             LabelMapError: The image has no pixels.
         """
         if method == Method.TOPOLOGY_VECTOR:
@@ -384,21 +378,20 @@ class Localizer:
             found = self.localize_by_constellation(labels_hw, prior, biases)
         place = found.place
         if place is None:
-            return self._saying_what_was_searched(found, method, _shape(labels_hw), prior or Prior())
+            return self._with_search_range(found, method, _shape(labels_hw), prior or Prior())
         height, width = labels_hw.shape
         heading_deg, pixel_size = place.oriented
         ground = image_corners(place.position, heading_deg, pixel_size, width, height)
         matches = self._matches_at(labels_hw, place) if with_matches and found.matches is None else found.matches
         return replace(found, footprint=ground, matches=matches)
 
-    def _saying_what_was_searched(
+    def _with_search_range(
         self, found: Localization, method: Method, shape_hw: tuple[int, int], prior: Prior
     ) -> Localization:
-        """Return the result, its reason with the pixel sizes, headings and ground that were searched in vain."""
         if found.reason is None or found.status is Status.TOO_FEW_REFERENCES and found.peaks is None:
             return found
         smallest, largest = prior.pixel_size_range or self.pixel_sizes(shape_hw, default_scales(method))
-        return saying_what_was_searched(found, found.reason, (smallest, largest), prior)
+        return with_search_range(found, found.reason, (smallest, largest), prior)
 
     def _matches_at(self, labels_hw: np.ndarray, place: Place) -> Matches | None:
         height, width = labels_hw.shape
@@ -406,7 +399,7 @@ class Localizer:
         return matches_at(objects, (width, height), self.index, place) if len(objects) else None
 
     def describe(self, labels_hw: np.ndarray, window_size: float) -> DescribedImage:
-        """Return the image as windows of ``window_size`` (map units) of this database are described."""
+        """Describe the image in the same way as the database's windows of ``window_size`` (map units)."""
         parameters = self._database.parameters
         return describe_image(
             labels_hw,
@@ -417,11 +410,7 @@ class Localizer:
 
 
 def _shape(labels_hw: np.ndarray) -> tuple[int, int]:
-    """Return (height, width).
-
-    Raises:
-        LabelMapError: The image has no pixels.
-    """
+    """Return (height, width); raise LabelMapError for an image without pixels."""
     if not labels_hw.size:
         raise LabelMapError("The image has no pixels.")
     return labels_hw.shape[0], labels_hw.shape[1]

@@ -10,10 +10,10 @@ from ..sentences import Sentence
 
 
 def name_network(found: Localization, trained_on: Sequence[str] | None, classes: Sequence[str]) -> Localization:
-    """Return the result with a reason that begins with what the network found and was trained on.
+    """Return the result with a reason that starts with what the network found and was trained on.
 
     Args:
-        trained_on: Places; None for label images, empty where the network does not say.
+        trained_on: Places; None for label images, empty if the network does not state them.
         classes: Names of the database's landmark classes.
     """
     if found.is_fix or found.reason is None or trained_on is None:

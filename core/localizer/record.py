@@ -1,4 +1,4 @@
-"""A localization as a row of a table, a line of JSON, a sentence of NMEA 0183."""
+"""A localization as a row of a table, a line of JSON, or an NMEA 0183 sentence."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from ..localization import LEAST_RISK, Localization
 from ..sentences import Sentence, english
 
 ESTIMATED, INVALID = 6, 0
-"""GGA's fix quality: an estimated position, and none."""
+"""GGA's fix quality: an estimated position, and no position."""
 
 
 def record(result: Localization, wording: Callable[[Sentence], str] = english) -> dict[str, Any]:
-    """Return a localization by the columns of *Localize images*, as docs/file-formats.md tells them.
+    """Return a localization by the columns of *Localize images* (docs/reference/file_formats.md).
 
     Args:
-        wording: How its reason is said.
+        wording: Translates the reason.
 
     Returns:
-        Values by column; None where a method doesn't tell.
+        Values by column; None where a method does not find a value.
     """
     x, y = result.position or (None, None)
     best = result.best
@@ -45,14 +45,14 @@ def record(result: Localization, wording: Callable[[Sentence], str] = english) -
 
 
 TESTED = 10_000
-"""Fixes that the error probability was tested on: SemRef shows no smaller one. ``confidence`` keeps all digits."""
+"""Positions that the error probability was tested on: SemRef shows no smaller one. ``confidence`` keeps all digits."""
 
 
 def error_probability(confidence: float) -> Sentence:
-    """Return the error probability of a fix in words: "1 in 1,200", or "below 1 in 10,000".
+    """Return the error probability of a position in words: "1 in 1,200", or "below 1 in 10,000".
 
     Args:
-        confidence: Probability that the fix is right.
+        confidence: Probability that the position is right.
     """
     times = 1 / max(1 - confidence, LEAST_RISK)
     if times >= TESTED:
@@ -61,35 +61,38 @@ def error_probability(confidence: float) -> Sentence:
 
 
 CAUSES = {
-    LANDMARKS: Sentence("noise of single landmarks"),
-    AREAS: Sentence("errors of areas"),
-    MAP: Sentence("accuracy of the map"),
+    LANDMARKS: Sentence("single landmarks"),
+    AREAS: Sentence("class areas"),
+    MAP: Sentence("map"),
     VIEW: Sentence("lens and tilt"),
-    CLASSES: Sentence("shifts of whole classes"),
-    PIXELS: Sentence("size of the pixels"),
+    CLASSES: Sentence("class offset"),
+    PIXELS: Sentence("pixel size"),
 }
-TOLD_SHARE = 0.2
-"""Parts of a radius that are less than this share of the largest one are not told."""
+LISTED_SHARE = 0.2
+"""Smallest part of the error budget that is listed, as a share of the largest one."""
 
 
 def radius_parts(known: PoseCovariance) -> Sentence | None:
-    """Return what makes the radius, its largest parts; None where it isn't known."""
+    """Return the error budget of the 95 % radius, its largest parts; None if unknown."""
     if not known.parts:
         return None
-    least = TOLD_SHARE * known.parts[0][1]
-    parts = [(CAUSES[cause], radius) for cause, radius in known.parts if radius >= least]
-    told = (Sentence("{cause} {radius:.2g} m", cause=cause, radius=radius) for cause, radius in parts)
-    return Sentence("What makes the 95 % radius: {parts}.", parts=tuple(told))
+    least = LISTED_SHARE * known.parts[0][1]
+    parts = [
+        Sentence("{cause} {radius:.2g} m", cause=CAUSES[cause], radius=radius)
+        for cause, radius in known.parts
+        if radius >= least
+    ]
+    return Sentence("Error budget (95 %): {parts}.", parts=tuple(parts))
 
 
 def _reason(result: Localization, wording: Callable[[Sentence], str]) -> str:
-    """Why there is no fix; of a fix what it doesn't hold for, and what makes its radius."""
+    """Return why there is no position; for a position the part of the image it is not valid for, and its budget."""
     parts = radius_parts(result.covariance) if result.is_fix and result.covariance is not None else None
-    return " ".join(wording(said) for said in (result.reason, parts) if said is not None)
+    return " ".join(wording(part) for part in (result.reason, parts) if part is not None)
 
 
 def _deviations(result: Localization) -> dict[str, Any]:
-    """Return how exactly a fix is known, beside ``error_95``, the radius of the circle that holds 95 % of such errors."""
+    """Return the uncertainty of a position in addition to ``error_95``, its 95 % radius."""
     known = result.covariance
     if not result.is_fix or known is None or known.ellipse_95 is None:
         return {}
@@ -109,10 +112,10 @@ def _deviations(result: Localization) -> dict[str, Any]:
 def gga_sentence(
     time_utc: datetime, longitude: float | None = None, latitude: float | None = None, landmarks: int = 0
 ) -> str:
-    """NMEA 0183's GGA, without line end: quality 6 (estimated) with a position in degrees, 0 (invalid) without.
+    """Return NMEA 0183's GGA, without line end: quality 6 (estimated) with a position in degrees, 0 (invalid) without.
 
-    Where a receiver counts satellites stand the landmarks that agree with the map, 99 at most; dilution of precision
-    and heights stay empty. Minutes have five decimals: 2 cm.
+    The field for satellites has the number of landmarks that agree with the map, 99 at most; dilution of precision and
+    heights stay empty. Minutes have five decimals: 2 cm.
     """
     time = f"{time_utc:%H%M%S}.{time_utc.microsecond // 10_000:02d}"
     place, quality = ",,,", INVALID
@@ -127,6 +130,6 @@ def gga_sentence(
 
 
 def _angle(degrees: float, digits: int) -> str:
-    """dddmm.mmmmm; rounded before it is taken apart, so that the minutes never become 60."""
+    """Return dddmm.mmmmm; rounded before it is split, so that the minutes never become 60."""
     whole, minutes = divmod(round(abs(degrees) * 60 * 100_000), 60 * 100_000)
     return f"{whole:0{digits}d}{minutes // 100_000:02d}.{minutes % 100_000:05d}"

@@ -1,4 +1,4 @@
-"""How images are looked for, whoever does it: by which method, with what is known beforehand and of their cameras."""
+"""Search parameters of images: method, prior and cameras, for all callers."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from .localizer import Localizer, default_scales
 
 @dataclass(frozen=True)
 class Search:
-    """What is the same for all images of a run.
+    """Search parameters that all images of a run share.
 
     Attributes:
-        method: By which they are looked for.
-        known: Of all of them, in the database's CRS.
-        scales: Smallest and largest ground that an image shows, in window sizes; None for the method's own.
-        with_matches: Whether landmarks that agree are told.
+        method: The localization method.
+        known: Prior of all images, in the database's CRS.
+        scales: Smallest and largest ground that an image shows, in window sizes; None for the method's default.
+        with_matches: Whether to return matching landmarks.
     """
 
     method: Method
@@ -27,15 +27,15 @@ class Search:
     with_matches: bool = False
 
     def prior_of(self, localizer: Localizer, camera: Camera, shape_hw: tuple[int, int]) -> Prior:
-        """Return what is known of an image beforehand: what the user said, else what its camera states.
+        """Return the prior of an image: the user's values, completed by those of its camera.
 
         Args:
             camera: Of the image; its meters are map units.
-            shape_hw: (height, width) of the image as it is.
+            shape_hw: (height, width) of the image as taken.
         """
         sizes = localizer.pixel_sizes(shape_hw, self.scales) if self.scales else camera.pixel_sizes(shape_hw)
         if sizes is None and camera.leveling(shape_hw) is not None:
-            # A leveled image has another shape: its pixel sizes are those of the image as it is, for all methods.
+            # A leveled image has another shape; its pixel sizes are those of the image as taken, for all methods.
             sizes = localizer.pixel_sizes(shape_hw, default_scales(self.method))
         prior = replace(self.known, pixel_size_range=sizes)
         if prior.heading_deg is None and camera.heading_deg is not None:
@@ -45,15 +45,15 @@ class Search:
 
 @dataclass(frozen=True)
 class ImagesJob:
-    """Images that are localized elsewhere: what is the same for all.
+    """Data that all images of a localization by workers share.
 
     Attributes:
         database: Path of the reference database.
-        has_overview: Whether its overview is read.
+        has_overview: Whether to read its overview.
         model: Path of a network; empty for label images.
-        risk: Of a wrong fix that is allowed.
-        sun_deg: Direction of the sun; None where nobody tells.
-        search: How images are looked for.
+        risk: Maximum error probability.
+        sun_deg: Azimuth of the sun; None if unknown.
+        search: Search parameters.
     """
 
     database: str
@@ -66,10 +66,10 @@ class ImagesJob:
 
 @dataclass(frozen=True)
 class AskedImage:
-    """One of them.
+    """One image of the job.
 
     Attributes:
-        pixel_size_m: Ground meters along a row and a column of a pixel of a photo; None where it doesn't say.
+        pixel_size_m: Ground meters along a row and a column of a pixel of a photo; None if unknown.
     """
 
     path: str
@@ -79,11 +79,11 @@ class AskedImage:
 
 @dataclass(frozen=True)
 class FoundImage:
-    """What came of it.
+    """Result of one image.
 
     Attributes:
-        result: Where it was taken; None where it can't be used.
-        fault: Why it can't; None where it can.
+        result: Its localization; None if the image can't be used.
+        fault: Why the image can't be used; None otherwise.
         shape_hw: (height, width) of the image.
     """
 

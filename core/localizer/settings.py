@@ -1,4 +1,4 @@
-"""What was chosen for the localizer: of each solver, and of the two together.
+"""Settings of the localizer: of each method, and of their combination.
 
 In brackets: the data that a value was set on, and the trials that set it or used it, by their names in
 docs/reference/settings.md.
@@ -16,23 +16,23 @@ from ..localization import RISK
 
 @dataclass(frozen=True)
 class LocalizerSettings:
-    """Settings of a localizer; those beside the solvers' own are METHOD 0's (docs/explanation/method.md#automatic).
+    """Settings of a localizer; most of its own are for *Automatic* (docs/explanation/method.md#automatic).
 
     Attributes:
         constellation: Of the constellation [the table above].
         correlation: Of map correlation [the table above].
-        allowed_risk: Probability of being wrong up to which a place is a fix: RISK of *Localize images* [what a
-            navigator asks].
-        agreement_curve: What the correlation of class areas at the constellation's place is worth, ln of the
-            likelihood ratio of right against wrong places: offset, slope a unit of Fisher's z, least, most
+        allowed_risk: Maximum error probability of a position: RISK of *Localize images* [a navigator's
+            requirement].
+        agreement_curve: Weight of the correlation of class areas at the constellation's candidate, ln of the
+            likelihood ratio of right against wrong candidates: offset, slope per unit of Fisher's z, minimum, maximum
             [Liechtenstein, north; probability].
-        near_errors: Poses of both roads are the same when they differ in position by at most this many times map
-            correlation's 95 % radius … [Liechtenstein, north; automatic, north, with evidence]
-        near_share: … or this share of the image's ground, if that is more [what counts as right; automatic, north, with
-            evidence].
-        near_heading_deg: The same of heading, degrees [Liechtenstein, north; automatic, north, with evidence].
-        near_ratio: The same of pixel size, as a ratio [Liechtenstein, north; automatic, north, with evidence].
-        errors: Of how exactly a place is known [the table below].
+        near_errors: Largest distance between the positions of both methods for equal poses, in 95 % radii of map
+            correlation [Liechtenstein, north; automatic, north, with evidence].
+        near_share: Smallest limit of that distance, as a share of the image's ground [the definition of a right
+            position; automatic, north, with evidence].
+        near_heading_deg: The same for heading, degrees [Liechtenstein, north; automatic, north, with evidence].
+        near_ratio: The same for pixel size, as a ratio [Liechtenstein, north; automatic, north, with evidence].
+        errors: Of the uncertainty of a position [the table below].
     """
 
     constellation: ConstellationSettings = ConstellationSettings()

@@ -1,4 +1,4 @@
-"""Fixes of a flight against its clock: which of them could not have been reached from the others."""
+"""Check fixes of a flight against their times: which of them the aircraft can't have reached from the others."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ def jumps(
     confidences: np.ndarray,
     maximum_speed: float,
 ) -> np.ndarray:
-    """Return (N,) bool: fixes that an aircraft of ``maximum_speed`` can't have reached from, or left for, those kept.
+    """Return (N,) bool: fixes that an aircraft of ``maximum_speed`` can't have reached from, or left for, the others.
 
-    As few as possible are flagged: kept is the longest chain in time in which every fix can be reached from the one
-    before, by dynamic programming; of equally long ones that with the largest sum of confidences. Two fixes agree
-    when they lie at most speed × time + both their errors apart.
+    As few as possible are flagged: the longest chain in time remains in which every fix can be reached from the
+    previous one, by dynamic programming; of equally long ones that with the largest sum of confidences. Two fixes agree
+    if their distance is at most speed × time + both their errors.
 
     Args:
         times_s: (N,) seconds, in any order.
         positions: (N, 2) map coordinates (x, y).
-        errors: (N,) how far off each may be, map units.
+        errors: (N,) largest error of each, map units.
         confidences: (N,) 0 to 1.
         maximum_speed: Map units per second.
     """

@@ -1,4 +1,4 @@
-"""Segment an image block by block, by threads or workers: the same rows as ``tiling.segment`` gives."""
+"""Segment an image block by block, with threads or workers; the rows are equal to those of ``tiling.segment``."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from .certainty import Sureness
 from .tiling import SegmentedRows, Tiles
 
 TILES_A_BLOCK = 8
-"""Along each axis: a ninth more are looked at for the seams, and 10 MB of labels come back."""
+"""Tiles along each axis: the seams add a ninth, and each block returns 10 MB of labels."""
 
 Found = tuple[np.ndarray, float, int]
-"""(h, w) uint8 labels of a block, and sum and number of how sure the network is of some of them."""
+"""(h, w) uint8 labels of a block, and sum and number of sampled probabilities of its labels."""
 
 
 def segment_blocks(
@@ -24,8 +24,8 @@ def segment_blocks(
 
     Args:
         tile_hw: (height, width) of a tile.
-        segment: Takes (column and row of a block's first tile, ``TILES_A_BLOCK``) of each block, and gives what was
-            found in their order.
+        segment: Takes (column and row of a block's first tile, ``TILES_A_BLOCK``) of each block, and yields the results
+            in their order.
     """
     firsts = [range(0, len(starts), TILES_A_BLOCK) for starts in (tiles.columns, tiles.rows)]
     places = [(column, row) for row in firsts[1] for column in firsts[0]]
@@ -37,10 +37,10 @@ def segment_blocks(
 
 
 def _band(tiles: Tiles, blocks: list[Tiles], found: Iterator[Found]) -> Iterator[SegmentedRows]:
-    """Return the blocks that lie side by side, as whole rows."""
+    """Yield a row of adjacent blocks as whole rows of tiles."""
     _, top, _, bottom = blocks[0].box
     sure = Sureness()
-    # In a file without a name: of an orthophoto of a country it is gigabytes.
+    # In a temporary file: for an orthophoto of a country it has gigabytes.
     with tempfile.TemporaryFile() as file:
         labels = np.memmap(file, np.uint8, "w+", shape=(bottom - top, tiles.box[2]))
         for block in blocks:

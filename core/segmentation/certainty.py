@@ -1,7 +1,7 @@
-"""How sure a network is: blended scores to percent of each class.
+"""Certainty of a network: blended scores as percent of each class.
 
-Overlapping tiles are blended in the network's own scores, as for the labels, and made probabilities after that: a
-label's percent is then the highest, and seams show in neither.
+Overlapping tiles are blended in the network's own scores, as for the labels, and converted to probabilities afterwards.
+So a label's percent is always the highest, and no seams are visible.
 """
 
 from __future__ import annotations
@@ -11,18 +11,18 @@ from dataclasses import dataclass
 import numpy as np
 
 NO_DATA = 255
-"""Percent of a pixel that was not looked at."""
+"""Percent of a pixel without data."""
 
 SUMS_TO_ONE = 1e-3
-"""Scores of a pixel that lie in 0…1 and add up to 1 as closely as this are probabilities already."""
+"""Scores of a pixel within 0…1 are probabilities if their sum is 1 within this tolerance."""
 
 
 @dataclass(frozen=True)
 class Certainty:
-    """What is wanted beside labels.
+    """Requested outputs in addition to labels.
 
     Attributes:
-        of_label: Percent of the class that a pixel has.
+        of_label: Percent of each pixel's own class.
         of_each: Percent of every class.
     """
 
@@ -31,30 +31,30 @@ class Certainty:
 
     @property
     def is_wanted(self) -> bool:
-        """Whether a raster of either kind is written."""
+        """Whether either raster is requested."""
         return self.of_label or self.of_each
 
 
 LABELS_ALONE = Certainty()
 
 SAMPLED_PX = 16
-"""How sure a network is on the average is told by every so many pixels of every so many rows."""
+"""The mean certainty is sampled at one pixel of this many, in one row of this many."""
 
 
 @dataclass
 class Sureness:
-    """How probable a network takes its labels to be, as a mean over pixels that were looked at.
+    """Mean probability of a network's labels, over sampled pixels.
 
     Attributes:
         total: Sum of the probabilities.
-        count: Of the pixels.
+        count: Number of the pixels.
     """
 
     total: float = 0.0
     count: int = 0
 
     def add(self, probabilities: np.ndarray | Sureness) -> None:
-        """Add pixels by the probability of their label, or what is known of others."""
+        """Add pixels by the probability of their label, or another sum."""
         if isinstance(probabilities, Sureness):
             self.total, self.count = self.total + probabilities.total, self.count + probabilities.count
         else:
@@ -63,12 +63,12 @@ class Sureness:
 
     @property
     def mean(self) -> float | None:
-        """0…1; None where nothing was looked at."""
+        """Mean, 0…1; None without samples."""
         return self.total / self.count if self.count else None
 
 
 def are_probabilities(scores: np.ndarray) -> bool:
-    """Return whether (N, C, H, W) scores are probabilities as they are, not yet through a softmax."""
+    """Return whether (N, C, H, W) scores are probabilities already, without a softmax."""
     sums = scores.sum(axis=1, dtype=np.float32)
     return bool((scores >= 0).all() and np.abs(sums - 1).max() <= SUMS_TO_ONE)
 
@@ -81,5 +81,5 @@ def softmax(scores: np.ndarray) -> np.ndarray:
 
 
 def percents(probabilities: np.ndarray) -> np.ndarray:
-    """Uint8 0…100 of probabilities, rounded."""
+    """Return probabilities as uint8 0…100, rounded."""
     return (np.clip(probabilities, 0, 1) * 100 + 0.5).astype(np.uint8)

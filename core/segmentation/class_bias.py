@@ -1,9 +1,8 @@
-"""The metadata key ``class_bias``: how far from where they are a network shows its classes, by name.
+"""The metadata key ``class_bias``: class offsets of a network, by class name.
 
 See docs/reference/file_formats.md#segmentation-model.
 
-Meters on the ground, JSON: ``{"building": {"east": -0.13, "north":
-0.6, "spread": 0.35, "sun": 150}}``.
+Meters on the ground, JSON: ``{"building": {"east": -0.13, "north": 0.6, "spread": 0.35, "sun": 150}}``.
 """
 
 from __future__ import annotations
@@ -24,15 +23,15 @@ _SUN = "sun"
 
 
 def read_class_bias(texts: Mapping[str, str], names: Sequence[str] | None, source: str) -> dict[str, ClassBias]:
-    """Return what a model's metadata state, by name in small letters; their values are 0.
+    """Return the class offsets in a model's metadata, by lower-case name; their class value is 0.
 
     Args:
         texts: The metadata by key.
-        names: Of the model's classes; None where any may be named.
+        names: Of the model's classes; None to accept any name.
         source: The model's name in messages.
 
     Raises:
-        ModelError: The entry is none, names another class, or has a number that can't be.
+        ModelError: The entry is malformed, names another class, or has a number out of range.
     """
     if KEY not in texts:
         return {}
@@ -46,7 +45,7 @@ def read_class_bias(texts: Mapping[str, str], names: Sequence[str] | None, sourc
 
 
 def known_biases(stated: Mapping[str, ClassBias], table: ClassTable) -> KnownBiases:
-    """Return what a model states, in a database's classes; classes of landmarks that it leaves out have the usual spread."""
+    """Return a model's offsets for a database's classes; landmark classes without one have the usual spread."""
     found = [(entry, stated.get(entry.name.casefold())) for entry in table]
     biases = tuple(_of_value(bias, entry.value) for entry, bias in found if bias is not None)
     is_whole = all(bias is not None and bias.spread is not None for entry, bias in found if entry.is_reference)
@@ -54,7 +53,7 @@ def known_biases(stated: Mapping[str, ClassBias], table: ClassTable) -> KnownBia
 
 
 def class_bias_text(biases: Mapping[str, ClassBias]) -> str:
-    """Return the entry of a model's metadata for biases by class name."""
+    """Return the metadata entry for offsets by class name."""
     return json.dumps({name: _entry(bias) for name, bias in biases.items()}, ensure_ascii=False)
 
 
@@ -93,9 +92,9 @@ def _read_one(entry: object) -> ClassBias:
 
 def _refused(texts: Mapping[str, str], source: str) -> ModelError:
     return ModelError(
-        '{source} has “{text}” as {key}; it must be JSON like {{"building": {{"east": 0.1, "spread": 0.3}}}} with '
-        "names of its classes, and east, north, right, down, spread in meters up to {most:g}, sun in degrees: mend or "
-        "remove it.",
+        '{source} has “{text}” as {key}. It must be JSON like {{"building": {{"east": 0.1, "spread": 0.3}}}} with '
+        "names of its classes; east, north, right, down and spread in meters up to {most:g}, sun in degrees. Correct "
+        "or remove it.",
         source=source,
         text=texts[KEY][: limits.NAME_CHARACTERS],
         key=KEY,

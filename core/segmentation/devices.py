@@ -1,4 +1,4 @@
-"""What a network can run on, which of onnxruntime's providers that is, and which Python package brings it."""
+"""Devices that can run a network, with onnxruntime's provider and Python package for each."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Device:
-    """What a network can run on.
+    """A device that can run a network.
 
     Attributes:
-        key: As settings and command lines have it.
-        title: A name, the same in all languages.
+        key: Value in settings and command lines.
+        title: Display name, the same in all languages.
         provider: onnxruntime's name of it.
-        package: The Python package of onnxruntime that has it.
+        package: The Python package of onnxruntime that supports it.
     """
 
     key: str
@@ -31,28 +31,28 @@ COREML = Device("coreml", "CoreML", "CoreMLExecutionProvider", "onnxruntime")
 OPENVINO = Device("openvino", "OpenVINO", "OpenVINOExecutionProvider", "onnxruntime-openvino")
 
 DEVICES = (CPU, CUDA, DIRECTML, COREML, OPENVINO)
-"""Those that can be chosen."""
+"""Devices that a user can choose."""
 
 AUTO = "auto"
-"""The key for the first of AUTOMATIC that is there and starts."""
+"""The key for the first of AUTOMATIC that is available and starts."""
 
 AUTOMATIC = (CUDA, ROCM, DIRECTML, COREML, OPENVINO, CPU)
-"""Graphics cards first, then what is quicker on the same processor."""
+"""Graphics cards first, then the faster providers on the same processor."""
 
 KEYS = (AUTO, *(device.key for device in DEVICES))
 
 
 def device_of(key: str) -> Device | None:
-    """Return the device that was chosen; None for AUTO and for what is none."""
+    """Return the device for a key; None for AUTO and unknown keys."""
     return next((device for device in DEVICES if device.key == key), None)
 
 
 def devices_to_try(asked: str, there: Sequence[str]) -> list[Device]:
-    """Return what may run a network, in this order, the CPU last.
+    """Return the devices to try for a network, in order, the CPU last.
 
     Args:
         asked: One of KEYS.
-        there: onnxruntime's names of the providers that it has.
+        there: onnxruntime's names of its available providers.
     """
     chosen = device_of(asked)
     wanted = AUTOMATIC if chosen is None else (chosen, CPU)

@@ -1,6 +1,6 @@
-"""What a segmentation model says about itself: the keys of the Deepness plugin, and SemRef's own.
+"""Metadata of a segmentation model: the keys of the Deepness plugin, and SemRef's own.
 
-Told in docs/reference/file_formats.md#segmentation-model.
+See docs/reference/file_formats.md#segmentation-model.
 """
 
 from __future__ import annotations
@@ -18,19 +18,19 @@ from ..values import read_json
 from .class_bias import KEY as CLASS_BIAS
 
 DEFAULT_OVERLAP = 0.2
-"""Share of a tile that lies on its neighbor when the model does not say."""
+"""Default overlap of tiles, as a share of a tile."""
 
 MAXIMUM_OVERLAP = 0.75
-"""More would run the network over every pixel more than sixteen times."""
+"""A larger overlap would run the network over every pixel more than sixteen times."""
 
 DEFAULT_THRESHOLD = 0.5
-"""Probability from which on a pixel has the class, for networks with one output (Deepness: seg_thresh)."""
+"""Probability from which a pixel has the class, for networks with one output (Deepness: seg_thresh)."""
 
 TEMPERATURE = "temperature"
-"""The metadata key of what scores are divided by, so that their softmax is the probability of each class."""
+"""The metadata key of the divisor of scores before the softmax that makes them probabilities of each class."""
 
 LEAST_TEMPERATURE = 0.01
-"""Scores that tell so little, or so much, are no logits."""
+"""Scores with a smaller temperature, or larger than its inverse, are not logits."""
 
 _KEYS = (
     *("model_type", "class_names", "names", "resolution", "tile_size", "tiles_size", "tiles_overlap", "seg_thresh"),
@@ -39,28 +39,28 @@ _KEYS = (
 )
 
 BACKGROUND_NAMES = ("background", "_background", "unlabeled", "unlabelled", "other", "others", "none", "void")
-"""Names of a channel 0 that stands for no class at all."""
+"""Names of a channel 0 that is not a class."""
 
 
 @dataclass(frozen=True)
 class ModelClasses:
-    """The classes of a model: ``names`` of its output channels, the class value of each (0 for none), their table."""
+    """The classes of a model: ``names`` of its output channels, class value of each (0 if not a class), and table."""
 
     names: tuple[str, ...]
     values: tuple[int, ...]
     table: ClassTable
 
     def values_in(self, table: ClassTable, source: str) -> tuple[int, ...]:
-        """Return the value in ``table`` of each channel, by name; 0 for classes that ``table`` does not have.
+        """Return the value in ``table`` of each channel, by name; 0 for classes that ``table`` lacks.
 
-        Raises ModelError when a reference class of ``table`` is not among the model's. ``source``: the model's name.
+        Raises ModelError if a reference class of ``table`` is not among the model's. ``source``: the model's name.
         """
         own = {name.casefold() for name in self.names}
         missing = [c.name for c in table.references if c.name.casefold() not in own]
         if missing:
             raise ModelError(
-                "{source} does not know the database's class {missing}, only {names}; take a model that was trained "
-                "on the database's classes.",
+                "{source} was not trained on the database's class {missing}, only on {names}; choose a model with all "
+                "landmark classes of the database.",
                 source=source,
                 missing=missing,
                 names=self.names,
@@ -71,12 +71,12 @@ class ModelClasses:
 
 @dataclass(frozen=True)
 class ModelSettings:
-    """How a model wants its images.
+    """Properties of the images that a model needs, and of its outputs.
 
-    ``resolution_m``: ground meters a pixel, None when unknown. ``tile_size_px``: None when it does not say.
-    ``overlap``: share of a tile that lies on its neighbor. ``mean``, ``std``: (red, green, blue) of pixels in 0…1.
-    ``threshold``: probability from which on a pixel has the class, for networks with one output.
-    ``temperature``: that makes probabilities of scores; None where the model states none.
+    ``resolution_m``: ground meters per pixel, None if unknown. ``tile_size_px``: None if unknown. ``overlap``: of
+    tiles, as a share of a tile. ``mean``, ``std``: (red, green, blue) of pixels in 0…1. ``threshold``: probability from
+    which a pixel has the class, for networks with one output. ``temperature``: converts scores to probabilities; None
+    if the model does not state it.
     """
 
     resolution_m: float | None
@@ -89,14 +89,14 @@ class ModelSettings:
 
 
 def read_settings(texts: Mapping[str, str], source: str) -> ModelSettings:
-    """Settings from a model's metadata by key; values are JSON or Python literals, as Deepness takes them.
+    """Read settings from a model's metadata by key; values are JSON or Python literals, as in Deepness.
 
-    ``source``: the model's name in messages. Raises ModelError naming the key that is wrong.
+    ``source``: the model's name in messages. Raises ModelError with the wrong key.
     """
     for key, text in texts.items():
         if key in _KEYS and len(text) > limits.VALUE_CHARACTERS:
             raise ModelError(
-                "{source} has {count} characters of metadata as {key}; no segmentation network needs more than {most}.",
+                "{source} has {count} characters of metadata in {key}; at most {most} are allowed.",
                 source=source,
                 key=key,
                 count=len(text),
@@ -125,9 +125,9 @@ def read_settings(texts: Mapping[str, str], source: str) -> ModelSettings:
 
 
 def named_channels(texts: Mapping[str, str], source: str) -> list[str] | None:
-    """Return the class names in a model's metadata, in the order of its channels; None without any. Raises ModelError."""
+    """Return the class names in a model's metadata, in order of its channels; None without any. Raises ModelError."""
     key = next((key for key in ("class_names", "names") if key in texts), None)
-    # JSON's escapes can name halves of characters, which no file can be written with.
+    # JSON's escapes can contain surrogates, which can't be written to a file.
     return (
         None
         if key is None
@@ -136,9 +136,9 @@ def named_channels(texts: Mapping[str, str], source: str) -> list[str] | None:
 
 
 def read_classes(texts: Mapping[str, str], channels: int, source: str, given: ClassTable | None = None) -> ModelClasses:
-    """Classes of a model with ``channels`` classes (2 for one that gives the probability of a single class).
+    """Read the classes of a model with ``channels`` classes (2 for a network with the probability of one class).
 
-    ``given``: the user's class table, which has the last word on values, colors and roles. Raises ModelError.
+    ``given``: the user's class table, which overrides values, colors and roles. Raises ModelError.
     """
     names = named_channels(texts, source)
     is_named = names is not None
@@ -156,16 +156,16 @@ def read_classes(texts: Mapping[str, str], channels: int, source: str, given: Cl
         listed = names[:12]
         if is_named:
             raise ModelError(
-                "{source} tells {channels} classes apart, but there are {count} class names in its metadata "
-                "(class_names): {names}; take the names it was trained with.",
+                "{source} outputs {channels} classes, but its metadata (class_names) have {count} class names: "
+                "{names}. Use the names from its training.",
                 source=source,
                 channels=channels,
                 count=len(names),
                 names=listed,
             )
         raise ModelError(
-            "{source} tells {channels} classes apart, but there are {count} class names in the class table: {names}; "
-            "take the names it was trained with.",
+            "{source} outputs {channels} classes, but the class table has {count} class names: {names}. Use the names "
+            "from its training.",
             source=source,
             channels=channels,
             count=len(names),
@@ -203,7 +203,7 @@ def _given_classes(names: Sequence[str], source: str, given: ClassTable) -> tupl
     missing = [n for n in names if n.casefold() not in known and n.casefold() not in BACKGROUND_NAMES]
     if missing:
         raise ModelError(
-            "The class table lacks the class {missing} of {source}; add it, or give no class table.",
+            "The class table has no class {missing} of {source}; add it, or use no class table.",
             missing=missing,
             source=source,
         )
@@ -246,7 +246,7 @@ def _number(texts: Mapping[str, str], key: str, source: str, least: float, most:
     found = _literal(texts[key])
     if isinstance(found, bool) or not isinstance(found, (int, float)) or not least <= found <= most:
         raise ModelError(
-            "{source} has “{text}” as {key}; it must be a number from {least:g} to {most:g}: mend or remove it.",
+            "{source} has “{text}” as {key}. It must be a number from {least:g} to {most:g}; correct or remove it.",
             source=source,
             text=texts[key][: limits.NAME_CHARACTERS],
             key=key,
@@ -280,7 +280,7 @@ def _three(texts: Mapping[str, str], key: str, source: str, default: float) -> t
 
 
 def _literal(text: str) -> Any:  # noqa: ANN401 - as in JSON
-    """JSON, else a Python literal (Deepness's older models), else the text itself."""
+    """Parse JSON, else a Python literal (older models for Deepness), else return the text itself."""
     try:
         return read_json(text)
     except ValueError:
@@ -288,7 +288,7 @@ def _literal(text: str) -> Any:  # noqa: ANN401 - as in JSON
 
 
 def _python_literal(text: str) -> Any:  # noqa: ANN401 - as in JSON
-    # Nested ones deeper than any metadata: ast itself would fall into its own recursion.
+    # Deeper than any metadata: ast itself would exceed its recursion limit.
     if sum(map(text.count, "([{")) > limits.BRACKETS:
         return text
     try:

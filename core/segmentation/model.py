@@ -1,4 +1,4 @@
-"""ONNX segmentation networks: images to scores of classes."""
+"""ONNX segmentation networks: scores of classes from images."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ from .onnx_file import header_of
 from .session import available_providers, failures_of_a_run, open_session, reason_of
 
 DEFAULT_TILE_SIZE_PX = 512
-"""Edge of a tile for networks that take any size and don't say which they were trained on."""
+"""Default edge of a tile for networks of variable size that do not state one."""
 
 TILES_AT_ONCE = 4
-"""Tiles given to a graphics card together, where the network takes several; the CPU gains nothing by it."""
+"""Tiles that a graphics card processes together, if the network accepts several; the CPU gains nothing by it."""
 
 RUNS_AT_ONCE = 2
-"""How often the network runs side by side on a CPU: two runs of half the threads each wait less for one another than
-one run of all, and each that runs holds its own intermediate results in memory."""
+"""Runs of the network at a time on a CPU: two runs with half the threads each wait less for one another than one run
+with all; each needs memory for its own intermediate results."""
 
 _FLOATS = {"tensor(float)": np.float32, "tensor(float16)": np.float16}
 _BANDS = 3
@@ -37,17 +37,30 @@ _BANDS = 3
 class SegmentationModel:
     """A network from an ONNX file: images → scores of its classes.
 
-    ``classes`` and ``settings``: its metadata. ``tile_hw``: (height, width) of the images it takes. ``tiles_at_once``:
-    how many of them best. ``runs_at_once``: how many threads may call ``scores`` at a time with gain. ``device``: what
-    runs it. ``fallbacks``: why other devices don't, as far as they were asked for or tried. ``class_bias``: how far off
-    it shows its classes, by name in small letters, as far as it says so. ``notes``: sentences on metadata that were
-    overruled. ``trained_on``: names of places, as far as it says so. ``tiles_seen``: images that it was given so far.
+    Attributes:
+        classes: From its metadata.
+        settings: From its metadata.
+        tile_hw: (height, width) of the images it accepts.
+        tiles_at_once: Best number of images for one call.
+        runs_at_once: Number of threads that may call ``scores`` at a time with gain.
+        device: The device that runs it.
+        fallbacks: Why other devices that were requested or tried do not.
+        class_bias: Its class offsets, by lower-case name, if stated.
+        notes: Sentences on metadata that were overruled.
+        trained_on: Names of places, if stated.
+        tiles_seen: Number of images processed so far.
     """
 
     def __init__(self, path: str, threads: int, class_table: ClassTable | None = None, device: str = AUTO) -> None:
-        """``threads``: for the CPU. ``class_table``: the user's, see ``read_classes``. ``device``: of ``devices.KEYS``.
+        """Open the network.
 
-        Raises ModelError when onnxruntime is missing, or the file or what it says about itself can't be used.
+        Args:
+            threads: For the CPU.
+            class_table: The user's, see ``read_classes``.
+            device: One of ``devices.KEYS``.
+
+        Raises:
+            ModelError: onnxruntime is missing, or the file or its metadata can't be used.
         """
         self.path = path
         self.tiles_seen, self._counting = 0, threading.Lock()
@@ -56,8 +69,8 @@ class SegmentationModel:
         if header is not None and header.aligns_corners:
             self.notes.append(
                 Sentence(
-                    "The network enlarges with aligned corners: what lies off the middle of a tile is shown up to "
-                    "some pixels farther off, and photos are taken for up to 1 % larger than they are."
+                    "The network enlarges with aligned corners: away from the middle of a tile it shows things up to "
+                    "some pixels too far out, and photos seem up to 1 % larger than they are."
                 )
             )
         names = named_channels(texts, path)
@@ -74,16 +87,16 @@ class SegmentationModel:
 
     @property
     def temperature(self) -> float | None:
-        """What ``probabilities`` divides scores by, as the model states; None without such scores."""
+        """Divisor of scores in ``probabilities``, from the metadata; None without such scores."""
         return None if self._gives_probabilities or self._gives_probability else self.settings.temperature
 
     @property
-    def tells_how_sure(self) -> bool:
-        """Whether it gives scores or probabilities, not class numbers alone."""
+    def has_scores(self) -> bool:
+        """Whether it outputs scores or probabilities, not only class numbers."""
         return not self._gives_numbers
 
     def _start(self, threads: int, asked: str) -> tuple[Mapping[str, str], np.ndarray]:
-        """Open the network on the first device that runs it; its metadata, and what it gives for a black image."""
+        """Open the network on the first device that runs it; return its metadata and its output for a black image."""
         devices, chosen = devices_to_try(asked, available_providers()), device_of(asked)
         reasons: dict[Device, object] = {}
         for device in devices[:-1]:
@@ -106,8 +119,8 @@ class SegmentationModel:
         ]
         if chosen is not None and chosen not in devices:
             missing = Sentence(
-                "{device} was asked for, but this onnxruntime does not have it: it comes with the Python package "
-                "{package}; the network runs on {other}.",
+                "{device} is selected, but this onnxruntime does not support it; the Python package {package} does. "
+                "The network runs on {other}.",
                 device=chosen.title,
                 package=chosen.package,
                 other=other,
@@ -116,7 +129,7 @@ class SegmentationModel:
         return found
 
     def _open(self, device: Device, threads: int) -> tuple[Mapping[str, str], np.ndarray]:
-        """Open the network on a device; its metadata, and what it gives for a black image. Raises ModelError."""
+        """Open the network on a device; return its metadata and its output for a black image. Raises ModelError."""
         self.device = device
         self.notes: list[Sentence] = []
         self.runs_at_once = min(RUNS_AT_ONCE, threads) if device is CPU else 1
@@ -127,7 +140,7 @@ class SegmentationModel:
             self._read_input()
         except UnicodeDecodeError:
             raise ModelError(
-                "{path} has names or metadata that are no text in UTF-8; export the network again.", path=self.path
+                "{path} has names or metadata that are not UTF-8 text; export the network again.", path=self.path
             ) from None
         mean, std = (np.array(v, np.float32) for v in (self.settings.mean, self.settings.std))
         # (pixel / 255 - mean) / std of each of the 256 pixel values, for each band.
@@ -135,10 +148,10 @@ class SegmentationModel:
         return texts, self._probe()
 
     def scores(self, images: Sequence[np.ndarray]) -> np.ndarray:
-        """Return (N, C, H, W) float32: for each image the score of each class; the highest is the pixel's.
+        """Return (N, C, H, W) float32 scores of each class; the highest one decides a pixel's class.
 
         ``images``: N of (H, W, 3) uint8, red first, H × W = ``tile_hw``.
-        Raises ModelError when the network fails or gives values that are no numbers.
+        Raises ModelError if the network fails or returns values that are not numbers.
         """
         outputs = self._run(images)
         with self._counting:
@@ -146,11 +159,11 @@ class SegmentationModel:
         if self._gives_numbers:
             return self._votes(outputs)
         found = outputs.astype(np.float32, copy=False)
-        # Checked on the sum: any NaN or infinity is in it.
+        # The sum contains every NaN and infinity.
         if not np.isfinite(found.sum()):
             raise ModelError(
-                "{path} gives values that are not numbers (NaN or infinite); it is damaged, or its "
-                "standardization_mean and standardization_std are not those it was trained with.",
+                "{path} outputs values that are not numbers (NaN or infinite). It is damaged, or its "
+                "standardization_mean and standardization_std differ from those of its training.",
                 path=self.path,
             )
         if self._gives_probability:
@@ -159,7 +172,7 @@ class SegmentationModel:
         return found
 
     def probabilities(self, scores: np.ndarray) -> np.ndarray:
-        """Return (C, …) float32 probability of each class, of (C, …) scores or their weighted means."""
+        """Return (C, …) float32 probability of each class, from (C, …) scores or their weighted means."""
         if self._gives_probability:
             return np.stack([1 - scores[1], scores[1]])
         if self._gives_probabilities:
@@ -168,13 +181,13 @@ class SegmentationModel:
         return softmax(scores if temperature is None else scores / np.float32(temperature))
 
     def _votes(self, outputs: np.ndarray) -> np.ndarray:
-        """One for the class that the network names, zero for the others."""
+        """Return one for the class that the network outputs, zero for the others."""
         numbers = outputs.reshape(len(outputs), 1, *self.tile_hw)
         count = len(self.classes.names)
         if not ((numbers >= 0) & (numbers < count)).all():
             raise ModelError(
-                "{path} gives the class number {number:g}, but it names {count} classes; take the names it was "
-                "trained with.",
+                "{path} outputs the class number {number:g}, but names only {count} classes. Use the names from its "
+                "training.",
                 path=self.path,
                 number=numbers.max(),
                 count=count,
@@ -208,8 +221,8 @@ class SegmentationModel:
         if stated is not None and (stated, stated) != self.tile_hw:
             self.notes.append(
                 Sentence(
-                    "tile_size in the model's metadata is {stated}, but the network takes {width} × {height} pixels: "
-                    "these are used.",
+                    "tile_size in the model's metadata is {stated}, but the network takes {width} × {height} pixels; "
+                    "SemRef uses the size of the network.",
                     stated=stated,
                     width=fixed[1],
                     height=fixed[0],
@@ -217,8 +230,8 @@ class SegmentationModel:
             )
         if not all(0 < size <= limits.TILE_PX for size in fixed):
             raise ModelError(
-                "{path} takes images of {width} × {height} pixels; a segmentation network takes up to {most} × "
-                "{most}: export it with a smaller or free size.",
+                "{path} takes images of {width} × {height} pixels; SemRef supports up to {most} × {most}. Export it "
+                "with a smaller or variable size.",
                 path=self.path,
                 width=fixed[1],
                 height=fixed[0],
@@ -234,12 +247,12 @@ class SegmentationModel:
             )
 
     def _probe(self) -> np.ndarray:
-        """Return what the network gives for a black image; its stated shape may be silent on the number of classes."""
+        """Return the network's output for a black image; its stated shape may lack the number of classes."""
         height, width = self.tile_hw
         outputs = self._run([np.zeros((height, width, _BANDS), np.uint8)])
         if outputs.ndim not in (3, 4) or outputs.shape != (1, *outputs.shape[1:-2], height, width):
             raise ModelError(
-                "{path} gives the shape {shape} for an image of {width} × {height} pixels; it must be 1 × classes × "
+                "{path} outputs the shape {shape} for an image of {width} × {height} pixels; it must be 1 × classes × "
                 "{height} × {width}.",
                 path=self.path,
                 shape=_shape_text(outputs.shape),
@@ -249,7 +262,7 @@ class SegmentationModel:
         return outputs
 
     def _planes(self, images: Sequence[np.ndarray]) -> np.ndarray:
-        """Return (N, 3, H, W) standardized pixels, as the network takes them."""
+        """Return (N, 3, H, W) standardized pixels, the network's input."""
         planes = np.empty((len(images), _BANDS, *self.tile_hw), self._type)
         for image, plane in zip(images, planes):
             for band, pixels in enumerate(cv2.split(image)):
@@ -271,7 +284,7 @@ class SegmentationModel:
         if not isinstance(found, np.ndarray) or found.dtype.kind not in "fiub":
             kind = found.dtype.name if isinstance(found, np.ndarray) else type(found).__name__
             raise ModelError(
-                "{path} gives {kind}; a segmentation network gives one array of numbers.", path=self.path, kind=kind
+                "{path} outputs {kind}; a segmentation network outputs one array of numbers.", path=self.path, kind=kind
             )
         return found
 

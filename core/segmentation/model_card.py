@@ -1,7 +1,7 @@
-"""What a model says about itself to people: what it was trained on, how good it is, what it is not good for.
+"""Model card: what a model was trained on, how good it is, and what it is not suitable for.
 
-Read from the metadata of an ONNX file without onnxruntime (docs/reference/file_formats.md#model-card). Files of other
-makers say less; what is not of the shape that is told there is left out, never an error.
+The card is read from the metadata of an ONNX file without onnxruntime (docs/reference/file_formats.md#model-card).
+Models from others state less. Entries of an unexpected form are ignored without an error.
 """
 
 from __future__ import annotations
@@ -25,12 +25,12 @@ KEY = "model_card"
 
 @dataclass(frozen=True)
 class Ground:
-    """Where a model was trained or tested.
+    """Place where a model was trained or tested.
 
     Attributes:
-        about: What it is and looks like.
-        is_left_out: Tested by a network of the same making that was trained without it.
-        iou: Intersection over union by name of class; empty where it was trained on.
+        about: Description of the place.
+        is_left_out: Tested by a network of the same kind that was trained without this place.
+        iou: Intersection over union by class name; empty for training places.
     """
 
     place: str
@@ -41,20 +41,20 @@ class Ground:
 
 @dataclass(frozen=True)
 class ModelCard:
-    """What there is to know of a model's file; texts are empty, and numbers None, where it does not say.
+    """Information about a model's file; texts are empty, and numbers None, if not stated.
 
     Attributes:
-        fault: Why it can't be used.
+        fault: Why the model can't be used.
         classes: Of its outputs.
-        resolution_m: Meters a pixel that it was trained on.
-        date: When it was trained.
-        validation_iou: On parts of the ground it was trained on that were set aside.
-        confusion: Share of each class (row) that is taken for each.
-        good_for: In a sentence.
-        not_for: In a sentence.
-        license: In a sentence.
+        resolution_m: Meters per pixel of its training images.
+        date: Date of training.
+        validation_iou: On held-out parts of the training ground.
+        confusion: Share of each class (row) that is predicted as each.
+        good_for: One sentence.
+        not_for: One sentence.
+        license: One sentence.
         minutes: Of training.
-        can_be_base: It says what it is built of, so that “Train model” can go on from it.
+        can_be_base: The architecture is stated, so that “Train model” can continue from it.
     """
 
     file: str
@@ -75,7 +75,7 @@ class ModelCard:
 
     @property
     def mean_iou(self) -> float | None:
-        """On places that were left out where there are such, else on ground set aside; None where it does not say."""
+        """Mean IoU on places that were left out, or on held-out ground; None if not stated."""
         by_place = [ground.iou for ground in self.tested_on if ground.iou]
         found = [
             sum(iou.values()) / len(iou) for iou in by_place or ([self.validation_iou] if self.validation_iou else [])
@@ -84,12 +84,12 @@ class ModelCard:
 
 
 def read_card(path: str) -> ModelCard:
-    """Return the card of an ONNX file; of one that can't be used it says why not."""
-    # A pipe would be waited for without end.
+    """Return the card of an ONNX file; ``fault`` states why it can't be used."""
+    # Opening a pipe would block.
     if not os.path.isfile(path):
         return ModelCard(path, Sentence("{path} does not exist; choose a model file (.onnx).", path=path))
     try:
-        # Of files of hundreds of megabytes only what is looked at is read; an empty one is refused.
+        # Only the needed parts of large files are read; an empty file can't be mapped.
         with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
             texts = None if read_header(data) is None else read_metadata(data)
     except OSError:
@@ -99,46 +99,48 @@ def read_card(path: str) -> ModelCard:
     if texts is None:
         return ModelCard(
             path,
-            Sentence("{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.", path=path),
+            Sentence(
+                "{path} is not an ONNX model, or it is damaged or incomplete; copy or export it again.", path=path
+            ),
         )
     return card_of_texts(texts, path)
 
 
 def card_of_texts(texts: Mapping[str, str], path: str) -> ModelCard:
-    """Return the card that a model's metadata make."""
+    """Return the card from a model's metadata."""
     fault, classes, resolution = None, [], None
     try:
         resolution = read_settings(texts, path).resolution_m
         classes = named_channels(texts, path) or []
     except ModelError as error:
         fault = error.sentence
-    told = _json(texts, KEY, dict)
-    training = told.get("training")
+    card = _json(texts, KEY, dict)
+    training = card.get("training")
     ground = _json(texts, "training_ground", dict)
-    trained_on = _grounds(told.get("trained_on"))
+    trained_on = _grounds(card.get("trained_on"))
     if not trained_on and ground.get("image"):
         trained_on = (Ground(_text(ground["image"]), _text(ground.get("labels"))),)
     return ModelCard(
         path,
         fault,
-        _text(told.get("name")),
+        _text(card.get("name")),
         tuple(classes),
         resolution,
-        _text(told.get("date") or ground.get("date")),
+        _text(card.get("date") or ground.get("date")),
         trained_on,
-        _grounds(told.get("tested_on")),
+        _grounds(card.get("tested_on")),
         _shares(_json(texts, "validation_iou", dict)),
         _matrix(_json(texts, "validation_confusion", list), len(classes)),
-        _text(told.get("good_for"), limits.CARD_CHARACTERS),
-        _text(told.get("not_for"), limits.CARD_CHARACTERS),
-        _text(told.get("license"), limits.CARD_CHARACTERS),
+        _text(card.get("good_for"), limits.CARD_CHARACTERS),
+        _text(card.get("not_for"), limits.CARD_CHARACTERS),
+        _text(card.get("license"), limits.CARD_CHARACTERS),
         _number(training.get("minutes")) if isinstance(training, dict) else None,
         bool(_json(texts, "architecture", dict)),
     )
 
 
 def _json(texts: Mapping[str, str], key: str, kind: type) -> Any:  # noqa: ANN401 - of the kind
-    """Return what is said under a key where it is of a kind, else an empty one."""
+    """Return the JSON value of a key if it has the type, else an empty one."""
     try:
         found = read_json(texts.get(key, ""), limits.VALUE_CHARACTERS)
     except ValueError:
@@ -165,7 +167,7 @@ def _shares(value: object) -> dict[str, float]:
 
 
 def _matrix(rows: list, size: int) -> tuple[tuple[float, ...], ...]:
-    """Return a square of shares; empty where it is none."""
+    """Return a square matrix of shares; empty if malformed."""
     found = []
     for row in rows:
         shares = [share for share in map(_number, row) if share is not None] if isinstance(row, list) else []

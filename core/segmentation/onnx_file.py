@@ -1,7 +1,7 @@
-"""What an ONNX file says before a network is made of it; read without onnxruntime, whose messages change.
+"""Read the header of an ONNX file without onnxruntime: its error messages change between releases.
 
-ONNX is protobuf: a message is a row of fields, each with a number and a value that is a whole number, bytes of a stated
-length (text, another message) or 4 or 8 bytes. Fields that are not asked for are passed over.
+ONNX is protobuf: a message is a series of fields. Each has a number and a value: an integer, bytes of a stated length
+(text, another message), or 4 or 8 bytes. Unneeded fields are skipped.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ _KEY, _VALUE = 1, 2
 
 @dataclass(frozen=True)
 class OnnxHeader:
-    """What a model says about itself.
+    """Header of a model file.
 
     Attributes:
-        ir_version: Of the format; 0 when it says none.
-        opset: Version of ONNX's own operators; 0 when it says none.
-        weight_files: Names of other files that hold its weights.
-        aligns_corners: Whether it enlarges anything with aligned corners: what lies off the middle of a tile is then
-            answered farther off (docs/how-to/train_a_network.md).
+        ir_version: Of the format; 0 if not stated.
+        opset: Version of ONNX's own operators; 0 if not stated.
+        weight_files: Names of other files with its weights.
+        aligns_corners: Whether it enlarges anything with aligned corners, which moves results away from the middle of a
+            tile outwards (docs/how-to/train_a_network.md).
     """
 
     ir_version: int
@@ -40,15 +40,15 @@ class OnnxHeader:
     aligns_corners: bool = False
 
     def missing_weights(self, path: str) -> str:
-        """Return the name of the first file of weights that is not in the folder of the model; empty for none."""
+        """Return the name of the first weight file that is missing in the folder of the model; empty otherwise."""
         folder = [os.path.dirname(os.path.abspath(path))]
         return next((name for name in self.weight_files if not os.path.isfile(named_file(name, folder))), "")
 
 
 def header_of(path: str) -> OnnxHeader | None:
-    """Return what an ONNX file says; None when it can't be read or is none. Of large files only what is looked at is read."""
+    """Return the header of an ONNX file; None if it is unreadable. Reads only the needed parts of large files."""
     try:
-        # An empty one can't be mapped.
+        # An empty file can't be mapped.
         with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
             return read_header(data)
     except (OSError, ValueError):
@@ -56,7 +56,7 @@ def header_of(path: str) -> OnnxHeader | None:
 
 
 def read_header(data: bytes | mmap.mmap) -> OnnxHeader | None:
-    """Return what the bytes of an ONNX file say; None when they are no protobuf or hold no graph."""
+    """Return the header from the bytes of an ONNX file; None if they are not protobuf or have no graph."""
     ir_version, opset, graph = 0, 0, None
     try:
         for number, value in _fields(memoryview(data)):
@@ -77,13 +77,13 @@ def read_header(data: bytes | mmap.mmap) -> OnnxHeader | None:
 
 
 def read_metadata(data: bytes | mmap.mmap) -> dict[str, str]:
-    """Return the entries of an ONNX file's metadata, of whose bytes ``read_header`` says something; damaged ones are none."""
+    """Return the metadata of an ONNX file that ``read_header`` accepts, without damaged entries."""
     entries = (_entry(number, value) for number, value in _fields(memoryview(data)))
     return dict(entry for entry in entries if entry is not None)
 
 
 def _entry(number: int, value: int | memoryview) -> tuple[str, str] | None:
-    """Return (key, text) of a field that is an entry of metadata; None for any other."""
+    """Return (key, text) of a field that is a metadata entry; None for any other."""
     if number != _METADATA or not isinstance(value, memoryview):
         return None
     try:
@@ -91,17 +91,17 @@ def _entry(number: int, value: int | memoryview) -> tuple[str, str] | None:
     except ValueError:
         return None
     parts = [stated.get(part, b"") for part in (_KEY, _VALUE)]
-    # A number in place of a text would be taken for a count of bytes.
+    # bytes() of a number would create that many bytes.
     key, text = ("" if isinstance(part, int) else bytes(part).decode("utf-8", "replace") for part in parts)
     return key, text
 
 
 def with_metadata(data: bytes, key: str, text: str) -> bytes:
-    """Return an ONNX file with an entry of its metadata set, all else as it is.
+    """Return an ONNX file with one metadata entry set, otherwise unchanged.
 
     Args:
-        data: The file's bytes, of which ``read_header`` says something.
-        key: Of the entry; one that is there is replaced.
+        data: Bytes of a file that ``read_header`` accepts.
+        key: Of the entry; an existing one is replaced.
     """
     kept = []
     for number, value, part in _parts(memoryview(data)):
@@ -119,7 +119,7 @@ def _length_delimited(number: int, content: bytes) -> bytes:
 
 
 def smallest_model(ir_version: int, opset: int) -> bytes:
-    """Return a model of one operator, to ask onnxruntime which versions it knows (each from 1 to 127)."""
+    """Return a model of one operator, to test which versions onnxruntime supports (each from 1 to 127)."""
 
     def part(number: int, data: bytes) -> bytes:
         return bytes([number << 3 | _LENGTH, len(data)]) + data
@@ -159,12 +159,12 @@ def _aligns_corners(graph: memoryview) -> bool:
 
 
 def _fields(data: memoryview) -> Iterator[tuple[int, int | memoryview]]:
-    """Return (number, value) of each field; raises ValueError where the bytes are no protobuf."""
+    """Return (number, value) of each field; raises ValueError for bytes that are not protobuf."""
     return ((number, value) for number, value, _ in _parts(data))
 
 
 def _parts(data: memoryview) -> Iterator[tuple[int, int | memoryview, memoryview]]:
-    """Return (number, value, all its bytes) of each field; raises ValueError where the bytes are no protobuf."""
+    """Yield (number, value, all its bytes) of each field; raises ValueError for bytes that are not protobuf."""
     place = 0
     while place < len(data):
         first = place
@@ -184,7 +184,7 @@ def _parts(data: memoryview) -> Iterator[tuple[int, int | memoryview, memoryview
 
 
 def _varint(data: memoryview, place: int) -> tuple[int, int]:
-    """Return a whole number and the place behind it."""
+    """Return an integer and the offset after it."""
     value = 0
     for shift in range(0, 70, 7):
         if place >= len(data):

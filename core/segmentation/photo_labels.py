@@ -1,4 +1,4 @@
-"""The one road from a photo to its label image: for QGIS, the command line on board and the tools."""
+"""Label photos with a network, for QGIS, the command line on board and the tools."""
 
 from __future__ import annotations
 
@@ -21,18 +21,18 @@ from .score_shares import ScoreShares, grid_of
 from .tiling import nearest_labels, segment
 
 MOST_ENLARGED = 4.0
-"""Heights by which a photo would be enlarged more are not believed: nothing is gained, and it would take hours."""
+"""Largest enlargement of a photo by camera height: a larger one would gain nothing and take hours."""
 
 
 class PhotoLabels:
-    """A photo's labels on its own pixels, seen by the network at its own resolution.
+    """Labels of a photo on its own pixels, from a network at its own resolution.
 
-    Iterate ``steps()``, then take ``labels_hw`` and ``shares``. ``shares`` are the probable shares of classes; None of
-    a model that doesn't state how to make probabilities of its scores.
+    Iterate ``steps()``, then read ``labels_hw`` and ``shares``. ``shares`` are the probable shares of classes; None for
+    a model that does not state the temperature of its scores.
 
     Attributes:
-        image: The photo as the network sees it.
-        told_pixel_size_m: Ground meters a pixel, where height and lens told how large the network has to see the photo.
+        image: The photo at the network's resolution.
+        camera_pixel_size_m: Ground meters per pixel from height and lens, if they set the resolution.
     """
 
     def __init__(
@@ -43,30 +43,30 @@ class PhotoLabels:
         pixel_size_m: tuple[float, float] | None = None,
         camera: Camera | None = None,
     ) -> None:
-        """Nothing is read yet.
+        """Read nothing yet.
 
         Args:
             values: (C,) class value of each of the model's channels.
-            pixel_size_m: Ground meters along a row and along a column of a pixel; None where the photo doesn't say.
-            camera: What is known of it; its height and lens count where the photo doesn't say.
+            pixel_size_m: Ground meters along a row and along a column of a pixel; None if the photo does not state it.
+            camera: Of the photo; its height and lens give the pixel size if the photo does not state it.
 
         Raises:
-            ImageError: Nothing is left of the photo at the model's resolution.
+            ImageError: The photo has no pixel left at the model's resolution.
         """
         self._model = model
         self._shape_hw = photo.shape_hw
         self._values = values
         resolution_m = model.settings.resolution_m
-        self.told_pixel_size_m: float | None = None
+        self.camera_pixel_size_m: float | None = None
         if pixel_size_m is None and camera is not None and resolution_m:
-            told = _believed(camera.pixel_size(photo.shape_hw), resolution_m)
-            self.told_pixel_size_m, pixel_size_m = told, None if told is None else (told, told)
+            size = _plausible(camera.pixel_size(photo.shape_hw), resolution_m)
+            self.camera_pixel_size_m, pixel_size_m = size, None if size is None else (size, size)
         self.image = at_resolution(photo, pixel_size_m, resolution_m)
         self.labels_hw = np.empty((0, 0), np.uint8)
         self.shares: ClassShares | None = None
 
     def steps(self) -> Iterator[float]:
-        """Yield the share done (0…1) tile by tile; raises what ``tiling.segment`` raises."""
+        """Yield the share done (0…1) tile by tile; raise what ``tiling.segment`` raises."""
         found, sums = [], self._sums()
         wanted = Certainty(of_each=sums is not None)
         for share, rows in segment(self._model, self.image, self._values, self._model.settings.overlap, wanted):
@@ -85,11 +85,11 @@ class PhotoLabels:
         return ScoreShares(self._values, shape_hw, grid_of(shape_hw))
 
     def found(self) -> np.ndarray:
-        """Return (H, W) uint8 labels, for who needn't follow the steps."""
+        """Return (H, W) uint8 labels, for callers that do not need the steps."""
         return self.seen().labels_hw
 
     def seen(self) -> SeenLabels:
-        """Label and shares, for who needn't follow the steps."""
+        """Return labels and shares, for callers that do not need the steps."""
         for _ in self.steps():
             continue
         return self.seen_labels
@@ -110,11 +110,11 @@ class PhotoReader:
         open_photo: Callable[[str], Photo] = read_photo,
         follow: Callable[[str, ImageSource, PhotoLabels], Iterable[float]] | None = None,
     ) -> None:
-        """Matches the network's classes with the database's.
+        """Match the network's classes with the database's.
 
         Args:
             open_photo: Opens a file.
-            follow: Goes through the steps of a photo; None for who needn't see them.
+            follow: Iterates over the steps of a photo; None for callers that do not need them.
 
         Raises:
             ModelError: The network lacks a landmark class of the database.
@@ -124,16 +124,16 @@ class PhotoReader:
         self._biases = known_biases(model.class_bias, table)
 
     def __call__(self, path: str, camera: Camera | None = None, with_pixels: bool = False) -> SeenLabels:
-        """As ``pipeline.LabelReader``; a photo whose pixels are needed is read once, all in memory."""
+        """Read a photo, see ``pipeline.LabelReader``; with pixels it is read once, completely into memory."""
         return self.read(path, self._open(path), camera, with_pixels)
 
     def read(self, path: str, photo: Photo, camera: Camera | None = None, with_pixels: bool = False) -> SeenLabels:
-        """Return the same of a photo that is open.
+        """Return the labels of an open photo.
 
         Args:
-            photo: Its pixels, and how large they are.
-            camera: What is known of it.
-            with_pixels: Whether its pixels are needed besides.
+            photo: Its pixels and their size.
+            camera: Of the photo.
+            with_pixels: Whether the caller also needs its pixels.
         """
         pixels, image = None, photo.image
         if with_pixels:
@@ -146,5 +146,5 @@ class PhotoReader:
         return replace(labels.seen_labels, biases=self._biases, pixels=pixels)
 
 
-def _believed(pixel_size_m: float | None, resolution_m: float) -> float | None:
+def _plausible(pixel_size_m: float | None, resolution_m: float) -> float | None:
     return pixel_size_m if pixel_size_m is not None and pixel_size_m <= MOST_ENLARGED * resolution_m else None

@@ -1,8 +1,7 @@
-"""Photos at the resolution that a network was trained on, resampled piece by piece.
+"""Resample photos piece by piece to the resolution that a network was trained on.
 
-The arithmetic is exact: weights are whole numbers, so a pixel comes out the same bit for bit whatever piece it is
-read with and whatever computer reads it, in QGIS as on board. OpenCV and GDAL both resample in floating point, and
-OpenCV only whole images.
+The arithmetic is exact: weights are integers, so a pixel has exactly the same value in every piece and on every
+computer, in QGIS and on board. OpenCV and GDAL both resample in floating point, and OpenCV only whole images.
 """
 
 from __future__ import annotations
@@ -16,24 +15,24 @@ from ..errors import ImageError
 from ..labels.image_source import ImageSource
 
 SAME_RESOLUTION = 0.05
-"""An image whose resolution is this close to the wanted one is not resampled (a share of the wanted one)."""
+"""Largest relative difference of resolutions for an image that is not resampled."""
 
 
 def at_resolution(
     image: ImageSource, pixel_size_m: tuple[float, float] | None, resolution_m: float | None
 ) -> ImageSource:
-    """Brings a photo to a network's resolution: means where it shrinks, bilinear where it grows.
+    """Return a photo at a network's resolution: means where it shrinks, bilinear where it grows.
 
     Args:
-        pixel_size_m: Ground meters along a row and along a column of one of its pixels; None where unknown.
-        resolution_m: Ground meters a pixel that the network wants; None where it does not say.
+        pixel_size_m: Ground meters along a row and along a column of one of its pixels; None if unknown.
+        resolution_m: Ground meters per pixel of the network; None if not stated.
 
     Returns:
-        The photo resampled, or ``image`` itself where a resolution is unknown or both are the same within
+        The resampled photo, or ``image`` itself if a resolution is unknown or both are equal within
         ``SAME_RESOLUTION``.
 
     Raises:
-        ImageError: Nothing is left of the image at that resolution.
+        ImageError: The image has no pixel left at that resolution.
     """
     if pixel_size_m is None or not resolution_m:
         return image
@@ -43,7 +42,7 @@ def at_resolution(
     width, height = (round(size * edge / resolution_m) for size, edge in zip(pixel_size_m, (width, height)))
     if min(width, height) < 1:
         raise ImageError(
-            "At {resolution_cm:g} cm a pixel nothing is left of the image; choose a smaller resolution.",
+            "At {resolution_cm:g} cm per pixel the image has no pixel left; choose a finer resolution.",
             resolution_cm=100 * resolution_m,
         )
     return ResampledImage(image, (height, width))
@@ -52,10 +51,10 @@ def at_resolution(
 def resized_transform(
     transform: tuple[float, ...] | None, old_hw: tuple[int, int], new_hw: tuple[int, int]
 ) -> tuple[float, ...] | None:
-    """GDAL's six numbers of an image that was brought to another size; None for None.
+    """Return GDAL's six numbers of an image after resizing; None for None.
 
-    Heights and widths are whole numbers, so that pixels would be a trace longer than wide, and their labels of no use
-    as a map. Where that is all, they are squares around the image's middle: its edges move by half a pixel at most.
+    Heights and widths are integers, so pixels would be slightly longer than wide, and their labels useless as a map. If
+    that is the only difference, they become squares around the image's middle: its edges move by at most half a pixel.
 
     Args:
         transform: Of the image before.
@@ -77,13 +76,13 @@ def resized_transform(
 
 
 class ResampledImage:
-    """An ImageSource of another size: means of pixels where it gets narrower, else bilinear.
+    """An ImageSource of another size: means of pixels where it gets narrower, otherwise bilinear.
 
-    Pixels without data don't count; a pixel has data where any of those that make it has.
+    Pixels without data are ignored; a new pixel has data if any of its old ones has.
     """
 
     def __init__(self, image: ImageSource, shape_hw: tuple[int, int]) -> None:
-        """Take an image and the (height, width) wanted."""
+        """Set the image and the requested (height, width)."""
         self._image = image
         self._shape_hw = shape_hw
         shrinks = shape_hw[1] < image.shape_hw[1]
@@ -95,7 +94,7 @@ class ResampledImage:
         return self._shape_hw
 
     def read(self, column: int, row: int, width: int, height: int) -> tuple[np.ndarray, np.ndarray | None]:
-        """Return a piece of the resampled image, as ``ImageSource`` says."""
+        """Return a piece of the resampled image, see ``ImageSource``."""
         rows, columns = self._rows.taps(row, height), self._columns.taps(column, width)
         pixels, has_data = self._image.read(columns.first, rows.first, columns.count, rows.count)
         total = float(self._rows.total * self._columns.total)
@@ -110,13 +109,13 @@ class ResampledImage:
 
 @dataclass(frozen=True)
 class _Taps:
-    """Which pixels make a run of new ones.
+    """Old pixels that form a run of new ones.
 
     Attributes:
-        first: The first pixel that is needed.
-        count: How many pixels are needed from there on.
+        first: The first old pixel.
+        count: Number of old pixels from there.
         places: (N, K) intp, for each new pixel its K old ones, counted from ``first``.
-        weights: (N, K) float64 whole numbers.
+        weights: (N, K) float64 integers.
     """
 
     first: int
@@ -126,7 +125,7 @@ class _Taps:
 
 
 class _Axis:
-    """Rows or columns: how ``old`` pixels become ``new`` ones, with weights that sum up to ``total``."""
+    """Rows or columns: how ``old`` pixels become ``new`` ones, with weights that sum to ``total``."""
 
     def __init__(self, old: int, new: int, shrinks: bool) -> None:
         common = gcd(old, new)
@@ -137,7 +136,7 @@ class _Axis:
         self.total = self._numerator if shrinks else 2 * self._denominator
 
     def taps(self, first: int, count: int) -> _Taps:
-        """Return those of the new pixels from ``first`` on."""
+        """Return the old pixels and weights of ``count`` new pixels from ``first``."""
         wanted = np.arange(first, first + count, dtype=np.int64)
         places, weights = self._means(wanted) if self._shrinks else self._between(wanted)
         places = np.clip(places, 0, self._old - 1)
@@ -145,7 +144,7 @@ class _Axis:
         return _Taps(start, int(places.max()) + 1 - start, places - start, weights.astype(np.float64))
 
     def _means(self, wanted: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return each old pixel counts by the share that lies in the new one; in units of 1 / denominator of an old one."""
+        """Weigh each old pixel by its share inside the new one, in units of 1 / denominator of an old one."""
         begin = wanted * self._numerator
         end = begin + self._numerator
         most = 2 + (self._numerator - 1) // self._denominator
@@ -155,7 +154,7 @@ class _Axis:
         return places, np.maximum(weights, 0)
 
     def _between(self, wanted: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the two old pixels whose centers lie around the new one's; in units of half a new pixel."""
+        """Return the old pixels with centers on both sides of the new one's, weighed in units of half a new pixel."""
         center = (2 * wanted + 1) * self._numerator - self._denominator
         before = center // (2 * self._denominator)
         beyond = center - before * 2 * self._denominator
@@ -163,7 +162,7 @@ class _Axis:
 
 
 def _weighted(pixels: np.ndarray, rows: _Taps, columns: _Taps) -> np.ndarray:
-    """Return (N, M, C) float64 weighted sums, whole numbers below 2⁵³ for images of up to 10¹² pixels, of (H, W, C) uint8."""
+    """Return (N, M, C) float64 weighted sums of (H, W, C) uint8: integers below 2⁵³ for up to 10¹² pixels."""
     _, width, bands = pixels.shape
     by_row = _sums_along(pixels.reshape(len(pixels), -1), rows).reshape(-1, width, bands)
     by_column = _sums_along(by_row.swapaxes(0, 1).reshape(width, -1), columns)
@@ -171,7 +170,7 @@ def _weighted(pixels: np.ndarray, rows: _Taps, columns: _Taps) -> np.ndarray:
 
 
 def _sums_along(values: np.ndarray, taps: _Taps) -> np.ndarray:
-    """Return (N, X) float64 sums of the (Y, X) values' rows that make each new one."""
+    """Return (N, X) float64 weighted sums of rows of the (Y, X) values for each new row."""
     sums = np.zeros((len(taps.places), values.shape[1]))
     for places, weights in zip(taps.places.T, taps.weights.T):
         sums += np.multiply(values[places], weights[:, None], dtype=np.float64)
@@ -179,5 +178,5 @@ def _sums_along(values: np.ndarray, taps: _Taps) -> np.ndarray:
 
 
 def _rounded(sums: np.ndarray, totals: float | np.ndarray) -> np.ndarray:
-    """uint8 of sums / totals, halves rounded up."""
+    """Return sums / totals as uint8, halves rounded up."""
     return ((sums + totals / 2) / totals).astype(np.uint8)

@@ -1,6 +1,6 @@
-"""A network's scores as shares of classes on a coarse grid, row by row, so that no image of scores is ever held.
+"""A network's scores as shares of classes on a coarse grid, row by row, so that no image of scores is stored.
 
-Told in docs/explanation/method.md#scores-instead-of-the-best-class.
+See docs/explanation/method.md#scores-instead-of-the-best-class.
 """
 
 from __future__ import annotations
@@ -16,29 +16,29 @@ from .certainty import NO_DATA
 from .tiling import SegmentedRows
 
 FINEST_EDGE = 512
-"""Edge of the grid (root of its area): what map correlation refines a place at, at last."""
+"""Edge of the grid (root of its area): the finest resolution of map correlation."""
 
 
 def grid_of(shape_hw: tuple[int, int]) -> tuple[int, int]:
-    """Return (w, h) of the grid for an image of that shape, never more than it has pixels."""
+    """Return (w, h) of the grid for an image of that shape, at most its number of pixels."""
     height, width = shape_hw
     step = max(1.0, float(np.sqrt(height * width)) / FINEST_EDGE)
     return max(1, round(width / step)), max(1, round(height / step))
 
 
 class ScoreShares:
-    """Adds up the percents of rows; ``found`` gives their means over the pixels of the grid.
+    """Adds up the percents of rows; ``found`` returns their means over the pixels of the grid.
 
-    Holds the grid, and the rows that are being added.
+    Stores the grid, and the rows that are being added.
     """
 
     def __init__(self, values: Sequence[int], shape_hw: tuple[int, int], size_wh: tuple[int, int]) -> None:
-        """Nothing is added yet.
+        """Start with empty sums.
 
         Args:
-            values: (C,) class value of each channel; several may have the same one, 0 is no class.
-            shape_hw: (height, width) of the image that the network sees.
-            size_wh: (w, h) of the grid, not more than the image has.
+            values: (C,) class value of each channel; several may have the same one, 0 is not a class.
+            shape_hw: (height, width) of the image at the network's resolution.
+            size_wh: (w, h) of the grid, at most that of the image.
         """
         self._shape_hw, self._size_wh = shape_hw, size_wh
         self._channels = np.asarray(values)
@@ -57,7 +57,7 @@ class ScoreShares:
             self._sums[number, first : first + len(weights)] += weights @ narrow
 
     def _row_weights(self, first: int, count: int) -> tuple[int, np.ndarray]:
-        """First row of the grid that rows of the image are part of, and (n, count) which part of each it holds."""
+        """Return the first grid row that overlaps rows of the image, and (n, count) share of each row in the grid's."""
         step = self._shape_hw[0] / self._size_wh[1]
         begin = int(first / step)
         end = min(int(np.ceil((first + count) / step)), self._size_wh[1])

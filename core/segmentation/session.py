@@ -1,4 +1,4 @@
-"""onnxruntime's sessions: the only file that uses it."""
+"""Sessions of onnxruntime; no other file imports it."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ if TYPE_CHECKING:
     from onnxruntime import InferenceSession
 
 _IR_VERSION_OF_ALL, _OPSET_OF_ALL, _HIGHEST_ASKED = 4, 11, 100
-"""Versions that every onnxruntime knows, and one that none knows."""
+"""Versions that every onnxruntime supports, and one that none supports."""
 
 _LONGEST_MESSAGE = 1000
-"""Characters of a message of onnxruntime that are looked at; names inside a model may be of any length."""
+"""Characters of a message of onnxruntime that are processed; names inside a model may have any length."""
 
 
 def _onnxruntime() -> ModuleType:
@@ -39,12 +39,12 @@ def _onnxruntime() -> ModuleType:
 
 
 def failures_of_a_run() -> tuple[type[BaseException], ...]:
-    """Return what running a network may raise."""
+    """Return the exceptions that running a network may raise."""
     return (*_failures(), MemoryError, cv2.error)
 
 
 def _failures() -> tuple[type[BaseException], ...]:
-    """Return the exceptions of onnxruntime, which have no base of their own."""
+    """Return the exceptions of onnxruntime, which have no common base class."""
     from onnxruntime.capi import onnxruntime_pybind11_state as state
 
     names = (
@@ -64,35 +64,35 @@ def _failures() -> tuple[type[BaseException], ...]:
 
 
 def available_providers() -> list[str]:
-    """Return the providers that this onnxruntime has. Raises ModelError where it is missing."""
+    """Return the providers of this onnxruntime. Raises ModelError if it is missing."""
     return list(_onnxruntime().get_available_providers())
 
 
 def open_session(path: str, threads: int, provider: str) -> InferenceSession:
-    """Open a network on one provider, or on the CPU; a provider that does not start is no silent other one.
+    """Open a network on one provider or on the CPU, without a silent fallback to another provider.
 
     Args:
         threads: Of the CPU.
-        provider: onnxruntime's name of what shall run it.
+        provider: onnxruntime's name of the provider.
 
     Raises:
-        ModelError: The file can't be used, or the provider not be started.
+        ModelError: The file can't be used, or the provider does not start.
     """
     onnxruntime = _onnxruntime()
     if not os.path.isfile(path):
         raise ModelError("{path} does not exist; choose a model file (.onnx).", path=path)
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = threads
-    # A thread that spins while it waits takes the core from reading and blending.
+    # A thread that spins while it waits slows down reading and blending.
     options.add_session_config_entry("session.intra_op.allow_spinning", "0")
-    # Errors are raised; onnxruntime would write them to a console that QGIS users don't have, too.
+    # Errors are raised; onnxruntime would also write them to a console, which QGIS users do not have.
     options.log_severity_level = 4
     onnxruntime.set_default_logger_severity(4)
     if provider == DIRECTML.provider:
-        # It takes neither (onnxruntime's page on it).
+        # DirectML supports neither (onnxruntime's documentation).
         options.enable_mem_pattern = False
         options.execution_mode = onnxruntime.ExecutionMode.ORT_SEQUENTIAL
-    said = _load_libraries(onnxruntime) if provider == CUDA.provider else ""
+    printed = _load_libraries(onnxruntime) if provider == CUDA.provider else ""
     providers = [provider] if provider == CPU.provider else [provider, CPU.provider]
     try:
         session = onnxruntime.InferenceSession(path, options, providers=providers)
@@ -104,19 +104,19 @@ def open_session(path: str, threads: int, provider: str) -> InferenceSession:
             "{path} can't be run by onnxruntime {version}: {reason}.",
             path=path,
             version=onnxruntime.__version__,
-            reason=_left_out(said),
+            reason=_left_out(printed),
         )
     return session
 
 
-def _left_out(said: str) -> str | Sentence:
-    """Why a provider was left out, as far as that is known."""
-    lines = [line for line in said.splitlines() if line.startswith("Failed to load")]
+def _left_out(printed: str) -> str | Sentence:
+    """Return why a provider was left out, if known."""
+    lines = [line for line in printed.splitlines() if line.startswith("Failed to load")]
     return reason_of(lines[0]) if lines else Sentence("its driver or its libraries could not be loaded")
 
 
 def _load_libraries(onnxruntime: ModuleType) -> str:
-    """Load CUDA's libraries from Python packages where they lie there; what onnxruntime prints on it."""
+    """Load CUDA's libraries from Python packages, if present; return what onnxruntime prints."""
     printed = io.StringIO()
     if hasattr(onnxruntime, "preload_dlls"):
         with contextlib.redirect_stdout(printed), contextlib.suppress(RuntimeError, OSError):
@@ -125,11 +125,11 @@ def _load_libraries(onnxruntime: ModuleType) -> str:
 
 
 def _why_not_opened(path: str, error: BaseException, version: str) -> Sentence:
-    """One sentence for why onnxruntime refused a file; by what is in the file, for messages change with releases."""
+    """Return why onnxruntime refused a file, from the file's content, because messages change with releases."""
     header = header_of(path)
     if header is None:
         return Sentence(
-            "{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.", path=path
+            "{path} is not an ONNX model, or it is damaged or incomplete; copy or export it again.", path=path
         )
     known = _newest_known(header.ir_version, lambda ir_version: smallest_model(ir_version, _OPSET_OF_ALL))
     if known < header.ir_version:
@@ -144,7 +144,7 @@ def _why_not_opened(path: str, error: BaseException, version: str) -> Sentence:
     known = _newest_known(header.opset, lambda opset: smallest_model(_IR_VERSION_OF_ALL, opset))
     if known < header.opset:
         return Sentence(
-            "{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} knows up to {known}; "
+            "{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} supports up to {known}; "
             "install a newer onnxruntime or export the model with an older opset.",
             path=path,
             found=header.opset,
@@ -154,8 +154,8 @@ def _why_not_opened(path: str, error: BaseException, version: str) -> Sentence:
     missing = header.missing_weights(path)
     if missing:
         return Sentence(
-            "{path} keeps its weights in another file that is missing or cut short; put it beside the model under its "
-            "old name ({reason}).",
+            "The weights of {path} are in another file, which is missing or incomplete. Copy it next to the model "
+            "under its original name ({reason}).",
             path=path,
             reason=missing,
         )
@@ -165,7 +165,7 @@ def _why_not_opened(path: str, error: BaseException, version: str) -> Sentence:
 
 
 def _newest_known(asked: int, model: Callable[[int], bytes]) -> int:
-    """Return the highest version up to the one asked for that onnxruntime opens a model of."""
+    """Return the highest version up to ``asked`` that onnxruntime can open."""
     for tried in range(min(asked, _HIGHEST_ASKED), 0, -1):
         if _opens(model(tried)):
             return asked if tried == min(asked, _HIGHEST_ASKED) < _HIGHEST_ASKED else tried
@@ -181,7 +181,7 @@ def _opens(model: bytes) -> bool:
     try:
         onnxruntime.InferenceSession(model, options, providers=[CPU.provider])
     except state.NotImplemented:
-        # The version is known, but this build lacks the one operator.
+        # The version is supported, but this build lacks the one operator.
         return True
     except _failures():
         return False
@@ -189,7 +189,7 @@ def _opens(model: bytes) -> bool:
 
 
 def reason_of(error: object) -> str:
-    """Return the last part of onnxruntime's message, without its error code and source files, as part of a sentence."""
+    """Return the last part of onnxruntime's message, without error code and source files, for use inside a sentence."""
     text = re.sub(r"\[ONNXRuntimeError\] : \d+ : [A-Z_]+ : ", "", " ".join(str(error)[:_LONGEST_MESSAGE].split()))
     text = re.sub(r"\S*/onnxruntime/\S+:\d+ [^\n]*?\) ", "", text)
     return re.sub(r"\.\s+(?=[A-Z])", "; ", text)[:300].rstrip(". ")

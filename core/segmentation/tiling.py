@@ -1,4 +1,4 @@
-"""Images to labels, tile by tile: overlapping tiles whose scores are blended, so that no seam shows."""
+"""Segment images tile by tile: the scores of overlapping tiles are blended, so that no seam is visible."""
 
 from __future__ import annotations
 
@@ -16,20 +16,19 @@ from .certainty import LABELS_ALONE, NO_DATA, SAMPLED_PX, Certainty, Sureness, p
 from .model import SegmentationModel
 
 MINIMUM_EDGE_PX = 8
-"""An image smaller than this shows a network nothing."""
+"""Smallest edge of an image that a network can segment."""
 
 
 @dataclass(frozen=True)
 class SegmentedRows:
-    """Whole rows of the image.
+    """Complete rows of the image.
 
     Attributes:
         first: Number of the first row.
         labels_hw: (rows, W) uint8.
-        percent_hw: (rows, W) uint8, how sure the network is of the label, 0…100, 255 without data; None where not
-            wanted.
+        percent_hw: (rows, W) uint8, certainty of the label, 0…100, 255 without data; None if not requested.
         percents_chw: (C, rows, W) uint8, the same of each of the model's channels.
-        sure: How sure the network is of the labels of these rows.
+        sure: Mean certainty of the labels of these rows.
     """
 
     first: int
@@ -41,7 +40,7 @@ class SegmentedRows:
 
 @dataclass(frozen=True)
 class _Tile:
-    """A tile as read: ``image`` of the network's size; ``has_data`` None where all pixels have."""
+    """A tile: ``image`` of the network's size; ``has_data`` None if all pixels have."""
 
     column: int
     row: int
@@ -60,16 +59,22 @@ def segment(
     overlap: float,
     wanted: Certainty = LABELS_ALONE,
 ) -> Iterator[tuple[float, SegmentedRows | None]]:
-    """Yields, tile by tile, the share done (0…1) and the rows that are finished with it, or None.
+    """Yield, tile by tile, the share done (0…1) and the rows that it completes, or None.
 
-    ``values``: (C,) class value of each of the model's channels. ``overlap``: share of a tile that lies on each
-    neighbor at least. ``wanted``: beside labels. A tile's weight falls over the overlap towards its border, where a
-    network sees least of the surroundings; each pixel gets the class with the highest weighted sum of scores (the
-    weights need no normalizing: they are the same for all classes of a pixel). Pixels without data are 0, tiles without
-    any are not given to the network. Held in memory: two groups of tiles more than the model looks at side by side, the
-    scores of the overlap of two rows of tiles, and what is wanted of one row of tiles.
+    A tile's weight decreases over the overlap towards its border, where a network sees the least of the surroundings.
+    Each pixel gets the class with the highest weighted sum of scores; the weights need no normalization, because they
+    are equal for all classes of a pixel. Pixels without data become 0, and the network does not process tiles without
+    any. Memory is needed for two groups of tiles more than the model processes at a time, the scores in the overlap of
+    two rows of tiles, and the requested outputs of one row of tiles.
 
-    Raises ImageError for an image of a few pixels, and what ``source`` and ``model`` raise.
+    Args:
+        values: (C,) class value of each of the model's channels.
+        overlap: Smallest overlap of neighboring tiles, as a share of a tile.
+        wanted: Outputs in addition to labels.
+
+    Raises:
+        ImageError: The image has only a few pixels.
+        Exception: What ``source`` and ``model`` raise.
     """
     tiles = tiles_of(model, source.shape_hw, overlap)
     yield from segment_tiles(model, source, values, overlap, tiles, wanted)
@@ -77,12 +82,12 @@ def segment(
 
 @dataclass(frozen=True)
 class Tiles:
-    """Tiles of an image that are looked at together: all, or those of a block.
+    """Tiles of an image that are processed together: all, or those of a block.
 
     Attributes:
-        columns: First pixels of its columns of tiles, those first that only reach into the block.
-        rows: The same of its rows.
-        box: (left, top, right, bottom) of the pixels that are finished with them.
+        columns: First pixels of the columns of tiles, including those that only overlap the block.
+        rows: First pixels of the rows of tiles, in the same way.
+        box: (left, top, right, bottom) of the pixels that they complete.
     """
 
     columns: Sequence[int]
@@ -90,12 +95,12 @@ class Tiles:
     box: tuple[int, int, int, int]
 
     def block(self, tile_hw: tuple[int, int], first: tuple[int, int], count: int) -> Tiles:
-        """Some of an image's tiles with the seams that they need: finished, they are pixel by pixel what all give.
+        """Return a part of the tiles with the necessary seams; its pixels are equal to those from all tiles.
 
         Args:
             tile_hw: (height, width) of a tile.
-            first: Numbers (column, row) of the block's first tile.
-            count: Of its tiles along each axis, at most.
+            first: Column and row number of the block's first tile.
+            count: Largest number of its tiles along each axis.
         """
         parts = (self.columns, first[0], tile_hw[1], self.box[2]), (self.rows, first[1], tile_hw[0], self.box[3])
         (columns, left, right), (rows, top, bottom) = (_with_seam(*part, count) for part in parts)
@@ -105,19 +110,19 @@ class Tiles:
 def _with_seam(
     starts: Sequence[int], first: int, size: int, length: int, count: int
 ) -> tuple[tuple[int, ...], int, int]:
-    """Start of the tiles that reach into a block's part of an axis, and its first pixel and the one after the last."""
+    """Return starts of the tiles that overlap a block's part of an axis, its first pixel, and its last pixel + 1."""
     begin = starts[first]
     end = starts[first + count] if first + count < len(starts) else length
     return tuple(start for start in starts if begin - size < start < end), begin, end
 
 
 def tiles_of(model: SegmentationModel, shape_hw: tuple[int, int], overlap: float) -> Tiles:
-    """Return all tiles of an image of that (height, width); raises ImageError for one of a few pixels."""
+    """Return all tiles of an image of that (height, width); raises ImageError if it has only a few pixels."""
     height, width = shape_hw
     if min(height, width) < MINIMUM_EDGE_PX:
         raise ImageError(
-            "An image of {width} × {height} pixels shows too little to be segmented; it needs {least} pixels each way "
-            "at the model's resolution.",
+            "The image has {width} × {height} pixels at the model's resolution; segmentation needs at least {least} × "
+            "{least}.",
             width=width,
             height=height,
             least=MINIMUM_EDGE_PX,
@@ -126,7 +131,7 @@ def tiles_of(model: SegmentationModel, shape_hw: tuple[int, int], overlap: float
     return Tiles(tuple(columns), tuple(rows), (0, 0, width, height))
 
 
-def segment_tiles(  # noqa: PLR0913 - what segment takes, and which tiles
+def segment_tiles(  # noqa: PLR0913 - the arguments of segment, and the tiles
     model: SegmentationModel,
     source: ImageSource,
     values: Sequence[int],
@@ -134,12 +139,12 @@ def segment_tiles(  # noqa: PLR0913 - what segment takes, and which tiles
     tiles: Tiles,
     wanted: Certainty = LABELS_ALONE,
 ) -> Iterator[tuple[float, SegmentedRows | None]]:
-    """As ``segment``, of some tiles: rows have the columns of their box, and are numbered as in the image."""
+    """Segment some tiles like ``segment``: rows have the columns of their box, and are numbered as in the image."""
     places = [(column, row) for row in tiles.rows for column in tiles.columns]
     blending = _Blending(model, tiles, np.asarray(values, np.uint8), overlap, wanted)
     groups = [places[n : n + model.tiles_at_once] for n in range(0, len(places), model.tiles_at_once)]
     done = 0
-    # While these tiles are blended here, the network looks at the next ones and those after them are read.
+    # While these tiles are blended here, the network processes the next ones, and those after them are read.
     with ThreadPoolExecutor(1) as reader, ThreadPoolExecutor(model.runs_at_once) as network:
 
         def look_at(places: Sequence[tuple[int, int]]) -> Future:
@@ -157,13 +162,13 @@ def segment_tiles(  # noqa: PLR0913 - what segment takes, and which tiles
                     done += 1
                     yield done / len(places), finished
         finally:
-            # Who stops listening must not wait for tiles that nobody has begun to look at.
+            # A caller that stops must not wait for tiles that are not started.
             for future in ahead:
                 future.cancel()
 
 
 def _look(model: SegmentationModel, reading: Future) -> list[tuple[_Tile, np.ndarray | None]]:
-    """Tiles with their (C, H, W) scores, None for tiles without data."""
+    """Return tiles with their (C, H, W) scores, None for tiles without data."""
     tiles = reading.result()
     with_data = [tile.image for tile in tiles if not tile.is_empty]
     scores = iter(model.scores(with_data) if with_data else ())
@@ -171,9 +176,9 @@ def _look(model: SegmentationModel, reading: Future) -> list[tuple[_Tile, np.nda
 
 
 def tile_starts(length: int, tile: int, overlap: float) -> list[int]:
-    """First pixels of tiles that cover ``length`` pixels, evenly spread, overlapping by at least that share.
+    """Return first pixels of tiles that cover ``length`` pixels, evenly spread, with at least that overlap.
 
-    A single 0 when the length fits into one tile. Evenly: no tile hangs over the end, and none is squeezed in.
+    A single 0 if the length fits into one tile. No tile extends beyond the end.
     """
     if length <= tile:
         return [0]
@@ -183,7 +188,7 @@ def tile_starts(length: int, tile: int, overlap: float) -> list[int]:
 
 
 def nearest_labels(labels_hw: np.ndarray, shape_hw: tuple[int, int]) -> np.ndarray:
-    """Return (H, W) uint8 labels brought to another (height, width): each pixel takes the label at its center."""
+    """Return (H, W) uint8 labels resized to another (height, width): each pixel gets the label at its center."""
     if labels_hw.shape == tuple(shape_hw):
         return labels_hw
     rows, columns = (
@@ -193,7 +198,7 @@ def nearest_labels(labels_hw: np.ndarray, shape_hw: tuple[int, int]) -> np.ndarr
 
 
 class _Blending:
-    """Sums of weighted scores, kept only where another tile will still add to them."""
+    """Sums of weighted scores, stored only where another tile will still add to them."""
 
     def __init__(
         self, model: SegmentationModel, tiles: Tiles, values: np.ndarray, overlap: float, wanted: Certainty
@@ -202,13 +207,13 @@ class _Blending:
         self._tiles = tiles
         self._next_column = dict(zip(columns, [*columns[1:], right]))
         self._next_row = dict(zip(rows, [*rows[1:], bottom]))
-        # Columns are counted from the first tile's.
+        # Columns are relative to the first tile.
         self._width = right - columns[0]
         self._values = values
         ramps = [_ramp(size, overlap) for size in tile_hw]
         self._weights = ramps[0][:, None] * ramps[1]
         self._model, self._wanted = model, wanted
-        # Tiles lie in rows and columns: what a pixel's weights add up to is a product of two sums.
+        # Tiles are in rows and columns, so the sum of a pixel's weights is a product of two sums.
         starts = ([start - some[0] for start in some] for some in (rows, columns))
         self._row_sums, self._column_sums = map(_weight_sums, starts, ramps, (bottom - rows[0], self._width))
         # Weighted sums to which tiles of this row or the next one will add: beside, above and below.
@@ -217,7 +222,7 @@ class _Blending:
         self._rows = SegmentedRows(0, np.empty((0, self._width), np.uint8))
 
     def add(self, tile: _Tile, scores: np.ndarray | None) -> SegmentedRows | None:
-        """Add a tile's (C, tile height, tile width) scores, None for none; gives the rows that are finished by it."""
+        """Add a tile's (C, tile height, tile width) scores, None without data; return the rows that it completes."""
         next_row = self._next_row[tile.row]
         rows = next_row - tile.row
         begin = tile.column - self._tiles.columns[0]
@@ -228,7 +233,7 @@ class _Blending:
         for channel in scores:
             cv2.multiply(channel, self._weights, dst=channel)
         scores[:, :, : self._left.shape[2]] += self._left
-        # Left of the next tile nothing will be added in this row of tiles.
+        # No later tile of this row adds to pixels left of the next tile.
         last = self._next_column[tile.column] - self._tiles.columns[0]
         columns = last - begin
         complete = scores[:, :, :columns]
@@ -240,16 +245,16 @@ class _Blending:
         if no_data is not None:
             labels[no_data] = UNLABELED
         left, top, _, _ = self._tiles.box
-        if self._model.tells_how_sure and tile.column >= left and tile.row >= top:
-            self._look_how_sure(tile, complete[:, :rows], best, no_data)
+        if self._model.has_scores and tile.column >= left and tile.row >= top:
+            self._sample_certainty(tile, complete[:, :rows], best, no_data)
         if self._wanted.is_wanted:
-            self._tell_certainty(tile, complete[:, :rows], best, no_data)
+            self._store_certainty(tile, complete[:, :rows], best, no_data)
         self._below[:, :, begin:last] = complete[:, rows : rows + self._below.shape[1]]
         self._left = scores[:, :, columns:]
         return self._finished() if last == self._width and tile.row >= top else None
 
     def _finished(self) -> SegmentedRows:
-        """Return the rows without the columns that other blocks finish."""
+        """Return the rows without the columns that other blocks complete."""
         rows, first = self._rows, self._tiles.box[0] - self._tiles.columns[0]
         if not first:
             return rows
@@ -258,8 +263,8 @@ class _Blending:
         )
         return SegmentedRows(rows.first, rows.labels_hw[:, first:], percent, percents, rows.sure)
 
-    def _look_how_sure(self, tile: _Tile, sums: np.ndarray, best: np.ndarray, no_data: np.ndarray | None) -> None:
-        """Return of finished (C, rows, columns) sums of scores: at a few pixels, which costs next to nothing."""
+    def _sample_certainty(self, tile: _Tile, sums: np.ndarray, best: np.ndarray, no_data: np.ndarray | None) -> None:
+        """Add the certainty at a few pixels of complete (C, rows, columns) sums of scores, which takes little time."""
         few = slice(None, None, SAMPLED_PX)
         _, rows, columns = sums.shape
         begin, top = tile.column - self._tiles.columns[0], tile.row - self._tiles.rows[0]
@@ -269,8 +274,8 @@ class _Blending:
         of_label = np.take_along_axis(probable, best[None, few, few].astype(np.intp), axis=0)[0]
         self._rows.sure.add(of_label if no_data is None else of_label[~no_data[few, few]])
 
-    def _tell_certainty(self, tile: _Tile, sums: np.ndarray, best: np.ndarray, no_data: np.ndarray | None) -> None:
-        """Return of finished (C, rows, columns) sums of scores, whose highest channel is ``best``."""
+    def _store_certainty(self, tile: _Tile, sums: np.ndarray, best: np.ndarray, no_data: np.ndarray | None) -> None:
+        """Store percents of complete (C, rows, columns) sums of scores with the highest channel ``best``."""
         _, rows, columns = sums.shape
         begin, top = tile.column - self._tiles.columns[0], tile.row - self._tiles.rows[0]
         part = slice(begin, begin + columns)
@@ -298,14 +303,14 @@ class _Blending:
 
 
 def _ramp(size: int, overlap: float) -> np.ndarray:
-    """Return (size,) float32 weights: 1 in the middle, falling like a cosine over the overlap to nearly 0 at both ends."""
+    """Return (size,) float32 weights: 1 in the middle, decreasing like a cosine over the overlap to almost 0."""
     from_end = np.minimum(np.arange(size), np.arange(size)[::-1]) + 0.5
     share = np.minimum(from_end / max(1.0, size * overlap), 1)
     return (np.sin(share * np.pi / 2) ** 2).astype(np.float32)
 
 
 def _weight_sums(starts: Sequence[int], ramp: np.ndarray, length: int) -> np.ndarray:
-    """Return (length,) float32: what the weights of all tiles that begin at ``starts`` add up to, along an axis."""
+    """Return (length,) float32 sums of the weights of all tiles that begin at ``starts``, along an axis."""
     sums = np.zeros(length, np.float32)
     for start in starts:
         covered = sums[start : start + len(ramp)]
@@ -314,11 +319,11 @@ def _weight_sums(starts: Sequence[int], ramp: np.ndarray, length: int) -> np.nda
 
 
 def _best_channel(scores: np.ndarray) -> np.ndarray:
-    """Return (C, H, W) → (H, W) uint8 number of the highest score, of equal ones the first; faster than ``np.argmax``."""
+    """Return (H, W) uint8 index of the highest of (C, H, W) scores, the first of equal ones; faster than np.argmax."""
     best = scores[0]
     channel = np.zeros(best.shape, np.uint8)
     for number in range(1, len(scores)):
-        # 255 where this channel is higher, else 0: of that and the number, the lower; no number before is as high.
+        # 255 where this channel is higher, else 0; the minimum of that and the number, which exceeds all before.
         higher = cv2.compare(scores[number], best, cv2.CMP_GT)
         cv2.max(channel, cv2.min(higher, number, dst=higher), dst=channel)
         best = cv2.max(best, scores[number])
@@ -330,7 +335,7 @@ def _read_tiles(source: ImageSource, places: Sequence[tuple[int, int]], tile_hw:
 
 
 def _read_tile(source: ImageSource, column: int, row: int, tile_hw: tuple[int, int]) -> _Tile:
-    """Return a tile of the network's size; an image smaller than that goes on mirrored."""
+    """Return a tile of the network's size; a smaller image is continued by reflection."""
     height, width = (min(tile, size) for tile, size in zip(tile_hw, source.shape_hw))
     image, has_data = source.read(column, row, width, height)
     if has_data is not None and has_data.all():

@@ -119,13 +119,13 @@ class PhotoLabelReader:
 
     def _say_told_size(self, path: str, labels: PhotoLabels) -> None:
         """Of the first photo: the others are of the same flight."""
-        if labels.told_pixel_size_m is None:
+        if labels.camera_pixel_size_m is None:
             return
         text = tr(
             "{image}: a pixel shows {size:.3g} cm of the ground, by the camera’s height and lens; the network sees "
             "the photo at {resolution:.3g} cm a pixel, as it was trained."
         )
-        size, resolution = 100 * labels.told_pixel_size_m, 100 * (self.resolution_m or 0.0)
+        size, resolution = 100 * labels.camera_pixel_size_m, 100 * (self.resolution_m or 0.0)
         self._feedback.pushInfo(text.format(image=os.path.basename(path), size=size, resolution=resolution))
 
     @property

@@ -22,10 +22,10 @@ def test_every_error_is_a_user_error_with_its_sentence(kind):
 
 
 def test_an_error_can_repeat_the_sentence_of_another():
-    said = DatabaseError("{count} other place fits almost as well as the best one.", count=1)
+    said = DatabaseError("{count} other position fits almost as well as the best one.", count=1)
     assert str(ImageError(said.sentence)) == str(said)
 
 
 def test_an_error_keeps_its_sentence_between_processes():
-    error = DatabaseError("{count} other places fit almost as well as the best one.", count=3)
+    error = DatabaseError("{count} other positions fit almost as well as the best one.", count=3)
     assert pickle.loads(pickle.dumps(error)).sentence == error.sentence

@@ -28,7 +28,7 @@ class Localizer:
     def localize(self, labels_hw, method, prior, with_matches, shares, biases):
         self.asked.append((labels_hw.shape, method, prior, with_matches, shares, biases))
         return Localization(
-            Status.NO_MATCH, method, reason=Sentence("No place on the map has triangles like the image's.")
+            Status.NO_MATCH, method, reason=Sentence("No place on the map has triangles of landmarks like the image's.")
         )
 
 

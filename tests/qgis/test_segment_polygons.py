@@ -94,13 +94,13 @@ def test_a_photo_without_a_place_gives_polygons_in_pixels(segment, tmp_path):
 
 
 def test_a_cancel_while_outlining_leaves_nothing(segment, feedback, tmp_path, monkeypatch):
-    real = polygonize.outlined
+    real = polygonize.outline_regions
 
     def canceled(*arguments):
         feedback.cancel()
         return real(*arguments)
 
-    monkeypatch.setattr(polygonize, "outlined", canceled)
+    monkeypatch.setattr(polygonize, "outline_regions", canceled)
     image = write_raster(tmp_path / "a.tif", np.moveaxis(painted(LABELS), 2, 0))
     with pytest.raises(QgsProcessingException, match="Canceled"):
         segment(image)

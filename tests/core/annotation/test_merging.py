@@ -10,11 +10,11 @@ from made_annotation import feature, numbered, square
 from semref.core.annotation.findings import GAP, SLIVER, WARNING
 from semref.core.annotation.merging import MergeSettings, merge_finding, merge_gaps_and_slivers
 from semref.core.annotation.polygons import AnnotatedPolygons
-from semref.core.annotation.surface import laid_polygons
+from semref.core.annotation.surface import overlay_polygons
 
 
 def surface_of(*features):
-    steps = laid_polygons(numbered(features), AnnotatedPolygons.repair_ranks, [])
+    steps = overlay_polygons(numbered(features), AnnotatedPolygons.repair_ranks, [])
     while True:
         try:
             next(steps)

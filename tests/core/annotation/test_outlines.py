@@ -10,11 +10,11 @@ import pytest
 import shapely
 
 from semref.core.annotation import outlines
-from semref.core.annotation.outlines import areas_and_wkb, can_simplify, on_map, outlined, simplified
+from semref.core.annotation.outlines import areas_and_wkb, can_simplify, outline_regions, simplify, to_map
 
 
 def outlines_of(labels: np.ndarray):
-    return outlined(lambda first, last: labels[first:last], labels.shape)
+    return outline_regions(lambda first, last: labels[first:last], labels.shape)
 
 
 def region_numbers(labels: np.ndarray) -> np.ndarray:
@@ -102,7 +102,9 @@ def test_a_neighbors_corner_on_a_straight_edge_becomes_a_vertex():
 def test_a_cancel_at_any_point_gives_no_partial_result(answers):
     labels = np.random.default_rng(3).integers(0, 4, (60, 70)).astype(np.uint8)
     asked = itertools.count()
-    values, polygons = outlined(lambda first, last: labels[first:last], labels.shape, lambda: next(asked) < answers)
+    values, polygons = outline_regions(
+        lambda first, last: labels[first:last], labels.shape, lambda: next(asked) < answers
+    )
     assert next(asked) == answers + 1
     assert len(values) == len(polygons) == 0
 
@@ -115,14 +117,14 @@ def test_borders_are_straightened_alike_on_both_sides():
     stairs = np.array([(n // 2 + n % 2, n // 2) for n in range(21)])
     left = shapely.Polygon([(0, 0), *stairs[1:].tolist(), (0, 10)])
     right = shapely.Polygon([(20, 0), (20, 10), *stairs[::-1].tolist()])
-    made = simplified(np.array([left, right]), 1.5)
+    made = simplify(np.array([left, right]), 1.5)
     assert shapely.coverage_is_valid(made)
     assert shapely.get_num_coordinates(made).sum() < 20
     assert shapely.area(made).sum() == pytest.approx(left.area + right.area)
 
 
 def test_pixels_come_to_the_map():
-    (made,) = on_map(np.array([shapely.box(0, 0, 2, 3)]), (100.0, 0.5, 0.0, 200.0, 0.0, -0.5))
+    (made,) = to_map(np.array([shapely.box(0, 0, 2, 3)]), (100.0, 0.5, 0.0, 200.0, 0.0, -0.5))
     assert made.bounds == (100, 198.5, 101, 200)
 
 

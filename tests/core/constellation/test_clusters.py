@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from semref.core.constellation import clusters
-from semref.core.constellation.clusters import CELL_OF_IMAGE, CELL_OF_TURN, Poses, clustered, poses_in_cells
+from semref.core.constellation.clusters import CELL_OF_IMAGE, CELL_OF_TURN, Poses, cluster, poses_in_cells
 
 STEP = CELL_OF_TURN
 
@@ -21,9 +21,9 @@ def made_poses(rng, count, spread):
 def test_of_very_many_poses_the_fullest_cells_are_the_same_as_when_all_are_sorted(monkeypatch, spread):
     """Cases: few full cells; many cells, some full; so many cells that few contain two poses."""
     poses = made_poses(np.random.default_rng(4), 30_000, spread)
-    counted = clustered([poses], False, 40)
+    counted = cluster([poses], False, 40)
     monkeypatch.setattr(clusters, "_SORTED_AT_ONCE", 10**9)
-    everything = clustered([poses], False, 40)
+    everything = cluster([poses], False, 40)
     assert len(counted.votes) >= 40
     for name in ("centers", "turns", "focuses", "votes"):
         np.testing.assert_array_equal(getattr(counted, name), getattr(everything, name))
@@ -38,18 +38,18 @@ def test_the_fullest_cells_are_found_though_others_share_their_groups(monkeypatc
     mixed = poses.select(rng.permutation(30_000))
     for bits in (8, 12, 21):
         monkeypatch.setattr(clusters, "_GROUP_BITS", bits)
-        assert clustered([mixed], False, 2).votes.tolist() == [500, 400]
+        assert cluster([mixed], False, 2).votes.tolist() == [500, 400]
 
 
 def test_clusters_of_portions_are_those_of_all_poses_together():
     poses = made_poses(np.random.default_rng(5), 30_000, 60)
     parts = [poses.select(part) for part in np.split(np.arange(30_000), [0, 100, 20_000])]
     for portions in (parts, [*parts[:2], poses.select(np.arange(0)), *parts[2:]]):
-        one, other = clustered(portions, True, 40), clustered([poses], True, 40)
+        one, other = cluster(portions, True, 40), cluster([poses], True, 40)
         for name in ("centers", "turns", "focuses", "votes"):
             np.testing.assert_array_equal(getattr(one, name), getattr(other, name))
         assert one.capped
-    assert len(clustered([], False, 40).votes) == 0
+    assert len(cluster([], False, 40).votes) == 0
 
 
 def test_cells_of_poses_grow_with_the_pixel_size_by_steps():
@@ -76,6 +76,6 @@ def test_poses_of_one_cell_are_one_cluster_at_their_mean(monkeypatch):
     centers, turns = np.array([10 + 10j, 12 + 14j, 900 + 0j]), np.array([1 + 0j, 1.002 + 0j, 1 + 0j])
     focuses = np.array([0j, 30 + 0j, 7j])
     monkeypatch.setattr(clusters, "CELL_OF_IMAGE", 0.1)
-    seeds = clustered([poses_in_cells(centers, turns, focuses, 900.0)], False, 1)
+    seeds = cluster([poses_in_cells(centers, turns, focuses, 900.0)], False, 1)
     assert seeds.votes.tolist() == [2] and not seeds.capped
     assert (seeds.centers[0], seeds.turns[0], seeds.focuses[0]) == pytest.approx((11 + 12j, 1.001, 15))

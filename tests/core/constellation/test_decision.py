@@ -44,22 +44,22 @@ def test_a_larger_map_and_a_capped_search_ask_for_more():
             0,
             Status.NO_MATCH,
             (
-                "The best place (log odds {log_odds:.1f}) has an error probability of {risk:.2g}; at most "
+                "The best candidate position (log odds {log_odds:.1f}) has an error probability of {risk:.2g}; at most "
                 "{allowed:.2g} is allowed."
             ),
         ),
-        ({"runner_up": 199.0}, 1, Status.AMBIGUOUS, "{count} other place fits almost as well as the best one."),
+        ({"runner_up": 199.0}, 1, Status.AMBIGUOUS, "{count} other position fits almost as well as the best one."),
         (
             {"mirror": 199.0},
             0,
             Status.NO_MATCH,
-            "The mirrored image fits almost as well, so the pattern is too regular.",
+            "The mirrored image matches almost as well; the pattern of landmarks is too regular.",
         ),
         (
             {"mirror": 199.0, "runner_up": 199.0},
             1,
             Status.NO_MATCH,
-            "The mirrored image fits almost as well, so the pattern is too regular.",
+            "The mirrored image matches almost as well; the pattern of landmarks is too regular.",
         ),
     ],
 )

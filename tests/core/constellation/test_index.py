@@ -7,8 +7,8 @@ from semref.core.constellation.index import (
     build_index,
     expand_ranges,
     key_ranges,
-    like_triangles,
     part_shapes,
+    similar_triangles,
 )
 from semref.core.constellation.settings import CONSTELLATION
 from semref.core.constellation.triangles import ORDERS, describe_triangles, neighbor_pairs
@@ -29,7 +29,7 @@ def hits_of(index, numbers, ranks):
     which, first, last = key_ranges(index, numbers, ranks, REACH)
     stretch, hits = expand_ranges(first, last)
     source = which[stretch]
-    like, source = like_triangles(index, hits, source, numbers, REACH)
+    like, source = similar_triangles(index, hits, source, numbers, REACH)
     return source, like
 
 

@@ -7,7 +7,7 @@ import pytest
 
 from semref.core.constellation import lookup
 from semref.core.constellation.hypotheses import query_triangles
-from semref.core.constellation.index import like_triangles
+from semref.core.constellation.index import similar_triangles
 from semref.core.constellation.lookup import Lookup, _fitted, find_seeds
 from semref.core.constellation.settings import CONSTELLATION
 from semref.core.geometry.pose import fit_similarity
@@ -89,9 +89,9 @@ def test_a_search_that_looks_farther_goes_on_from_what_was_looked_up(index, cut,
 
     def like(index, hits, *args):
         looked.append(len(hits))
-        return like_triangles(index, hits, *args)
+        return similar_triangles(index, hits, *args)
 
-    monkeypatch.setattr(lookup, "like_triangles", like)
+    monkeypatch.setattr(lookup, "similar_triangles", like)
     farther = lookup_of(index, query, Prior(pixel_size_range=SCALES))
     counts = []
     for cap in (300, 900, 10**7, 900):

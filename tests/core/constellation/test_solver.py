@@ -12,7 +12,7 @@ from semref.core.constellation.index import build_index
 from semref.core.constellation.lookup import Lookup, find_seeds
 from semref.core.constellation.settings import CONSTELLATION
 from semref.core.constellation.solver import localize, make_query, matches_at
-from semref.core.constellation.verification import Verifier, verify_tilted, weigh
+from semref.core.constellation.verification import Verifier, verify_tilted, weigh_all
 from semref.core.database.model import MapLandmarks
 from semref.core.geometry.pose import Pose
 from semref.core.landmarks.landmarks import Landmarks
@@ -59,7 +59,8 @@ def test_objects_smaller_than_any_of_the_catalogue_are_no_evidence(ground, share
     small = dataclasses.replace(right, areas_px=share * ground.index.minimum_area_m2 * np.ones(len(right)))
     query = make_query(small, ground.index, (SIZE, SIZE))
     center = complex(*view.position) + complex(*ORIGIN) - ground.index.origin
-    evidence = weigh(Verifier(ground.index, SIZE, SIZE, 1.0), query, Pose(center, 1 + 0j), 1.0)
+    verifier, pose = Verifier(ground.index, SIZE, SIZE, 1.0), Pose(center, 1 + 0j)
+    (evidence,) = weigh_all(verifier, query, [pose], np.ones(1))
     assert (len(evidence.matched) > 0, evidence.considered > 0) == (counts, counts)
     assert counts or evidence.log_odds <= 0
 

@@ -33,7 +33,7 @@ def test_an_image_of_two_places_is_recognized(ground):
     found = solve(ground, of_two(left, right))
     assert (found.status, found.reason.template) == (
         Status.AMBIGUOUS,
-        "Landmarks agree with the map on one side of the image only: it may show two places.",
+        "Landmarks agree with the map on one side of the image only; the image may show two places.",
     )
     assert found.confidence is None and len(found.alternatives) == 1 and not found.is_doubted
 
@@ -59,7 +59,7 @@ def test_a_second_place_is_found_by_few_landmarks_where_the_map_has_nothing_at_t
     found = localize(of_two(ground.see(seen_from(1400, 1600)), right), (SIZE, SIZE), half_mapped, PRIOR)
     assert (found.status, found.reason.template) == (
         Status.AMBIGUOUS,
-        "Landmarks agree with the map on one side of the image only: it may show two places.",
+        "Landmarks agree with the map on one side of the image only; the image may show two places.",
     )
     first, second = (np.subtract(place.position, ORIGIN) for place in found.alternatives)
     assert np.hypot(*(first - (1400, -1600))) < 5 and np.hypot(*(second - (900, -900))) < 5
@@ -70,8 +70,8 @@ def test_a_fix_names_the_part_of_the_image_that_disagrees(ground, half_mapped):
     found = localize(ground.see(view), (SIZE, SIZE), half_mapped, PRIOR)
     assert found.status == Status.FIX and error(found, view) < 1
     assert found.reason.template == (
-        "In the {part} of the image only {agree} of {count} landmarks agree with the map: new there, off the "
-        "map, or of another place. The fix holds for the rest."
+        "In the {part} of the image only {agree} of {count} landmarks agree with the map. They may be "
+        "new, outside the map, or at another place. The position is valid for the rest of the image."
     )
     assert str(found.reason).startswith("In the right part of the image only 0 of ")
 

@@ -57,7 +57,7 @@ def test_a_distinctiveness_may_be_unknown_but_not_negative(database):
 @pytest.mark.parametrize(
     ("name", "value", "said"),
     [
-        ("positions", (600000.0 - 2.1, 5199900.0), "a landmark at 599998, 5.1999e+06 is outside the map"),
+        ("positions", (600000.0 - 2.1, 5199900.0), "a landmark at 599998, 5.1999e\\+06 is outside the map"),
         ("areas_m2", 0, "a landmark has an impossible area"),
         ("areas_m2", 1e15, "a landmark has an impossible area"),
         ("classes", 3, "a landmark has a class that is not a reference class"),

@@ -9,7 +9,7 @@ from semref.core.geometry.pose import PoseCovariance
 from semref.core.localization import Localization, Method, Place, Status
 from semref.core.sentences import Sentence
 
-LOST = Sentence("No place on the map has triangles like the image's.")
+LOST = Sentence("No place on the map has triangles of landmarks like the image's.")
 
 
 def test_a_pose_has_the_columns_of_an_image():

@@ -12,7 +12,7 @@ from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
 from semref.core.localization import Localization, Method, Place, Prior, Status
-from semref.core.localizer.combined import agreed, checked_by_areas, confirmed, near, neither
+from semref.core.localizer.combined import check_by_areas, combine_agreeing, combine_without_fix, confirm, prior_near
 from semref.core.localizer.localizer import Localizer
 from semref.core.localizer.settings import LOCALIZER
 from semref.core.sentences import Sentence
@@ -160,15 +160,15 @@ def test_without_an_overview_only_the_constellation_is_used():
 def test_without_a_fix_the_reasons_of_both_methods_are_shown(localizer):
     found = localizer.localize(view(patches(8), houses(4)), Method.AUTOMATIC)
     assert found.status in (Status.NO_MATCH, Status.AMBIGUOUS) and found.position is None
-    assert str(found.reason).startswith("The best place (log odds")
-    assert "Map correlation has no fix either: " in str(found.reason)
+    assert str(found.reason).startswith("The best candidate position (log odds")
+    assert "Map correlation found no position either: " in str(found.reason)
     assert str(found.reason).endswith("all headings, the whole map.")
 
 
 def test_an_image_without_labels_counts_the_missing_landmarks(localizer):
     found = localizer.localize(np.zeros((SIZE, SIZE), np.uint8), Method.AUTOMATIC)
     assert found.status == Status.TOO_FEW_REFERENCES
-    assert "more are needed. Map correlation has no fix either: only 0%" in str(found.reason)
+    assert "more are needed. Map correlation found no position either: only 0%" in str(found.reason)
 
 
 def test_an_image_without_pixels_is_an_error(localizer):
@@ -190,7 +190,7 @@ def test_both_methods_search_the_same_range_of_scales_unless_one_is_given(locali
 def test_a_reason_states_the_searched_area(localizer):
     image = view(GROUND, NOTHING_BUILT, scale=2.2)
     found = localizer.localize(image, Method.AUTOMATIC, Prior(pixel_size_range=(0.5, 1.2)))
-    assert str(found.reason).endswith("Searched: 0.5–1.2 map units a pixel, all headings, the whole map.")
+    assert str(found.reason).endswith("Searched: pixel sizes 0.5–1.2 m, all headings, the whole map.")
     near = Prior((500_000.0, 5_200_000.0), 250.0, 370.0, 20.0, (0.5, 1.2))
     reason = str(localizer.localize(image, Method.MAP_CORRELATION, near).reason)
     assert reason.endswith("headings within 20° of 10°, the ground within 250 of 500000, 5200000.")
@@ -206,7 +206,7 @@ def test_a_prior_applies_to_both_methods(localizer):
 # --- decisions ---
 
 PLACE = Place((100.0, 200.0), 30.0, 1.0)
-SAID = Sentence("The mirrored image fits almost as well, so the pattern is too regular.")
+SAID = Sentence("The mirrored image matches almost as well; the pattern of landmarks is too regular.")
 STARS = Localization(
     Status.FIX,
     Method.CONSTELLATION,
@@ -231,49 +231,49 @@ AREAS = replace(
     [(None, Status.FIX), (0.9, Status.FIX), (0.6, Status.FIX), (-0.1, Status.NO_MATCH)],
 )
 def test_a_fix_remains_if_class_areas_agree_or_are_undecided(agreement, status):
-    found = checked_by_areas(STARS, agreement)
+    found = check_by_areas(STARS, agreement)
     # A place refused only for its risk can still be confirmed by map correlation.
     assert (found.status, found.is_doubted) == (status, status == Status.NO_MATCH)
 
 
 def test_agreeing_class_areas_confirm_a_place_refused_only_for_its_risk():
     doubted = replace(STARS, status=Status.NO_MATCH, reason=SAID, confidence=None, risk=3e-4, is_doubted=True)
-    found = checked_by_areas(doubted, 0.9)
+    found = check_by_areas(doubted, 0.9)
     assert (found.status, found.reason) == (Status.FIX, None)
     assert found.confidence == 1 - found.risk > 1 - LOCALIZER.allowed_risk
-    assert checked_by_areas(doubted, None) == doubted
-    assert checked_by_areas(replace(doubted, is_doubted=False), 0.9).status == Status.NO_MATCH
-    assert checked_by_areas(doubted, 0.2).status == Status.NO_MATCH
+    assert check_by_areas(doubted, None) == doubted
+    assert check_by_areas(replace(doubted, is_doubted=False), 0.9).status == Status.NO_MATCH
+    assert check_by_areas(doubted, 0.2).status == Status.NO_MATCH
 
 
 def test_the_part_that_disagrees_stays_named_when_class_areas_agree():
-    assert checked_by_areas(replace(STARS, reason=SAID), 0.9).reason == SAID
+    assert check_by_areas(replace(STARS, reason=SAID), 0.9).reason == SAID
 
 
 def test_the_part_that_disagrees_stays_named_at_a_refined_pose():
-    assert confirmed(replace(AREAS, reason=SAID), STARS, around(20.0)).reason == SAID
+    assert confirm(replace(AREAS, reason=SAID), STARS, around(20.0)).reason == SAID
     doubted = replace(STARS, status=Status.NO_MATCH, confidence=None, is_doubted=True)
-    assert agreed(doubted, replace(AREAS, reason=SAID), 1000).reason == SAID
+    assert combine_agreeing(doubted, replace(AREAS, reason=SAID), 1000).reason == SAID
 
 
 def test_two_independent_methods_with_one_place_lower_the_risk():
     doubted = {"status": Status.NO_MATCH, "reason": SAID, "confidence": None, "is_doubted": True}
     stars, areas = replace(STARS, risk=0.01, **doubted), replace(AREAS, risk=0.003, **doubted)
-    found = agreed(stars, areas, 1000)
+    found = combine_agreeing(stars, areas, 1000)
     assert (found.status, found.position, found.reason) == (Status.FIX, STARS.position, None)
     assert found.risk == pytest.approx(3e-5, rel=0.05)
-    assert agreed(stars, replace(areas, risk=0.1), 1000) is None
-    assert agreed(replace(stars, best=replace(PLACE, position=(900.0, 200.0))), areas, 1000) is None
-    assert agreed(replace(stars, best=replace(PLACE, heading_deg=60.0)), areas, 1000) is None
+    assert combine_agreeing(stars, replace(areas, risk=0.1), 1000) is None
+    assert combine_agreeing(replace(stars, best=replace(PLACE, position=(900.0, 200.0))), areas, 1000) is None
+    assert combine_agreeing(replace(stars, best=replace(PLACE, heading_deg=60.0)), areas, 1000) is None
     # Across north, 359.5° and 0.2° differ by 0.7°.
     north, beside = (replace(PLACE, heading_deg=heading) for heading in (0.2, 359.5))
-    assert agreed(replace(stars, best=north), replace(areas, best=beside), 1000).is_fix
+    assert combine_agreeing(replace(stars, best=north), replace(areas, best=beside), 1000).is_fix
 
 
 def test_the_constellation_searches_again_at_the_place_of_map_correlation():
-    prior = near(AREAS, Prior(), 1000)
+    prior = prior_near(AREAS, Prior(), 1000)
     assert (prior.position, prior.radius, prior.heading_deg) == ((103.0, 204.0), 20.0, 30.0)
-    assert near(replace(AREAS, error_95_m=48.0), Prior(), 1000).radius == 60.0
+    assert prior_near(replace(AREAS, error_95_m=48.0), Prior(), 1000).radius == 60.0
     assert prior.pixel_size_range[0] < 1.0 < prior.pixel_size_range[1]
 
 
@@ -282,7 +282,7 @@ def around(radius):
 
 
 def test_a_second_look_refines_a_fix_but_does_not_lower_its_risk():
-    found = confirmed(AREAS, STARS, around(20.0))
+    found = confirm(AREAS, STARS, around(20.0))
     assert (found.position, found.error_95_m, found.method) == (STARS.position, 1.0, Method.CONSTELLATION)
     assert (found.risk, found.confidence) == (AREAS.risk, 1 - AREAS.risk)
 
@@ -290,19 +290,19 @@ def test_a_second_look_refines_a_fix_but_does_not_lower_its_risk():
 def test_of_places_alike_the_one_where_class_areas_agree_is_taken_if_it_is_the_only_one():
     far, close = replace(PLACE, position=(900.0, 200.0)), replace(PLACE, position=(101.0, 203.0))
     unsure = Localization(Status.AMBIGUOUS, Method.CONSTELLATION, 30, SAID, best=PLACE, risk=0.5)
-    assert confirmed(AREAS, replace(unsure, alternatives=(PLACE, far)), around(20.0)).position == PLACE.position
-    assert confirmed(AREAS, replace(unsure, alternatives=(PLACE, close)), around(20.0)) is None
+    assert confirm(AREAS, replace(unsure, alternatives=(PLACE, far)), around(20.0)).position == PLACE.position
+    assert confirm(AREAS, replace(unsure, alternatives=(PLACE, close)), around(20.0)) is None
     # Only the mirrored image is a rival; no place can decide between them.
-    assert confirmed(AREAS, replace(unsure, alternatives=(PLACE,)), around(20.0)) is None
+    assert confirm(AREAS, replace(unsure, alternatives=(PLACE,)), around(20.0)) is None
 
 
 def test_without_a_fix_the_places_of_both_methods_are_listed():
     other = replace(PLACE, heading_deg=99.0)
     stars = Localization(Status.NO_MATCH, Method.CONSTELLATION, 30, SAID)
     areas = Localization(Status.AMBIGUOUS, Method.MAP_CORRELATION, 0, SAID, alternatives=(PLACE, other))
-    found = neither(stars, areas, 1000)
+    found = combine_without_fix(stars, areas, 1000)
     assert (found.status, found.alternatives) == (Status.AMBIGUOUS, (PLACE, other))
-    assert str(found.reason) == f"{SAID} Map correlation has no fix either: {str(SAID)[0].lower()}{str(SAID)[1:]}"
+    assert str(found.reason) == f"{SAID} Map correlation found no position either: {str(SAID)[0].lower()}{str(SAID)[1:]}"
 
 
 def test_a_place_that_both_methods_found_is_listed_once():
@@ -310,14 +310,14 @@ def test_a_place_that_both_methods_found_is_listed_once():
     beside = replace(PLACE, position=(PLACE.position[0] + 1.0, PLACE.position[1]))
     stars = Localization(Status.AMBIGUOUS, Method.CONSTELLATION, 30, SAID, alternatives=(PLACE,))
     areas = Localization(Status.AMBIGUOUS, Method.MAP_CORRELATION, 0, SAID, alternatives=(beside, apart))
-    assert neither(stars, areas, round(100 / PLACE.pixel_size_m)).alternatives == (PLACE, apart)
+    assert combine_without_fix(stars, areas, round(100 / PLACE.pixel_size_m)).alternatives == (PLACE, apart)
 
 
 def test_a_prior_without_a_place_confirms_wherever_the_constellation_looks():
-    assert confirmed(AREAS, STARS, Prior()).position == STARS.position
-    assert confirmed(AREAS, STARS, Prior(AREAS.position)).position == STARS.position
+    assert confirm(AREAS, STARS, Prior()).position == STARS.position
+    assert confirm(AREAS, STARS, Prior(AREAS.position)).position == STARS.position
 
 
 def test_without_a_fix_of_map_correlation_there_is_nothing_to_look_for():
     with pytest.raises(ValueError, match="no fix"):
-        near(replace(AREAS, status=Status.NO_MATCH), Prior(), 1000)
+        prior_near(replace(AREAS, status=Status.NO_MATCH), Prior(), 1000)

@@ -20,7 +20,7 @@ TOO_FEW = Localization(
     ),
 )
 NO_MATCH = replace(
-    TOO_FEW, status=Status.NO_MATCH, reason=Sentence("No place on the map has triangles like the image's.")
+    TOO_FEW, status=Status.NO_MATCH, reason=Sentence("No place on the map has triangles of landmarks like the image's.")
 )
 
 
@@ -33,7 +33,7 @@ def test_too_few_landmarks_of_a_photo_are_what_the_network_found():
 
 def test_a_reason_within_a_reason_counts_what_the_network_found_too():
     both = Sentence(
-        "{constellation} Map correlation has no fix either: {correlation:clause}",
+        "{constellation} Map correlation found no position either: {correlation:clause}",
         constellation=TOO_FEW.reason,
         correlation=NO_MATCH.reason,
     )

@@ -74,10 +74,10 @@ def test_an_error_probability_is_shown_no_smaller_than_it_was_tested(confidence,
 def test_a_fix_has_the_parts_of_its_radius():
     known = replace(COVARIANCE, parts=(("map", 1.25), ("landmarks", 0.5), ("pixels", 0.1)))
     said = record(replace(FIX, covariance=known))["reason"]
-    assert said == "What makes the 95 % radius: accuracy of the map 1.2 m, noise of single landmarks 0.5 m."
+    assert said == "Error budget (95 %): map 1.2 m, single landmarks 0.5 m."
     remark = Sentence(
         "In the {part} of the image only {agree} of {count} landmarks agree with the map: new there, off the map, or "
-        "of another place. The fix holds for the rest.",
+        "of another place. The position is valid for the rest.",
         part="left part",
         agree=0,
         count=24,

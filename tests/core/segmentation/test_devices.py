@@ -136,7 +136,7 @@ def test_a_missing_device_is_replaced_with_a_note_on_its_package(load, monkeypat
     model = load("openvino")
     assert model.device is CPU
     (fallback,) = map(english, model.fallbacks)
-    assert "OpenVINO was asked for" in fallback and "onnxruntime-openvino" in fallback
+    assert "OpenVINO is selected" in fallback and "onnxruntime-openvino" in fallback
 
 
 def test_a_file_that_is_no_model_is_refused_with_its_own_sentence(tmp_path, monkeypatch):

@@ -102,7 +102,7 @@ def test_channels_are_mapped_to_a_database_by_name():
 def test_a_reference_class_that_the_model_does_not_know_is_refused():
     classes = read_classes({"class_names": NAMES}, 2, "m.onnx")
     database = class_table_from_csv("value,name,role\n4,bare_land,reference\n6,building,reference\n")
-    with pytest.raises(ModelError, match="m.onnx does not know the database's class bare_land, only building, water"):
+    with pytest.raises(ModelError, match="m.onnx was not trained on the database's class bare_land, only on building, water"):
         classes.values_in(database, "m.onnx")
 
 
@@ -129,7 +129,7 @@ def test_impossible_settings_are_refused_with_their_key(texts, message):
     ("texts", "channels", "message"),
     [
         ({}, 3, "does not name its classes"),
-        ({"class_names": NAMES}, 3, "tells 3 classes apart, but there are 2"),
+        ({"class_names": NAMES}, 3, "outputs 3 classes, but its metadata"),
         ({"class_names": '{"0": "a", "2": "b"}'}, 2, "one entry for each output"),
         ({"class_names": "building"}, 2, "one entry for each output"),
         ({"class_names": '["a", "a"]'}, 2, "the name a more than once"),
@@ -145,7 +145,7 @@ def test_impossible_classes_are_refused(texts, channels, message):
 
 
 def test_a_table_without_one_of_the_classes_is_refused():
-    with pytest.raises(ModelError, match="class table lacks the class water"):
+    with pytest.raises(ModelError, match="class table has no class water"):
         values_of({"class_names": NAMES}, 2, class_table_from_csv("value,name\n1,building\n"))
 
 

@@ -112,7 +112,7 @@ def test_a_file_that_is_not_there_is_refused(tmp_path):
 
 
 def test_missing_external_weights_are_reported(load):
-    with pytest.raises(ModelError, match="keeps its weights in another file that is missing"):
+    with pytest.raises(ModelError, match="are in another file, which is missing"):
         load(brightest_color(external="weights.bin"))
 
 
@@ -122,7 +122,7 @@ def test_a_newer_format_is_refused_with_both_versions(load):
 
 
 def test_newer_operators_are_refused_with_both_versions(load):
-    with pytest.raises(ModelError, match=r"operators of version 99 \(opset\), but onnxruntime .* knows up to \d+"):
+    with pytest.raises(ModelError, match=r"operators of version 99 \(opset\), but onnxruntime .* supports up to \d+"):
         load(opset=99)
 
 
@@ -135,10 +135,10 @@ def test_newer_operators_are_refused_with_both_versions(load):
         (
             writer.Network().convolution(np.ones((3, 3, 3, 3)), np.zeros(3), stride=2),
             {"output_shape": (1, 3, "h", "w")},
-            "gives the shape 1 × 3 × 32 × 32 for an image of 64 × 64",
+            "outputs the shape 1 × 3 × 32 × 32 for an image of 64 × 64",
         ),
-        (brightest_color().add("Flatten"), {"output_shape": (1, "n")}, "gives the shape 1 × 12288"),
-        (brightest_color(), {"metadata": metadata(class_names=["a", "b"])}, "tells 3 classes apart"),
+        (brightest_color().add("Flatten"), {"output_shape": (1, "n")}, "outputs the shape 1 × 12288"),
+        (brightest_color(), {"metadata": metadata(class_names=["a", "b"])}, "outputs 3 classes"),
         (brightest_color(), {"metadata": metadata(class_names=None)}, "does not name its classes"),
         (brightest_color(), {"metadata": metadata(model_type="Detector")}, "model of type Detector"),
     ],
@@ -162,7 +162,7 @@ def test_class_numbers_beyond_the_names_are_refused(load):
         output_type=writer.INT64,
         metadata=metadata(class_names=["a", "b"]),
     )
-    with pytest.raises(ModelError, match="gives the class number 2, but it names 2 classes"):
+    with pytest.raises(ModelError, match="outputs the class number 2, but names only 2 classes"):
         model.scores([PHOTO])
 
 

@@ -88,7 +88,7 @@ def test_files_that_are_no_segmentation_model_are_reported(tmp_path):
     path.write_bytes(b"no model")
     assert (
         read_card(str(path)).fault.template
-        == "{path} is not an ONNX model, or it is damaged or cut short; copy or export it again."
+        == "{path} is not an ONNX model, or it is damaged or incomplete; copy or export it again."
     )
     assert (
         card_of_texts({"model_type": "Detector"}, "").fault.template
@@ -104,7 +104,7 @@ def test_what_is_no_regular_file_is_not_waited_for(tmp_path):
     faults = {
         name: read_card(str(tmp_path / f"{name}.onnx")).fault.template for name in ("pipe", "folder", "loop", "empty")
     }
-    assert faults.pop("empty") == "{path} is not an ONNX model, or it is damaged or cut short; copy or export it again."
+    assert faults.pop("empty") == "{path} is not an ONNX model, or it is damaged or incomplete; copy or export it again."
     assert set(faults.values()) == {"{path} does not exist; choose a model file (.onnx)."}
 
 

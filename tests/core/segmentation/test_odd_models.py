@@ -98,4 +98,4 @@ def test_metadata_that_are_no_text_are_refused(tmp_path):
     data = path.read_bytes()
     place = data.index(b"Segmentor")
     path.write_bytes(data[:place] + b"\xff\xfe" + data[place + 2 :])
-    assert "no text in UTF-8" in refusal(path)
+    assert "not UTF-8 text" in refusal(path)

@@ -56,19 +56,19 @@ def camera(height_m: float) -> Camera:
 
 def test_height_and_lens_set_the_scale_of_a_photo_for_the_network(model):
     labels = PhotoLabels(model, PHOTO, (1, 2, 3), camera=camera(25.0))
-    assert labels.image.shape_hw == (50, 70) and labels.told_pixel_size_m == pytest.approx(0.25)
+    assert labels.image.shape_hw == (50, 70) and labels.camera_pixel_size_m == pytest.approx(0.25)
     np.testing.assert_array_equal(labels.found(), LABELS)
 
 
 def test_a_known_pixel_size_counts_before_height_and_lens(model):
     labels = PhotoLabels(model, PHOTO, (1, 2, 3), (0.5, 0.5), camera(25.0))
-    assert labels.image is PHOTO and labels.told_pixel_size_m is None
+    assert labels.image is PHOTO and labels.camera_pixel_size_m is None
 
 
 @pytest.mark.parametrize("known", [Camera(), camera(9999.0)], ids=["nothing", "a height that can't be"])
 def test_a_photo_of_no_known_or_believable_height_is_seen_as_it_is(model, known):
     labels = PhotoLabels(model, PHOTO, (1, 2, 3), camera=known)
-    assert labels.image is PHOTO and labels.told_pixel_size_m is None
+    assert labels.image is PHOTO and labels.camera_pixel_size_m is None
 
 
 def test_a_network_that_states_no_resolution_sees_photos_as_they_are(tmp_path):

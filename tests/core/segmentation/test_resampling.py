@@ -55,7 +55,7 @@ def test_pixels_that_are_no_squares_stay_so_and_what_is_not_resized_as_it_is():
 
 
 def test_an_image_of_which_nothing_is_left_is_refused():
-    with pytest.raises(ImageError, match="nothing is left"):
+    with pytest.raises(ImageError, match="no pixel left"):
         at_resolution(ArrayImage(PHOTO), (0.01, 0.01), 100)
 
 

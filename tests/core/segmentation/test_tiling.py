@@ -85,7 +85,7 @@ def test_pixels_without_data_are_0_and_empty_tiles_skip_the_network(model, monke
 
 @pytest.mark.parametrize("shape", [(1, 1), (7, 100), (100, 7)])
 def test_an_image_of_a_few_pixels_is_refused(model, shape):
-    with pytest.raises(ImageError, match=f"{shape[1]} × {shape[0]} pixels shows too little"):
+    with pytest.raises(ImageError, match=f"{shape[1]} × {shape[0]} pixels at the model's resolution"):
         labels_of(segment(model, ArrayImage(np.zeros((*shape, 3), np.uint8)), VALUES, 0.25))
 
 
@@ -127,7 +127,7 @@ def test_blending_hides_what_a_tile_gets_wrong_at_its_border(tmp_path):
 class Undecided:
     """Network with scores that depend on the place in the tile: another order of sums gives other labels."""
 
-    tile_hw, tiles_at_once, runs_at_once, tells_how_sure = (64, 48), 1, 1, True
+    tile_hw, tiles_at_once, runs_at_once, has_scores = (64, 48), 1, 1, True
     probabilities = staticmethod(softmax)
 
     def __init__(self):

@@ -30,7 +30,7 @@ BAD_MODELS = {
         "takes input of the shape 1 × 4 × any × any",
     ),
     "unknown operator": ({"network": brightest_color().add("Frobnicate")}, "can't be run by onnxruntime"),
-    "too few names": ({"metadata": metadata(class_names=["a", "b"])}, "tells 3 classes apart"),
+    "too few names": ({"metadata": metadata(class_names=["a", "b"])}, "outputs 3 classes"),
     "no names": ({"metadata": metadata(class_names=None)}, "metadata key class_names"),
     "a detector": ({"metadata": metadata(model_type="Detector")}, "model of type Detector"),
     "no resolution": ({"metadata": metadata(resolution="fine")}, "resolution"),
@@ -62,7 +62,7 @@ def test_a_truncated_photo_is_reported(refused, tmp_path):
 
 def test_a_class_table_that_does_not_fit_the_model_is_reported(refused, tmp_path):
     table = write_text(tmp_path / "classes.csv", "value,name\n1,building\n")
-    assert "The class table lacks the class water, bare_land" in refused(SEGMENT, CLASS_TABLE=str(table))
+    assert "The class table has no class water, bare_land" in refused(SEGMENT, CLASS_TABLE=str(table))
 
 
 def test_a_missing_onnxruntime_is_reported_with_how_to_install_it(qgis_app, monkeypatch):
