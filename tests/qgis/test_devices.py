@@ -55,7 +55,7 @@ def test_a_missing_device_is_reported_in_log_and_result(segment, feedback, monke
     monkeypatch.setattr(onnxruntime, "get_available_providers", lambda: [CPU.provider])
     devices.choose_device("cuda")
     found = segment()
-    sentence = "CUDA was asked for, but this onnxruntime does not have it"
+    sentence = "CUDA is selected, but this onnxruntime does not support it"
     assert found["DEVICE"].startswith(f"CPU ({sentence}") and sentence in feedback.textLog()
 
 

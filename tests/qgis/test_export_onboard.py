@@ -237,7 +237,7 @@ def test_a_model_of_other_classes_is_refused_without_qgis_too(export, repository
     command = [sys.executable, "-m", "core", "localize", "photo.png", "--database", file, "--model", model]
     done = subprocess.run(command, cwd=repository, capture_output=True, text=True, check=False)
     assert done.returncode == 3
-    assert "does not know the database's class building" in done.stderr
+    assert "was not trained on the database's class building" in done.stderr
 
 
 # --- label images without GDAL ---

@@ -187,7 +187,7 @@ def test_an_earlier_export_and_any_filled_folder_are_not_changed(export):
     ("labels", "parameters", "sentence"),
     [
         (np.zeros_like(LABELS), {}, "No pixel of the image is labeled"),
-        (LABELS, {"TILE_SIZE": 400}, "480 × 320 pixels, less than a tile of 400"),
+        (LABELS, {"TILE_SIZE": 400}, "480 × 320 pixels, less than one tile of 400"),
         (LABELS, {"TILE_SIZE": 256, "STRIDE": 256}, "smaller tiles or another"),
         (np.where(LABELS == 1, 9, LABELS), {}, "the value 9, which the class table lacks"),
     ],

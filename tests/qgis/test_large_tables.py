@@ -54,7 +54,7 @@ def test_a_landmark_with_an_impossible_class_is_found_in_any_batch(path, monkeyp
     connection.commit()
     connection.close()
     monkeypatch.setattr(rows, "BATCH", 100)
-    with pytest.raises(DatabaseError, match="class that is no reference class"):
+    with pytest.raises(DatabaseError, match="class that is not a reference class"):
         read_database(path)
 
 

@@ -95,7 +95,7 @@ def test_the_published_method_takes_images_as_they_are(localize, feedback):
 def test_a_view_of_the_horizon_is_an_error_of_its_row(localize):
     rows, _, results = localize([ahead(), ahead(tilt=0)], "image,roll,pitch,field_of_view\n0,0,60,60\n")
     assert [row["status"] for row in rows] == ["error", "fix"] and results["FIX_COUNT"] == 1
-    assert "too near the horizon" in rows[0]["reason"]
+    assert "look down more steeply" in rows[0]["reason"]
 
 
 def test_a_mistake_in_the_table_stops_before_anything_is_written(localize, tmp_path):

@@ -113,7 +113,7 @@ def test_photos_without_a_model_get_a_warning(localize, tmp_path, feedback):
 def test_a_model_without_the_databases_classes_is_refused(localize, tmp_path):
     model = write_model(tmp_path / "m.onnx", metadata=metadata(class_names=["building", "water", "snow"]))
     photo = write_raster(tmp_path / "a.png", photo_of(LABELS[:SIZE, :SIZE]), transform=None)
-    with pytest.raises(QgsProcessingException, match="does not know the database's class bare_land"):
+    with pytest.raises(QgsProcessingException, match="was not trained on the database's class bare_land"):
         localize([photo], MODEL=str(model))
     assert not (tmp_path / "positions.gpkg").exists()
 

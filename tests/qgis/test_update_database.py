@@ -185,7 +185,7 @@ def test_a_database_of_an_older_version_is_refused_in_one_sentence(update, old, 
         connection.execute("DROP TABLE reference_bounds")
         connection.execute("DELETE FROM parameters WHERE key IN ('block_hashes', 'checksums')")
         connection.commit()
-    with refused("which built the database without block hashes and bounds of landmarks"):
+    with refused("built the database without block hashes and bounds of landmarks"):
         update(DATABASE=str(place))
 
 

@@ -302,7 +302,9 @@ def test_without_a_fix_the_places_of_both_methods_are_listed():
     areas = Localization(Status.AMBIGUOUS, Method.MAP_CORRELATION, 0, SAID, alternatives=(PLACE, other))
     found = combine_without_fix(stars, areas, 1000)
     assert (found.status, found.alternatives) == (Status.AMBIGUOUS, (PLACE, other))
-    assert str(found.reason) == f"{SAID} Map correlation found no position either: {str(SAID)[0].lower()}{str(SAID)[1:]}"
+    assert (
+        str(found.reason) == f"{SAID} Map correlation found no position either: {str(SAID)[0].lower()}{str(SAID)[1:]}"
+    )
 
 
 def test_a_place_that_both_methods_found_is_listed_once():

@@ -102,7 +102,9 @@ def test_channels_are_mapped_to_a_database_by_name():
 def test_a_reference_class_that_the_model_does_not_know_is_refused():
     classes = read_classes({"class_names": NAMES}, 2, "m.onnx")
     database = class_table_from_csv("value,name,role\n4,bare_land,reference\n6,building,reference\n")
-    with pytest.raises(ModelError, match="m.onnx was not trained on the database's class bare_land, only on building, water"):
+    with pytest.raises(
+        ModelError, match="m.onnx was not trained on the database's class bare_land, only on building, water"
+    ):
         classes.values_in(database, "m.onnx")
 
 

@@ -104,7 +104,9 @@ def test_what_is_no_regular_file_is_not_waited_for(tmp_path):
     faults = {
         name: read_card(str(tmp_path / f"{name}.onnx")).fault.template for name in ("pipe", "folder", "loop", "empty")
     }
-    assert faults.pop("empty") == "{path} is not an ONNX model, or it is damaged or incomplete; copy or export it again."
+    assert (
+        faults.pop("empty") == "{path} is not an ONNX model, or it is damaged or incomplete; copy or export it again."
+    )
     assert set(faults.values()) == {"{path} does not exist; choose a model file (.onnx)."}
 
 

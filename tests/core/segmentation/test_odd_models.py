@@ -34,7 +34,7 @@ def one_axis():
 )
 def test_an_output_that_is_no_picture_is_refused(tmp_path, network, shape):
     kind = TensorProto.INT64 if shape == (4,) else TensorProto.FLOAT
-    assert "gives the shape" in refusal(
+    assert "outputs the shape" in refusal(
         write_model(tmp_path / "odd.onnx", network, output_shape=shape, output_type=kind)
     )
 

@@ -22,7 +22,7 @@ from qgis.core import (
 )
 
 BAD_MODELS = {
-    "missing weights": ({"network": brightest_color(external="weights.bin")}, "keeps its weights in another file"),
+    "missing weights": ({"network": brightest_color(external="weights.bin")}, "are in another file, which is missing"),
     "newer format": ({"ir_version": 99}, "ONNX format 99"),
     "newer operators": ({"opset": 99}, "version 99 (opset)"),
     "four bands": (
