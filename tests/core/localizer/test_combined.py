@@ -193,7 +193,7 @@ def test_a_reason_states_the_searched_area(localizer):
     assert str(found.reason).endswith("Searched: pixel sizes 0.5–1.2 m, all headings, the whole map.")
     near = Prior((500_000.0, 5_200_000.0), 250.0, 370.0, 20.0, (0.5, 1.2))
     reason = str(localizer.localize(image, Method.MAP_CORRELATION, near).reason)
-    assert reason.endswith("headings within 20° of 10°, the ground within 250 of 500000, 5200000.")
+    assert reason.endswith("headings within 20° of 10°, the ground within 250 m of 500000, 5200000.")
 
 
 def test_a_prior_applies_to_both_methods(localizer):
