@@ -97,8 +97,8 @@ def test_places_far_from_near_are_not_searched(database, image, capsys):
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["localize", "IMAGE", "--database", "missing.npz"], "The file missing.npz does not exist"),
-        (["localize", "FOLDER", "--database", "DATABASE"], "holds no image"),
+        (["localize", "IMAGE", "--database", "missing.npz"], "There is no file missing.npz"),
+        (["localize", "FOLDER", "--database", "DATABASE"], "contains no image"),
         (["localize", "IMAGE", "--database", "DATABASE", "--model", "no.onnx"], "no.onnx"),
         (["watch", "nowhere", "--database", "DATABASE"], "The folder nowhere does not exist"),
         (["info", "IMAGE"], "not an onboard file"),
@@ -161,7 +161,7 @@ def test_only_regular_files_of_a_bounded_size_are_read(database, tmp_path, capsy
     assert main(["localize", *images, "--database", database, "--json"]) == REFUSED
     rows = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
     assert [row["status"] for row in rows] == ["error"] * 4
-    for row, said in zip(rows, ("no regular file", "no regular file", "2000 MB", "No such file")):
+    for row, said in zip(rows, ("folder, pipe or device", "folder, pipe or device", "2000 MB", "No such file")):
         assert said in row["reason"]
 
 

@@ -40,7 +40,7 @@ def test_the_log_names_the_device(logged, device):
 def test_a_device_that_is_not_there_is_a_warning(logged):
     warning, line = logged("cuda")
     assert (warning["level"], warning["event"]) == ("warning", "device")
-    assert "CUDA was asked for" in warning["reason"] and line["device"] == "CPU"
+    assert "CUDA is selected" in warning["reason"] and line["device"] == "CPU"
 
 
 def test_an_unknown_device_is_a_wrong_command_line(capsys):

@@ -169,7 +169,7 @@ def test_a_shape_that_claims_more_than_the_member_holds_is_refused(written, tmp_
 def test_landmarks_off_the_map_are_refused_although_all_hashes_fit(database, written, tmp_path, far):
     origin = database.references.positions.min(axis=0) + far
     said = refusal(with_header(tmp_path / "far.npz", written, position_origin=origin.tolist()))
-    assert "off the map" in said
+    assert "outside the map" in said
 
 
 def test_a_polynomial_that_leads_off_the_earth_is_refused(written, tmp_path, lon_lat):
