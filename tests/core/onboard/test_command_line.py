@@ -97,7 +97,7 @@ def test_places_far_from_near_are_not_searched(database, image, capsys):
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["localize", "IMAGE", "--database", "missing.npz"], "There is no file missing.npz"),
+        (["localize", "IMAGE", "--database", "missing.npz"], "The file missing.npz does not exist"),
         (["localize", "FOLDER", "--database", "DATABASE"], "contains no image"),
         (["localize", "IMAGE", "--database", "DATABASE", "--model", "no.onnx"], "no.onnx"),
         (["watch", "nowhere", "--database", "DATABASE"], "The folder nowhere does not exist"),
