@@ -50,6 +50,10 @@ CLEAN = dict.fromkeys(("offset", "missed", "invented", "misnamed", "ragged", "ro
 NOISE_LEVELS = (0.0, 20.0, 40.0, 60.0)
 """Levels of the grid of noise: percent of missed landmarks, and of spurious ones."""
 
+GRID_CELLS, MOST_IN_A_CELL = 16, 20
+"""Images of a cell of the noise grid: count / GRID_CELLS, at least 2 and at most MOST_IN_A_CELL. So has a step of the
+offset."""
+
 TABLE_WINDOWS = 3
 """Windows that are scaled and turned for the two tables."""
 
@@ -176,6 +180,26 @@ class Evaluation:
     def tried_windows(self) -> Rate:
         """Windows that images are taken around, of all of their size: the ground that the rates describe."""
         return Rate(len(self._windows), int(np.count_nonzero(self._database.windows.sizes == self._edge)))
+
+    def plan(
+        self, methods: list[Method], count: int, mirrored_share: float, is_reported: bool
+    ) -> list[tuple[WindowQuery, list[Method]]]:
+        """Return the queries with their methods.
+
+        Args:
+            methods: The first one is that of the grid of noise.
+            count: Images of the map and mirrored ones together.
+            mirrored_share: Share of mirrored images, 0…1; at least one image is of the map.
+            is_reported: Whether to add the queries of tables and charts.
+        """
+        mirrored = min(round(count * mirrored_share), count - 1)
+        planned = [(query, methods) for query in self.trials(count - mirrored, mirrored)]
+        if is_reported:
+            a_cell = min(max(count // GRID_CELLS, 2), MOST_IN_A_CELL)
+            planned += [(query, methods[:1]) for query in self.noise_grid(a_cell)]
+            planned += [(query, methods) for query in self.moves(a_cell)]
+            planned += [(query, methods) for query in self.tables()]
+        return planned
 
     def trials(self, count: int, mirrored: int) -> Iterator[WindowQuery]:
         """Yield ``count`` queries of the map, then ``mirrored`` mirrored ones."""
@@ -308,6 +332,34 @@ class Evaluation:
     def _nearest_window(self, position: tuple[float, float]) -> str:
         windows = self._database.windows
         return windows.name(np.hypot(*(windows.centers - position).T).argmin())
+
+
+@dataclass(frozen=True)
+class EvaluationJob:
+    """Values that workers need for all trials, as in ``Evaluation``.
+
+    Attributes:
+        database: Path of the reference database.
+        labels: Path of the label map that images are cut from.
+        ranges: Of the images' values.
+        seed: The same one repeats everything.
+        minimum_references: Least landmarks of a window for trials.
+        right_within: Largest error of a right position, m; None for a share of the footprint.
+    """
+
+    database: str
+    labels: str
+    frame: MapFrame
+    ranges: TrialRanges
+    seed: int
+    minimum_references: int = 3
+    right_within: float | None = None
+
+    def evaluation(self, database: ReferenceDatabase, source: LabelSource) -> Evaluation:
+        """Return the evaluation of the job. Raises ParameterError if no window can be used."""
+        return Evaluation(
+            database, source, self.frame, self.ranges, self.seed, self.minimum_references, self.right_within
+        )
 
 
 def _offset(limits: tuple[float, float], rng: np.random.Generator) -> np.ndarray:

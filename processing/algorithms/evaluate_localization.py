@@ -273,10 +273,8 @@ class EvaluateLocalization(SemRefAlgorithm):
 
     def _jobs(self, values: Values, evaluation: Evaluation, methods: list[Method], is_reported: bool) -> list[Job]:
         """What is tried with which methods; reports need more."""
-        from ...core.evaluation.job import plan_trials
-
         mirrored = values.number(self.MIRRORED) / 100
-        return plan_trials(evaluation, methods, values.integer(self.TRIALS), mirrored, is_reported)
+        return evaluation.plan(methods, values.integer(self.TRIALS), mirrored, is_reported)
 
     def _methods(self, values: Values) -> dict[Method, str]:
         """Chosen methods with their titles, the one that the outputs are about first."""
@@ -290,7 +288,7 @@ class EvaluateLocalization(SemRefAlgorithm):
         self, values: Values, feedback: QgsProcessingFeedback
     ) -> tuple[Evaluation, ReferenceDatabase, QgsCoordinateReferenceSystem]:
         """(Evaluation, database, its CRS); raises SemRefError when map and database don't belong together."""
-        from ...core.evaluation.job import EvaluationJob
+        from ...core.evaluation.evaluation import EvaluationJob
         from ...storage.database.reader import read_database
         from ...storage.label_maps import GdalLabels
         from ..layers.layer_inputs import map_frame

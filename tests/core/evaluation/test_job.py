@@ -2,18 +2,17 @@
 
 import pytest
 
-from semref.core.evaluation import job
-from semref.core.evaluation.evaluation import TrialRanges
-from semref.core.evaluation.job import MOST_IN_A_CELL, plan_trials
+from semref.core.evaluation import evaluation
+from semref.core.evaluation.evaluation import MOST_IN_A_CELL, Evaluation, EvaluationJob, TrialRanges
 from semref.core.geometry.frame import MapFrame
 from semref.core.localization import Method
 
 
 def test_the_evaluation_gets_all_values_of_the_job(monkeypatch):
-    monkeypatch.setattr(job, "Evaluation", lambda *given: given)
+    monkeypatch.setattr(evaluation, "Evaluation", lambda *given: given)
     frame, ranges = MapFrame.at((1.0, 2.0), 0.5), TrialRanges(missed=(1.0, 2.0))
-    told = job.EvaluationJob("area.gpkg", "labels.tif", frame, ranges, 7, 20, 2.5)
-    assert told.evaluation("database", "labels") == ("database", "labels", frame, ranges, 7, 20, 2.5)
+    job = EvaluationJob("area.gpkg", "labels.tif", frame, ranges, 7, 20, 2.5)
+    assert job.evaluation("database", "labels") == ("database", "labels", frame, ranges, 7, 20, 2.5)
 
 
 BOTH = [Method.AUTOMATIC, Method.TOPOLOGY_VECTOR]
@@ -35,7 +34,7 @@ class Planner:
 
 @pytest.mark.parametrize(("count", "share", "mirrored"), [(200, 0.25, 50), (1, 0.9, 0), (3, 0.9, 2), (10, 0.0, 0)])
 def test_so_many_are_mirrored_but_one_at_least_is_of_the_map(count, share, mirrored):
-    jobs = plan_trials(Planner(), BOTH, count, share, False)
+    jobs = Evaluation.plan(Planner(), BOTH, count, share, False)
     kinds = [query[0] for query, _ in jobs]
     assert kinds.count("mirrored") == mirrored and len(kinds) == count
     assert all(methods == BOTH for _, methods in jobs)
@@ -43,6 +42,6 @@ def test_so_many_are_mirrored_but_one_at_least_is_of_the_map(count, share, mirro
 
 @pytest.mark.parametrize(("count", "a_cell"), [(1, 2), (160, 10), (100_000, MOST_IN_A_CELL)])
 def test_a_report_has_more_images_and_its_grid_of_noise_the_first_method(count, a_cell):
-    jobs = plan_trials(Planner(), BOTH, count, 0.25, True)[count:]
+    jobs = Evaluation.plan(Planner(), BOTH, count, 0.25, True)[count:]
     assert [query[0] for query, _ in jobs] == ["noise"] * a_cell + ["offset"] * a_cell + ["scaling"]
     assert all(methods == (BOTH[:1] if query[0] == "noise" else BOTH) for query, methods in jobs)
