@@ -145,7 +145,7 @@ def stored_class_table(dataset: gdal.Dataset, path: str) -> ClassTable | None:
 
 
 def named_classes(dataset: gdal.Dataset) -> tuple[LandCoverClass, ...]:
-    """Return classes from GDAL's category names and color table; none if names repeat."""
+    """Return classes from GDAL's category names and color table; empty if names repeat."""
     band = dataset.GetRasterBand(1)
     colors = band.GetRasterColorTable()
     named = [(v, name) for v, name in enumerate(band.GetRasterCategoryNames() or []) if 0 < v <= 255 and name]

@@ -118,7 +118,7 @@ class EvaluationReport:
             (page.percent(first.false_accepts.share), tr("False accepts"), note(first.false_accepts)),
             (page.number(first.median_error, "m"), tr("Median error"), tr("of correct positions")),
         ]
-        title = tr("Method: {method}. Brackets and notes have 95 % intervals and counts.")
+        title = tr("Method: {method}. The small numbers are 95 % intervals and counts.")
         about = f"{title.format(method=self.methods[first.method])} {self.ground}"
         return page.key_figures(found) + page.paragraph(about)
 

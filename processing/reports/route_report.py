@@ -148,7 +148,7 @@ def _next(route: AssessedRoute) -> list[str]:
     shown_length = page.number(longest / 1000, "km")
     if route.speed:
         shown_length += f" ({page.number(longest / route.speed, 's')})"
-    text = tr("Use odometry on the other stretches. The longest stretch without an expected position is {length}.")
+    text = tr("Use odometry on stretches without an expected position. The longest one is {length}.")
     return [*steps, text.format(length=shown_length), export]
 
 
