@@ -38,7 +38,7 @@ def read_cameras(paths: list[str], table_path: str) -> list[Camera]:
     rows = _read_table(table_path) if table_path else {}
     if table_path and not any(stem_of(path) in rows for path in paths):
         raise ParameterError(
-            "{path} does not contain the images, for example {image}. Its column image must contain their file names.",
+            "{path} does not contain any of the images, for example {image}. Its column image must contain file names.",
             path=table_path,
             image=os.path.basename(paths[0]),
         )

@@ -65,7 +65,7 @@ def test_a_table_is_read_by_names_without_folders_and_extensions(table):
         ("image,time\na,nan\n", "line 2: time is “nan”. Enter seconds"),
         ("image,time\na,2025-13-01\n", "line 2: time is “2025-13-01”"),
         ("image,time\na,2025-06-30T10:00:00\nb,12\n", "times in seconds and times with dates"),
-        ("image,roll,pitch\nz,1,2\n", "does not contain the images, for example a.png"),
+        ("image,roll,pitch\nz,1,2\n", "does not contain any of the images, for example a.png"),
         ("image,height\na.png,-5\n", "height is -5, which is impossible"),
         ("image,height\na.png,high\n", "line 2: height is “high”"),
     ],
