@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from qgis.core import QgsProject, QgsSettings
 
 from ..core.named_files import is_elsewhere, named_file
-from ..processing.inspection.models import at_hand
+from ..processing.inspection.models import resolve_model
 
 SCOPE = "SemRef"
 DATABASE_SETTING, MODEL_SETTING = "semref/dock/database", "semref/dock/model"
@@ -74,7 +74,7 @@ def read_state(project: QgsProject) -> DockState | None:
     method = project.readNumEntry(SCOPE, "/method")[0]
     return DockState(
         _local(project, database),
-        at_hand(path_of("/model")),
+        resolve_model(path_of("/model")),
         method if 0 <= method < _METHODS else 0,
         [path for path in (_local(project, one) for one in project.readListEntry(SCOPE, "/images")[0]) if path],
         min(max(project.readNumEntry(SCOPE, "/opacity", 60)[0], 0), 100),

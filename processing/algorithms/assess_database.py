@@ -121,7 +121,7 @@ class AssessDatabase(AssessAlgorithm):
         cells = cancelable(ground_cells, database, spacing, feedback=feedback)
         if not len(cells):
             raise ParameterError("{path} has neither labels nor landmarks; build it again.", path=database.source)
-        localizer = self.indexed(database, feedback)
+        localizer = self.localizer(database, feedback)
         count = values.integer(self.TRIALS)
         assessments = [self.assessment(values, database, localizer, edge, feedback) for edge in footprints]
         planned = [assessment.plan(cells.centers, cells.size, count) for assessment in assessments]
@@ -138,7 +138,7 @@ class AssessDatabase(AssessAlgorithm):
             outputs.text(self.REPORT, self._report(values, database, cells, results))
         self._write_cells(values, outputs, database, cells, results, crs)
         threshold = self.threshold(values)
-        self._say(results, threshold, feedback)
+        self._log(results, threshold, feedback)
         return {self.LOCALIZABLE_FRACTION: float((results[0].estimates.success >= threshold).mean())}
 
     def _report(
@@ -177,7 +177,7 @@ class AssessDatabase(AssessAlgorithm):
                     square = QgsGeometry.fromRect(QgsRectangle(x - half, y - half, x + half, y + half))
                     sink.add(square, row)
 
-    def _say(self, results: Sequence[AssessedFootprint], threshold: float, feedback: QgsProcessingFeedback) -> None:
+    def _log(self, results: Sequence[AssessedFootprint], threshold: float, feedback: QgsProcessingFeedback) -> None:
         for result in results:
             feedback.pushInfo(
                 tr(

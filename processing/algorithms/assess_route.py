@@ -145,7 +145,7 @@ class AssessRoute(AssessAlgorithm):
             *route_flights.parameters(),
             QgsProcessingOutputNumber(self.LONGEST_GAP, tr("Longest gap")),
             QgsProcessingOutputNumber(self.LONGEST_GAP_SECONDS, tr("Longest gap in seconds")),
-            *route_flights.results(),
+            *route_flights.outputs(),
         )
 
     def _lengths(self) -> tuple[Declared, ...]:
@@ -231,10 +231,10 @@ class AssessRoute(AssessAlgorithm):
         if not inside.any():
             raise ParameterError("ROUTE lies outside the database’s map; choose another route or database.")
         below = self._picture_below(values, points, crs, feedback) if outputs.wants(self.REPORT) else b""
-        assessment = self.assessment(values, database, self.indexed(database, feedback), footprint, feedback)
+        assessment = self.assessment(values, database, self.localizer(database, feedback), footprint, feedback)
         count = values.integer(self.TRIALS)
         part = route_flights.share_before(values)
-        estimates = self._estimated(
+        estimates = self._estimate(
             assessment, points.places, min(spacing, footprint / 10), count, feedback, (5, 65 * part)
         )
         # Off the map there is nothing to agree with.
@@ -247,7 +247,7 @@ class AssessRoute(AssessAlgorithm):
         speed = values.optional_number(self.SPEED) or None
         route = AssessedRoute(points, estimates, inside, stretches, hints, footprint, spacing, threshold, speed)
         lines = lines_in(self._route, crs, values.transform_context)
-        flown = route_flights.flown(
+        flown = route_flights.simulate(
             values, database, assessment.localizer, lines, self.conditions(values), footprint, feedback
         )
         route = replace(route, flown=flown)
@@ -256,11 +256,11 @@ class AssessRoute(AssessAlgorithm):
             outputs.text(self.REPORT, self._report(values, database, route, assessment, below))
         self._write_points(outputs, route, crs)
         longest = max((gap.length for gap in stretches), default=0.0)
-        self._say(route, longest, feedback)
+        self._log(route, longest, feedback)
         seconds = {self.LONGEST_GAP_SECONDS: longest / speed} if speed else {}
-        return {self.LONGEST_GAP: longest, **seconds, **route_flights.told(route)}
+        return {self.LONGEST_GAP: longest, **seconds, **route_flights.numbers(route)}
 
-    def _estimated(
+    def _estimate(
         self,
         assessment: Assessment,
         places: np.ndarray,
@@ -296,7 +296,7 @@ class AssessRoute(AssessAlgorithm):
         chosen = np.concatenate([gap.points for gap in stretches])
         places = np.concatenate([points.shifted(chosen, offset) for offset in offsets])
         feedback.pushInfo(tr("Looking for better lines beside {count} gaps.").format(count=len(stretches)))
-        found = self._estimated(
+        found = self._estimate(
             assessment, places, 0.0, max(count // 2, 1), feedback, (65 * part, 95 * part)
         ).success.reshape(len(offsets), -1)
         ends = np.cumsum([len(gap.points) for gap in stretches])
@@ -355,7 +355,7 @@ class AssessRoute(AssessAlgorithm):
                 attributes.update({} if route.flown is None else route_flights.columns(route.flown, int(nearest[n])))
                 sink.add(QgsGeometry.fromPointXY(QgsPointXY(x, y)), attributes)
 
-    def _say(self, route: AssessedRoute, longest: float, feedback: QgsProcessingFeedback) -> None:
+    def _log(self, route: AssessedRoute, longest: float, feedback: QgsProcessingFeedback) -> None:
         feedback.pushInfo(
             tr("{count} points; {share:.0%} of them with an expected success of {threshold:.0%} or more.").format(
                 count=len(route.points),

@@ -180,16 +180,16 @@ class BuildDatabase(SemRefAlgorithm):
         shape_hw = frame.reduced(settings.overview_factor).shape_hw
         with outputs.database(self.DATABASE) as path, overview_beside(path, shape_hw) as overview:
             with overview:
-                database = self._built(values, labels, (frame, table, settings), overview.put, feedback)
+                database = self._build(values, labels, (frame, table, settings), overview.put, feedback)
             degrees = longitudes_latitudes(database.windows.centers, self._layer.crs, values.transform_context)
             styles = database_styles(database.class_table)
             writer = DatabaseWriter(path, database, *degrees, overview, styles)
             follow(writer.steps(), feedback, 85, 100)
         windows, references = database.windows, len(database.references)
-        self._say_result(len(windows), references, int((~windows.described).sum()), feedback)
+        self._log_result(len(windows), references, int((~windows.described).sum()), feedback)
         return {self.WINDOW_COUNT: len(windows), self.REFERENCE_COUNT: references}
 
-    def _built(
+    def _build(
         self,
         values: Values,
         labels: GdalLabels,
@@ -203,7 +203,7 @@ class BuildDatabase(SemRefAlgorithm):
         from ...storage.label_maps import HeldLabels
 
         frame, _, settings = build
-        self._say_rounding(level_grids(frame.shape_hw, frame.pixel_size, settings), frame, settings, feedback)
+        self._log_rounding(level_grids(frame.shape_hw, frame.pixel_size, settings), frame, settings, feedback)
         if values.has(SCHEDULER):
             with workers(values, feedback, self._before, self._layer.path) as run:
                 builder = DatabaseBuilder(*build, plugin_version(), run, put)
@@ -245,7 +245,7 @@ class BuildDatabase(SemRefAlgorithm):
             map_accuracy=MAP_ACCURACY if accuracy is None else accuracy,
         )
 
-    def _say_rounding(
+    def _log_rounding(
         self, grids: Sequence[WindowGrid], frame: MapFrame, settings: BuildSettings, feedback: QgsProcessingFeedback
     ) -> None:
         for level, grid in zip(settings.levels, grids):
@@ -258,7 +258,7 @@ class BuildDatabase(SemRefAlgorithm):
                     )
                 )
 
-    def _say_result(self, windows: int, references: int, lacking: int, feedback: QgsProcessingFeedback) -> None:
+    def _log_result(self, windows: int, references: int, lacking: int, feedback: QgsProcessingFeedback) -> None:
         text = tr("{windows} windows, {references} landmarks.")
         feedback.pushInfo(text.format(windows=windows, references=references))
         if lacking:

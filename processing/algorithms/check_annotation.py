@@ -102,7 +102,7 @@ class CheckAnnotation(AnnotationAlgorithm):
         lookup = self.classes(values, feedback)
         crs = self.label_map_crs(values, feedback)
         reading = self.read_features(values, lookup, crs, feedback, READ)
-        findings = reading.findings + self._checked(values, reading.features, lookup, crs, feedback)
+        findings = reading.findings + self._find(values, reading.features, lookup, crs, feedback)
         findings.sort(key=lambda finding: CHECKED_KINDS.index(finding.kind))
         feedback.setProgress(DONE)
         # Outputs are made last: a cancel before leaves nothing behind.
@@ -119,7 +119,7 @@ class CheckAnnotation(AnnotationAlgorithm):
             outputs.text(self.REPORT, AnnotationReport(self._source.name, self._source.count, findings, names).html())
         return {self.ISSUE_COUNT: len(findings), self.ERROR_COUNT: errors}
 
-    def _checked(
+    def _find(
         self,
         values: Values,
         features: list[AnnotatedFeature],

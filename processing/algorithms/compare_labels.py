@@ -130,7 +130,7 @@ class CompareLabels(SemRefAlgorithm):
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, float]:
         from ...core.labels.comparison import LabelComparison
         from ...storage.label_comparison import DisagreementMap, LabelMapPair
-        from ..base.compared_landmarks import measured_errors, measured_shifts, say_shifts
+        from ..base.compared_landmarks import log_shifts, measure_errors, measure_shifts
         from ..layers.layer_inputs import require_one_crs
         from ..reports.comparison_report import comparison_html
 
@@ -146,15 +146,15 @@ class CompareLabels(SemRefAlgorithm):
             feedback.setProgressText(tr("Outlining the disagreements"))
             polygons = self._polygons(disagreements, values.number(self.MINIMUM_AREA), feedback)
         feedback.setProgressText(tr("Comparing landmarks"))
-        shifts = measured_shifts(pair, match, comparison, self._layers[0].crs, feedback)
+        shifts = measure_shifts(pair, match, comparison, self._layers[0].crs, feedback)
         if outputs.wants(self.REPORT):
-            errors = measured_errors(pair, match, comparison, shifts, values.number(self.MINIMUM_AREA), feedback)
+            errors = measure_errors(pair, match, comparison, shifts, values.number(self.MINIMUM_AREA), feedback)
             outputs.text(self.REPORT, comparison_html(comparison, match, shifts, errors, *paths))
         self._write_model(values, outputs, shifts)
         self._write(outputs, polygons, match)
         feedback.pushInfo(tr("{count} places disagree.").format(count=len(polygons)))
-        _say(comparison, match, feedback)
-        say_shifts(shifts, feedback)
+        _log(comparison, match, feedback)
+        log_shifts(shifts, feedback)
         return {self.MEAN_IOU: comparison.mean_iou, self.OVERALL_ACCURACY: comparison.overall_accuracy}
 
     def _write_model(self, values: Values, outputs: Outputs, shifts: MeasuredShifts) -> None:
@@ -229,7 +229,7 @@ class CompareLabels(SemRefAlgorithm):
                 sink.add(geometry_of(outline), {name: value for (name, _), value in zip(FIELDS, row)})
 
 
-def _say(comparison: LabelComparison, match: ClassMatch, feedback: QgsProcessingFeedback) -> None:
+def _log(comparison: LabelComparison, match: ClassMatch, feedback: QgsProcessingFeedback) -> None:
     for value in comparison.values:
         if value:
             text = tr("{name}: IoU {iou:.1%}, {pixels} pixels annotated")

@@ -24,7 +24,7 @@ from ..base import parameters
 from ..base.algorithm import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
 from ..base.assessing import noise_ranges
 from ..base.parameters import with_help
-from ..base.scheduler import counted, require_scheduler, scheduler, workers
+from ..base.scheduler import require_scheduler, scheduler, with_progress, workers
 from ..compat import DOUBLE, INTEGER, POINT, SOURCE_POINT
 from ..messages.sentences import worded
 from ..translation import tr
@@ -257,13 +257,13 @@ class EvaluateLocalization(SemRefAlgorithm):
                 tried = (cancelable(evaluation.run, *job, feedback=feedback) for job in jobs)
             else:
                 tried = run.answers(EVALUATE, self._job, jobs, database, _TRIALS_A_TASK)
-            trials = [trial for of_image in counted(tried, len(jobs), feedback, 0, 98) for trial in of_image]
+            trials = [trial for of_image in with_progress(tried, len(jobs), feedback, 0, 98) for trial in of_image]
         feedback.pushInfo(tr("{seconds:.0f} s.").format(seconds=time.monotonic() - started))
         # Everything is written last: a cancel before leaves nothing behind.
         check_canceled(feedback)
         self._write_texts(values, outputs, trials, methods, evaluation)
         self._write_points(outputs, trials, crs)
-        self._say(trials, methods, feedback)
+        self._log(trials, methods, feedback)
         first = summarize(trials, next(iter(methods)))
         return {
             self.SUCCESS_RATE: first.right.share,
@@ -367,7 +367,7 @@ class EvaluateLocalization(SemRefAlgorithm):
                 if trial.query.kind in (MAP, MIRRORED):
                     sink.add(QgsGeometry.fromPointXY(QgsPointXY(*trial.query.view.position)), values_of(trial, worded))
 
-    def _say(self, trials: Sequence[Trial], methods: dict[Method, str], feedback: QgsProcessingFeedback) -> None:
+    def _log(self, trials: Sequence[Trial], methods: dict[Method, str], feedback: QgsProcessingFeedback) -> None:
         from ...core.evaluation.summary import summarize
         from ..reports.page import number, rate_text
 

@@ -133,7 +133,7 @@ class ExportOnboard(SemRefAlgorithm):
             database = replace(database, overview=overview)
         feedback.setProgress(40)
         if self._area is not None:
-            database = self._clipped(values, database, crs, feedback)
+            database = self._clip(values, database, crs, feedback)
         lon_lat = fitted_lon_lat(database.parameters.extent, crs, values.transform_context)
         feedback.setProgress(60)
         with outputs.file(self.OUTPUT) as temporary:
@@ -143,7 +143,7 @@ class ExportOnboard(SemRefAlgorithm):
             # Read back before it gets its name: what is on board must be readable there.
             onboard = cancelable(read_onboard, temporary, True, key_file, feedback=feedback)
             check_canceled(feedback)
-        self._say(onboard, feedback)
+        self._log(onboard, feedback)
         return {self.BYTES: onboard.size_bytes}
 
     def _check_target(self, output: str, feedback: QgsProcessingFeedback) -> None:
@@ -158,7 +158,7 @@ class ExportOnboard(SemRefAlgorithm):
             )
         feedback.pushWarning(tr("{output} is replaced.").format(output=output))
 
-    def _clipped(
+    def _clip(
         self,
         values: Values,
         database: ReferenceDatabase,
@@ -183,7 +183,7 @@ class ExportOnboard(SemRefAlgorithm):
         )
         return part
 
-    def _say(self, onboard: OnboardDatabase, feedback: QgsProcessingFeedback) -> None:
+    def _log(self, onboard: OnboardDatabase, feedback: QgsProcessingFeedback) -> None:
         feedback.pushInfo(
             tr(
                 "{bytes} bytes. Rounded: positions by {position:g} map units at most, areas by {area:.3%}, vectors by "

@@ -11,14 +11,13 @@ from qgis.core import (
     QgsProcessingOutputNumber,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFile,
-    QgsProcessingParameterNumber,
 )
 
 from ...core.errors import ParameterError
 from ...core.localization import Method
 from ..base import parameters, priors
 from ..base.algorithm import Declared, cancelable, check_canceled, interruptible
-from ..base.flight_images import FlightReader, in_order, localized_of, say_pose, with_log
+from ..base.flight_images import FlightReader, in_order, log_pose, with_log, with_pose
 from ..base.localized_image import LabelImages, with_far_photos, with_jumps
 from ..base.localized_layers import (
     FlownImage,
@@ -32,7 +31,7 @@ from ..base.localized_layers import (
 from ..base.localizing import LocalizeAlgorithm
 from ..base.parameters import with_help
 from ..base.photo_labels import pace_results
-from ..compat import DOUBLE, SOURCE_LINE, SOURCE_POINT
+from ..compat import SOURCE_LINE, SOURCE_POINT
 from ..messages.sentences import worded
 from ..translation import tr
 
@@ -91,20 +90,7 @@ class LocalizeFlight(LocalizeAlgorithm):
                 ),
                 advanced=True,
             ),
-            with_help(
-                QgsProcessingParameterNumber(
-                    self.MAXIMUM_SPEED,
-                    tr("Maximum speed (map units per second)"),
-                    type=DOUBLE,
-                    optional=True,
-                    minValue=0.001,
-                ),
-                tr(
-                    "For images whose times are known: a position that can’t be reached in time from those before and "
-                    "after it is marked as jump, with the reason. It stays a position and is counted."
-                ),
-                advanced=True,
-            ),
+            self.speed_parameter(),
             *self._output_parameters(),
             self.risk_parameter(
                 tr("Allowed risk of a wrong track"),
@@ -174,7 +160,7 @@ class LocalizeFlight(LocalizeAlgorithm):
         localizer = Localizer(database, settings, values.optional_number(self.SUN_DIRECTION))
         paths, cameras = in_order(*self.read_images(values, method, feedback))
         steps = cancelable(self._odometry, values, paths, feedback=feedback)
-        log = self._log(values, feedback)
+        log = self._read_log(values, feedback)
         cameras = with_log(cameras, log, paths, method != Method.TOPOLOGY_VECTOR)
         read_labels = self.label_reader(values, database.class_table, feedback)
         with outputs.folder(self.LABELS) as folder:
@@ -187,13 +173,13 @@ class LocalizeFlight(LocalizeAlgorithm):
                 cancelable(reader.take, path, camera, feedback=feedback)
                 feedback.setProgress(READ_PERCENT * (n + 1) / len(paths))
             links = cancelable(reader.links_with, steps, log, feedback=feedback)
-            flown = self._joined(reader, links, localizer, values.number(self.RISK), feedback)
+            flown = self._join(reader, links, localizer, values.number(self.RISK), feedback)
             flown = self._with_jumps(values, flown, cameras, database, feedback)
             localized = [one.localized for one in flown]
             localized = with_far_photos(localized, database, crs, values.transform_context, feedback)
             flown = [replace(one, localized=item) for one, item in zip(flown, localized)]
             for one in flown:
-                say_pose(one, feedback)
+                log_pose(one, feedback)
             # Layers are made last: a cancel before leaves nothing behind.
             check_canceled(feedback)
             write_flight_positions(outputs, self.OUTPUT, flown, crs, values.transform_context)
@@ -201,7 +187,7 @@ class LocalizeFlight(LocalizeAlgorithm):
             write_grounds(outputs, (self.FOOTPRINTS,), localized, crs)
             write_matches(outputs, self.MATCHES, localized, database, crs)
             if outputs.wants(self.REPORT):
-                outputs.text(self.REPORT, self._report(values, database, flown, reader.said_of(links)))
+                outputs.text(self.REPORT, self._report(values, database, flown, reader.motion_sentences(links)))
         placed = sum(one.is_placed for one in flown)
         tracks = len(tracks_of(flown))
         text = tr("{placed} of {images} images have a position; tracks: {tracks}.")
@@ -209,7 +195,7 @@ class LocalizeFlight(LocalizeAlgorithm):
         found = {self.FIX_COUNT: placed, self.TRACK_COUNT: tracks}
         if read_labels.pace is None:
             return found
-        feedback.pushInfo(read_labels.pace.told())
+        feedback.pushInfo(read_labels.pace.sentence())
         return {**found, **read_labels.pace.results}
 
     def _odometry(self, values: Values, paths: Sequence[str]) -> tuple:
@@ -229,7 +215,7 @@ class LocalizeFlight(LocalizeAlgorithm):
             )
         return steps
 
-    def _log(self, values: Values, feedback: QgsProcessingFeedback) -> Telemetry | None:
+    def _read_log(self, values: Values, feedback: QgsProcessingFeedback) -> Telemetry | None:
         """The flight's log; None without one."""
         from ...core.flight.logs.files import read_log
 
@@ -237,7 +223,7 @@ class LocalizeFlight(LocalizeAlgorithm):
             return None
         return cancelable(read_log, values.file(self.LOG), feedback.isCanceled, feedback=feedback)
 
-    def _joined(
+    def _join(
         self,
         reader: FlightReader,
         links: Sequence[Link],
@@ -255,7 +241,7 @@ class LocalizeFlight(LocalizeAlgorithm):
             check_canceled(feedback)
             feedback.setProgress(READ_PERCENT + (JOINED_PERCENT - READ_PERCENT) * done / count)
         found = iter(solver.poses)
-        return [localized_of(taken, None if taken.flown is None else next(found)) for taken in reader.taken]
+        return [with_pose(taken, None if taken.flown is None else next(found)) for taken in reader.taken]
 
     def _with_jumps(
         self,

@@ -12,21 +12,20 @@ from qgis.core import (
     QgsProcessingParameterExtent,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterNumber,
     QgsProcessingParameterRasterLayer,
 )
 
 from ...core.errors import ParameterError
 from ..base import parameters, priors
 from ..base.algorithm import Declared, cancelable, check_canceled
-from ..base.localized_image import LabelImages, LocalizedImage, say, with_far_photos, with_jumps
+from ..base.localized_image import LabelImages, LocalizedImage, log_result, with_far_photos, with_jumps
 from ..base.localized_layers import write_grounds, write_matches, write_positions
-from ..base.localizing import LocalizeAlgorithm, localize_image, scheduled_images
+from ..base.localizing import LocalizeAlgorithm, localize_image, localize_scheduled
 from ..base.parameters import with_help
 from ..base.photo_labels import pace_results
 from ..base.photo_source import PhotoSource
 from ..base.scheduler import SCHEDULER, require_scheduler, scheduler
-from ..compat import DOUBLE, SOURCE_POINT, SOURCE_POLYGON
+from ..compat import SOURCE_POINT, SOURCE_POLYGON
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -65,20 +64,7 @@ class LocalizeImages(LocalizeAlgorithm):
             *self.image_parameters(optional=True),
             *priors.parameters(),
             self.camera_parameter(),
-            with_help(
-                QgsProcessingParameterNumber(
-                    self.MAXIMUM_SPEED,
-                    tr("Maximum speed (map units per second)"),
-                    type=DOUBLE,
-                    optional=True,
-                    minValue=0.001,
-                ),
-                tr(
-                    "For images of one flight whose times are known: a fix that can’t be reached in time from the "
-                    "fixes before and after it is marked as jump, with the reason. It stays a fix and is counted."
-                ),
-                advanced=True,
-            ),
+            self.speed_parameter(),
             *self._output_parameters(),
             self.risk_parameter(
                 tr("Allowed risk of a wrong fix"),
@@ -187,9 +173,9 @@ class LocalizeImages(LocalizeAlgorithm):
         is_scheduled = values.has(SCHEDULER)
         with outputs.folder(self.LABELS) as folder:
             if is_scheduled:
-                localized = scheduled_images(values, database, before, search, paths, cameras, feedback)
+                localized = localize_scheduled(values, database, before, search, paths, cameras, feedback)
                 for item in localized:
-                    say(item, feedback)
+                    log_result(item, feedback)
             else:
                 keep = LabelImages(folder, paths, database.class_table, read_labels.stated_biases)
                 pipeline = Pipeline(localizer, search, read_labels)
@@ -208,7 +194,7 @@ class LocalizeImages(LocalizeAlgorithm):
         feedback.pushInfo(tr("{fixes} of {images} images have a fix.").format(fixes=fixes, images=len(localized)))
         if read_labels.pace is None or is_scheduled:
             return {self.FIX_COUNT: fixes}
-        feedback.pushInfo(read_labels.pace.told())
+        feedback.pushInfo(read_labels.pace.sentence())
         return {self.FIX_COUNT: fixes, **read_labels.pace.results}
 
 
@@ -225,6 +211,6 @@ def _one_by_one(
         check_canceled(feedback)
         feedback.setProgressText(os.path.basename(path))
         localized.append(cancelable(localize_image, path, pipeline, cameras[n], keep, feedback=feedback))
-        say(localized[-1], feedback)
+        log_result(localized[-1], feedback)
         feedback.setProgress(95 * (n + 1) / len(paths))
     return localized

@@ -87,11 +87,11 @@ class MakeClassTable(AnnotationAlgorithm):
         except ClassTableError as error:
             raise ParameterError("{where}: {fault}", where=self.REFERENCE_CLASSES, fault=error.sentence) from None
         outputs.text(self.OUTPUT, table.to_csv())
-        _say(table, feedback)
+        _log(table, feedback)
         return {self.CLASS_COUNT: len(table)}
 
 
-def _say(table: ClassTable, feedback: QgsProcessingFeedback) -> None:
+def _log(table: ClassTable, feedback: QgsProcessingFeedback) -> None:
     for one in table:
         role = tr("landmarks") if one.is_reference else tr("background")
         feedback.pushInfo(f"{one.value} {one.name}: {one.color}, {role}")

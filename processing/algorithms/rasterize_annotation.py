@@ -116,7 +116,7 @@ class RasterizeAnnotation(AnnotationAlgorithm):
             )
         )
         with outputs.label_map(self.OUTPUT, table) as path:
-            counts = self._burnt(values, path, frame, table, polygons, feedback)
+            counts = self._burn(values, path, frame, table, polygons, feedback)
         labeled = sum(counts[1:])
         present = [c for c in table if c.value and counts[c.value]]
         feedback.pushInfo(
@@ -131,7 +131,7 @@ class RasterizeAnnotation(AnnotationAlgorithm):
             feedback.pushWarning(tr("No polygon lies in the extent: the label map is empty."))
         return {self.CLASS_COUNT: len(present), self.LABELED_FRACTION: labeled / (width * height)}
 
-    def _burnt(
+    def _burn(
         self,
         values: Values,
         path: str,

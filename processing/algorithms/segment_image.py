@@ -196,7 +196,7 @@ class SegmentImage(SemRefAlgorithm):
         photo = self._source.open(resolution_m, feedback)
         image = self._at_resolution(photo, resolution_m, model, feedback)
         transform = resized_transform(photo.geotransform, photo.image.shape_hw, image.shape_hw)
-        image = self._source.masked(image, photo, transform)
+        image = self._source.apply_mask(image, photo, transform)
         overlap = values.optional_number(self.OVERLAP)
         overlap = model.settings.overlap if overlap is None else overlap / 100
         wanted = Certainty(outputs.wants(self.CONFIDENCE), outputs.wants(self.PROBABILITIES))
@@ -206,18 +206,18 @@ class SegmentImage(SemRefAlgorithm):
         begun, sure = time.perf_counter(), Sureness()
         with (
             SegmentedFiles(outputs, grid, model, (self.OUTPUT, self.CONFIDENCE, self.PROBABILITIES), wanted) as files,
-            closing(self._segmented(values, model, (photo, image), resolution_m, overlap, wanted, feedback)) as steps,
+            closing(self._segment(values, model, (photo, image), resolution_m, overlap, wanted, feedback)) as steps,
         ):
             # The steps are closed first: threads they hold are let go before the files are cleared away.
-            files.write(_followed(steps, sure, feedback))
+            files.write(_finished_rows(steps, sure, feedback))
         pace = NetworkPace(model, time.perf_counter() - begun)
         if values.has(SCHEDULER):
-            return self._told(sure, feedback)
-        feedback.pushInfo(pace.told())
+            return self._certainty_result(sure, feedback)
+        feedback.pushInfo(pace.sentence())
         write_polygons(values, outputs, self.POLYGONS, files.label_map, photo.crs, classes.table, feedback)
-        return {**pace.results, **self._told(sure, feedback)}
+        return {**pace.results, **self._certainty_result(sure, feedback)}
 
-    def _segmented(
+    def _segment(
         self,
         values: Values,
         model: SegmentationModel,
@@ -246,7 +246,7 @@ class SegmentImage(SemRefAlgorithm):
         with workers(values, feedback, {file: state(file) for file in (path, model.path)}) as run:
             yield from segment_blocks(tiles, model.tile_hw, partial(run.in_order, SEGMENT, shared=opening))
 
-    def _told(self, sure: Sureness, feedback: QgsProcessingFeedback) -> dict[str, Any]:
+    def _certainty_result(self, sure: Sureness, feedback: QgsProcessingFeedback) -> dict[str, Any]:
         """How sure the network is; nothing of one that gives class numbers alone, or of an image without data."""
         if sure.mean is None:
             return {}
@@ -275,7 +275,7 @@ class SegmentImage(SemRefAlgorithm):
         return image
 
 
-def _followed(steps: Iterable[tuple], sure: Sureness, feedback: QgsProcessingFeedback) -> Iterator[SegmentedRows]:
+def _finished_rows(steps: Iterable[tuple], sure: Sureness, feedback: QgsProcessingFeedback) -> Iterator[SegmentedRows]:
     """The rows that are finished, adding up how sure they are; shows progress and heeds a cancel at every tile."""
     for share, rows in steps:
         check_canceled(feedback)

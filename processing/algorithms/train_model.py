@@ -252,7 +252,7 @@ class TrainModel(AnnotationAlgorithm):
         with outputs.file(self.OUTPUT) as temporary:
             self._run = run = TrainingRun(values.target(self.OUTPUT), values.switch(self.RESUME))
             try:
-                report = self._trained(values, python, temporary, run, began, feedback)
+                report = self._train(values, python, temporary, run, began, feedback)
             except Canceled:
                 if run.can_go_on:
                     raise CanceledKeeping(run.folder) from None
@@ -297,7 +297,7 @@ class TrainModel(AnnotationAlgorithm):
         """Whether nothing is learned of ground without a label."""
         return values.choice(self.UNLABELED) == UNKNOWN and not self._has_single_class
 
-    def _trained(
+    def _train(
         self,
         values: Values,
         python: str,
@@ -309,7 +309,7 @@ class TrainModel(AnnotationAlgorithm):
         """Cuts the ground, trains on it, writes the model; what there is to say of it."""
         from ...training.job import EXAMPLES, JOB, RESULT
         from ..base.training_estimate import remember_speed
-        from ..base.training_process import TrainingTeller, training_events
+        from ..base.training_process import TrainingProgress, training_events
         from ..reports.training_report import TrainingReport
 
         job = self._job(values, target, run)
@@ -323,10 +323,10 @@ class TrainModel(AnnotationAlgorithm):
         passed = (time.monotonic() - began) / (60 * job.minutes) if job.minutes else 0.0
         job = replace(job, minutes=job.minutes * max(1 - passed, SHORTEST_SHARE))
         job.write(run.folder / JOB)
-        teller = TrainingTeller(feedback, max(CUT, TRAINED * min(passed, 1 - SHORTEST_SHARE)), TRAINED)
+        progress = TrainingProgress(feedback, max(CUT, TRAINED * min(passed, 1 - SHORTEST_SHARE)), TRAINED)
         with closing(training_events(python, [str(run.folder / JOB)], feedback)) as events:
             for event in events:
-                teller.tell(event)
+                progress.show(event)
         try:
             result = json.loads((run.folder / RESULT).read_text(encoding="utf-8"))
         except (OSError, ValueError) as error:

@@ -109,7 +109,7 @@ class UpdateDatabase(SemRefAlgorithm):
             follow(DatabaseEditor(path, stored, updater.changes).steps(), feedback, 80, 100)
         # Else the update would undo what others have written since, where it replaces the database.
         outputs.require(stored.require_as_read)
-        self._say_result(stored.database, updater.changes, feedback)
+        self._log_result(stored.database, updater.changes, feedback)
 
     def _check_crs(self, database: ReferenceDatabase) -> None:
         from ..layers.reference_systems import describe_crs
@@ -166,7 +166,7 @@ class UpdateDatabase(SemRefAlgorithm):
             )
         return areas
 
-    def _say_result(
+    def _log_result(
         self, database: ReferenceDatabase, changes: DatabaseChanges, feedback: QgsProcessingFeedback
     ) -> None:
         feedback.pushInfo(

@@ -6,11 +6,13 @@ import contextlib
 import errno
 from collections.abc import Generator, Mapping
 from concurrent.futures import ThreadPoolExecutor, wait
+from html import escape
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Callable, ClassVar, TypeVar, Union
 
 from qgis.core import (
+    QgsApplication,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
     QgsProcessingException,
@@ -31,7 +33,7 @@ from ..translation import tr
 from ..version import algorithm_help_url, plugin_version
 from .destinations import require_outputs_apart
 from .outputs import Outputs
-from .time_left import TellingFeedback
+from .time_left import TimeLeftFeedback
 from .values import Values
 
 Declared = Union[QgsProcessingParameterDefinition, QgsProcessingOutputDefinition]
@@ -51,7 +53,7 @@ CANCEL_EVERY_S = 0.2
 class Canceled(Exception):
     """The user canceled; nothing was written."""
 
-    def said(self) -> str:
+    def message(self) -> str:
         """What the user is told, in their language."""
         return tr("Canceled; nothing was written.")
 
@@ -139,9 +141,12 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         return self.summary().split("\n\n")[0]
 
     def shortHelpString(self) -> str:
-        """The summary, then every parameter with its own help."""
-        paragraphs = "".join(f"<p>{paragraph}</p>" for paragraph in self.summary().split("\n\n"))
-        entries = [(p.description(), p.help()) for p in self.parameterDefinitions() if p.help()]
+        """Return the help of dialogs as HTML; for qgis_process, plain text without what it prints itself."""
+        summary = self.summary()
+        if prints_help():
+            return summary.partition("\n\n")[2] or summary
+        paragraphs = "".join(f"<p>{escape(paragraph, False)}</p>" for paragraph in summary.split("\n\n"))
+        entries = [(p.description(), escape(p.help(), False)) for p in self.parameterDefinitions() if p.help()]
         return paragraphs + "".join(f"<h3>{title}</h3><p>{text}</p>" for title, text in entries)
 
     def helpUrl(self) -> str:
@@ -200,13 +205,13 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
                 raise self._refusal
             values = Values(self, parameters, context)
             with Outputs(values, self._note) as outputs:
-                numbers = self.work(values, outputs, TellingFeedback(feedback))
+                numbers = self.work(values, outputs, TimeLeftFeedback(feedback))
                 outputs.commit()
             return {**outputs.results, **(numbers or {})}
         except SemRefError as error:
             raise QgsProcessingException(worded(error)) from error
         except Canceled as error:
-            raise QgsProcessingException(error.said()) from error
+            raise QgsProcessingException(error.message()) from error
         except OSError as error:
             if error.errno not in _DISK_ERRORS:
                 raise
@@ -220,6 +225,11 @@ _READ = {"number": Values.number, "distance": Values.number, "range": Values.ran
 def _is_page(parameter: QgsProcessingParameterDefinition) -> bool:
     """Whether it is an output that QGIS shows in its Results Viewer; QGIS goes by the filter as well."""
     return isinstance(parameter, QgsProcessingParameterFileDestination) and "*.htm" in parameter.fileFilter()
+
+
+def prints_help() -> bool:
+    """Return whether help goes to a terminal: qgis_process prints the short description, HTML raw, and parameters."""
+    return QgsApplication.platform() == "qgis_process"
 
 
 def group_title(group: str) -> str:

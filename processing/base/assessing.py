@@ -20,7 +20,7 @@ from ..translation import tr
 from . import parameters
 from .algorithm import SemRefAlgorithm, cancelable, check_canceled
 from .parameters import with_help
-from .scheduler import counted
+from .scheduler import with_progress
 
 if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
@@ -199,7 +199,7 @@ class AssessAlgorithm(SemRefAlgorithm):
             )
         return made
 
-    def indexed(self, database: ReferenceDatabase, feedback: QgsProcessingFeedback) -> Localizer:
+    def localizer(self, database: ReferenceDatabase, feedback: QgsProcessingFeedback) -> Localizer:
         """A localizer of the database, its index built once, cancelable."""
         from ...core.localizer.localizer import Localizer
 
@@ -251,9 +251,8 @@ class AssessAlgorithm(SemRefAlgorithm):
         started, seed, with_correlation = time.monotonic(), assessments[0].seed, assessments[0].correlation
         middle = first + (last - first) * (0.3 if with_correlation else 1.0)
         asked = [(n, query) for n, queries in enumerate(planned) for query in queries]
-        trials = iter(
-            list(counted(answers(ASSESS, simulate_one, asked, _SIMULATED_A_TASK), len(asked), feedback, first, middle))
-        )
+        found = answers(ASSESS, simulate_one, asked, _SIMULATED_A_TASK)
+        trials = iter(list(with_progress(found, len(asked), feedback, first, middle)))
         tried: list[tuple[list[Trial], dict[int, Trial]]] = [(list(islice(trials, len(one))), {}) for one in planned]
         chosen = [
             (n, number)
@@ -262,7 +261,7 @@ class AssessAlgorithm(SemRefAlgorithm):
         ]
         if chosen:
             again = answers(CORRELATE, correlate_one, [(n, planned[n][number]) for n, number in chosen], 1)
-            for (n, number), trial in zip(chosen, counted(again, len(chosen), feedback, middle, last)):
+            for (n, number), trial in zip(chosen, with_progress(again, len(chosen), feedback, middle, last)):
                 tried[n][1][number] = trial
         text = tr("{count} images simulated in {seconds:.0f} s.")
         feedback.pushInfo(text.format(count=len(asked) + len(chosen), seconds=time.monotonic() - started))

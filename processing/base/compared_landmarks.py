@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 MOST_PERCENT = 100.0
 
 
-def measured_errors(
+def measure_errors(
     pair: LabelMapPair,
     match: ClassMatch,
     comparison: LabelComparison,
@@ -97,7 +97,7 @@ def _shifted(shifts: MeasuredShifts) -> float | None:
     return float(np.sqrt(np.average(squares, weights=[row.pairs for row in shifts.rows])))
 
 
-def measured_shifts(
+def measure_shifts(
     pair: LabelMapPair,
     match: ClassMatch,
     comparison: LabelComparison,
@@ -117,7 +117,7 @@ def measured_shifts(
     return MeasuredShifts(rows, unit, not has_ground)
 
 
-def say_shifts(shifts: MeasuredShifts, feedback: QgsProcessingFeedback) -> None:
+def log_shifts(shifts: MeasuredShifts, feedback: QgsProcessingFeedback) -> None:
     """Tells each class's shift."""
     for row in shifts.rows:
         text = tr("{name}: shown {across:+.2f} and {along:+.2f} {unit} off ({axes}), {count} landmarks.")

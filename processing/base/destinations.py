@@ -51,7 +51,7 @@ class Destination:
     is_table: bool = False
     has_index: bool = False
 
-    def moved(self, path: str) -> str:
+    def in_file(self, path: str) -> str:
         """The same destination in another file."""
         return self.text.replace(self.path, path, 1) if self.is_table else path
 

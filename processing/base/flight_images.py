@@ -12,7 +12,7 @@ from ...core.errors import ParameterError, SemRefError
 from ..messages.camera_messages import camera_remark
 from ..messages.sentences import worded
 from ..translation import tr
-from .localized_image import LabelImages, LocalizedImage, say
+from .localized_image import LabelImages, LocalizedImage, log_result
 from .localized_layers import FlownImage
 
 if TYPE_CHECKING:
@@ -164,7 +164,7 @@ class FlightReader:
             links.setdefault((link.first, link.second), link)
         return sorted(links.values(), key=lambda link: (link.second, link.first))
 
-    def said_of(self, links: Sequence[Link]) -> list[str]:
+    def motion_sentences(self, links: Sequence[Link]) -> list[str]:
         """Sentences about where the motion is known from, and why it isn't."""
         pairs = max(len(self.flown) - 1, 0)
         linked = {link.second: str(link.source) for link in links if link.second == link.first + 1}
@@ -182,7 +182,7 @@ class FlightReader:
         return said
 
 
-def localized_of(taken: TakenImage, pose: FlightPose | None) -> FlownImage:
+def with_pose(taken: TakenImage, pose: FlightPose | None) -> FlownImage:
     """What the flight says of an image, told for the image as it was taken."""
     time_s = taken.camera.time_s
     if pose is None or taken.result is None:
@@ -192,9 +192,9 @@ def localized_of(taken: TakenImage, pose: FlightPose | None) -> FlownImage:
     return FlownImage(localized, pose, time_s, taken.camera.lens)
 
 
-def say_pose(flown: FlownImage, feedback: QgsProcessingFeedback) -> None:
+def log_pose(flown: FlownImage, feedback: QgsProcessingFeedback) -> None:
     """Tells what the flight says of an image."""
-    say(flown.localized, feedback)
+    log_result(flown.localized, feedback)
     name = os.path.basename(flown.localized.path)
     if flown.pose is not None and flown.pose.is_outvoted:
         feedback.pushWarning(tr("{image}: its own fix contradicts the flight and was outvoted.").format(image=name))

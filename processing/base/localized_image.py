@@ -295,7 +295,7 @@ def error_probability(confidence: float) -> str:
     return worded(record.error_probability(confidence))
 
 
-def say(item: LocalizedImage, feedback: QgsProcessingFeedback) -> None:
+def log_result(item: LocalizedImage, feedback: QgsProcessingFeedback) -> None:
     from ...core.localizer.record import radius_parts
 
     name = os.path.basename(item.path)

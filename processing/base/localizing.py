@@ -26,7 +26,7 @@ from . import parameters, priors
 from .algorithm import LOCALIZATION, SemRefAlgorithm, cancelable
 from .localized_image import LabelImages, LocalizedImage, is_photo
 from .parameters import with_help
-from .scheduler import counted, workers
+from .scheduler import with_progress, workers
 
 if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
@@ -114,6 +114,19 @@ class LocalizeAlgorithm(SemRefAlgorithm):
                 "Where the sun stood when the images were taken, in degrees clockwise from grid north: what the "
                 "model states that shadows shift turns with it. Without it such a shift is only added to the error."
             )
+        )
+
+    def speed_parameter(self) -> QgsProcessingParameterDefinition:
+        return with_help(
+            QgsProcessingParameterNumber(
+                self.MAXIMUM_SPEED, tr("Maximum speed (m/s)"), type=DOUBLE, optional=True, minValue=0.001
+            ),
+            tr(
+                "Highest ground speed of the flight, for example 20. A position that cannot be reached in time from "
+                "the positions before and after it is marked as a jump. It is still counted. Needs the times of the "
+                "images."
+            ),
+            advanced=True,
         )
 
     def camera_parameter(self) -> QgsProcessingParameterDefinition:
@@ -256,7 +269,7 @@ def _localized(path: str, found: Localization, camera: Camera, shape_hw: tuple[i
     return LocalizedImage(path, found, "", shape_hw, remark, camera=read)
 
 
-def scheduled_images(
+def localize_scheduled(
     values: Values,
     database: ReferenceDatabase,
     before: dict[str, tuple[int, float]],
@@ -280,7 +293,7 @@ def scheduled_images(
     localized = []
     with workers(values, feedback, before) as run:
         answers = run.answers(IMAGES, job, asked, database)
-        for image, found in zip(asked, counted(answers, len(asked), feedback, 0, 100)):
+        for image, found in zip(asked, with_progress(answers, len(asked), feedback, 0, 100)):
             if found.result is None:
                 localized.append(LocalizedImage(image.path, error=worded(found.fault)))
             else:

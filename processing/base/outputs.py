@@ -102,7 +102,7 @@ class Outputs:
 
     def _note(self, key: str) -> Note:
         """What an output tells about itself."""
-        title, abstract = self._values.described(key)
+        title, abstract = self._values.title_and_help(key)
         return replace(self._note_of_run, title=title, abstract=abstract)
 
     @contextmanager
@@ -192,7 +192,7 @@ class Outputs:
             sink.require_all_in(written, wanted.has_index)
         else:
             style_in_memory(written, given, self._values.context)
-        final = _moved_back(written, wanted) if beside else written
+        final = _final_source(written, wanted) if beside else written
         self._layers.append(_Layer(written, final, given))
         self.results[key] = final
 
@@ -201,7 +201,7 @@ class Outputs:
         if not wanted.path:
             return ""
         if wanted.is_table:
-            return wanted.moved(self._database_beside(wanted.path))
+            return wanted.in_file(self._database_beside(wanted.path))
         return self._batch.file(wanted.path)
 
     def _database_beside(self, path: str) -> str:
@@ -223,7 +223,7 @@ def _require_unchanged(path: str, before: bytes) -> None:
         raise ParameterError("{path} was changed by another program meanwhile; try again.", path=path)
 
 
-def _moved_back(written: str, wanted: Destination) -> str:
+def _final_source(written: str, wanted: Destination) -> str:
     """Where a layer will lie, as QGIS knows it: “path” or “path|layername=…”."""
     _, _, rest = written.partition("|")
     return f"{wanted.path}|{rest}" if rest else wanted.path

@@ -67,7 +67,7 @@ class NetworkPace:
     def _rate(self) -> float:
         return self.model.tiles_seen / self.seconds if self.seconds else 0.0
 
-    def told(self) -> str:
+    def sentence(self) -> str:
         """One sentence in the user's language."""
         text = tr("{tiles} tiles in {seconds:.1f} s, {rate:.3g} a second on {device}.")
         rate, device = self._rate, self.model.device.title
@@ -85,7 +85,7 @@ class PhotoLabelReader:
         from ...core.segmentation.photo_labels import PhotoReader
 
         self._model = open_model(model_path)
-        self._read = PhotoReader(self._model, table, _opened, self._follow)
+        self._read = PhotoReader(self._model, table, _open_photo, self._follow)
         self._feedback = feedback
         self._is_described = False
         self._seconds = 0.0
@@ -110,14 +110,14 @@ class PhotoLabelReader:
         if not self._is_described:
             describe(self._model, photo, self._feedback)
             self._is_described = True
-            self._say_told_size(path, labels)
+            self._log_pixel_size(path, labels)
         begun = time.perf_counter()
         for share in labels.steps():
             check_canceled(self._feedback)
             yield share
         self._seconds += time.perf_counter() - begun
 
-    def _say_told_size(self, path: str, labels: PhotoLabels) -> None:
+    def _log_pixel_size(self, path: str, labels: PhotoLabels) -> None:
         """Of the first photo: the others are of the same flight."""
         if labels.camera_pixel_size_m is None:
             return
@@ -134,7 +134,7 @@ class PhotoLabelReader:
         return NetworkPace(self._model, self._seconds)
 
 
-def _opened(path: str) -> Photo:
+def _open_photo(path: str) -> Photo:
     from ...core.labels.image_source import Photo
     from ...storage.label_images import open_photo
     from ..layers.images import pixel_size_m, stated_crs

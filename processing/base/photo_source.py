@@ -80,7 +80,7 @@ class PhotoSource:
         from ...storage.images import GdalImage
 
         if self._file is None:
-            path, crs = self._drawn(resolution_m, feedback)
+            path, crs = self._draw(resolution_m, feedback)
             file = GdalImage(path)
             return SourceImage(file, file, file.geotransform, crs)
         file, crs = GdalImage(self._file.path), self._file.crs
@@ -105,7 +105,7 @@ class PhotoSource:
         from ...storage.pictures import copy_part
 
         if self._file is None:
-            path, crs = self._drawn(resolution_m, feedback)
+            path, crs = self._draw(resolution_m, feedback)
         elif self._area is None and not self._values.has(self._extent_key):
             return self._file.path
         else:
@@ -128,7 +128,7 @@ class PhotoSource:
         mask = area_mask(self._area, crs, file.geotransform, file.shape_hw, self._values.transform_context)
         keep_only(path, mask)
 
-    def _drawn(
+    def _draw(
         self, resolution_m: float | None, feedback: QgsProcessingFeedback
     ) -> tuple[str, QgsCoordinateReferenceSystem]:
         """(path of a GeoTIFF that lasts as long as QGIS runs, its CRS) of a layer that is no file."""
@@ -155,7 +155,7 @@ class PhotoSource:
             return self._values.extent_as_given(self._extent_key)
         return self._area.extent, self._area.crs
 
-    def masked(self, image: ImageSource, photo: SourceImage, geotransform: Sequence[float] | None) -> ImageSource:
+    def apply_mask(self, image: ImageSource, photo: SourceImage, geotransform: Sequence[float] | None) -> ImageSource:
         """An image on the photo's ground without what lies outside of the area, if there is one.
 
         Raises:

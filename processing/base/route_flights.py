@@ -66,7 +66,7 @@ def parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
     )
 
 
-def results() -> tuple[QgsProcessingOutputNumber, ...]:
+def outputs() -> tuple[QgsProcessingOutputNumber, ...]:
     """Numbers that are told."""
     return (
         QgsProcessingOutputNumber(FIRST_POSITION, tr("Distance to the first position of a flight")),
@@ -79,7 +79,7 @@ def share_before(values: Values) -> float:
     return FLOWN_PERCENT / 100 if values.integer(FLIGHTS) else 1.0
 
 
-def flown(
+def simulate(
     values: Values,
     database: ReferenceDatabase,
     localizer: Localizer,
@@ -105,7 +105,7 @@ def flown(
     return routes.result
 
 
-def told(route: AssessedRoute) -> dict[str, float]:
+def numbers(route: AssessedRoute) -> dict[str, float]:
     """Numbers of the flights; none where they tell none."""
     if route.flown is None:
         return {}

@@ -27,7 +27,7 @@ from .values import Values
 if TYPE_CHECKING:
     from ...core.database.model import ReferenceDatabase
 
-__all__ = ["SCHEDULER", "Workers", "counted", "require_scheduler", "scheduler", "workers"]
+__all__ = ["SCHEDULER", "Workers", "with_progress", "require_scheduler", "scheduler", "workers"]
 
 SCHEDULER = "SCHEDULER"
 
@@ -102,11 +102,11 @@ class Workers:
             SemRefError: A task or the process reports a failure, or the process ends without a word.
             Canceled: The user canceled.
         """
-        return self._done(task, calls, shared, False)
+        return self._run(task, calls, shared, False)
 
     def in_order(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[Any]:
         """Yields what calls gave, in their order; raises as ``__call__`` does."""
-        return (result for _, result in self._done(task, calls, shared, True))
+        return (result for _, result in self._run(task, calls, shared, True))
 
     def answers(
         self, task: str, job: object, pieces: Sequence[Any], database: ReferenceDatabase, at_once: int = 1
@@ -136,7 +136,7 @@ class Workers:
         while self._next()["event"] != "ready":
             pass
 
-    def _done(self, task: str, calls: Iterable[tuple], shared: tuple, in_order: bool) -> Iterator[tuple[int, Any]]:
+    def _run(self, task: str, calls: Iterable[tuple], shared: tuple, in_order: bool) -> Iterator[tuple[int, Any]]:
         from ...storage.serialization import read, write
 
         common, waiting, given = os.path.join(self._folder, "shared"), iter(calls), 0
@@ -224,7 +224,7 @@ def workers(
             require_unchanged(files)
 
 
-def counted(
+def with_progress(
     found: Iterator[Any], count: int, feedback: QgsProcessingFeedback, first: float, last: float
 ) -> Iterator[Any]:
     """The same ``count`` answers, with progress from ``first`` to ``last`` percent."""

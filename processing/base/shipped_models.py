@@ -17,7 +17,7 @@ from qgis.PyQt.QtGui import QIcon
 
 from ..translation import tr
 from ..version import algorithm_help_url
-from .algorithm import ANNOTATION, ICON_PATH, REFERENCE_DATABASE, group_title
+from .algorithm import ANNOTATION, ICON_PATH, REFERENCE_DATABASE, group_title, prints_help
 
 MODELS = Path(__file__).resolve().parents[2] / "models"
 
@@ -175,6 +175,9 @@ class ShippedModel(QgsProcessingModelAlgorithm):
 
     def shortDescription(self) -> str:
         return model_texts(self.name()).summary
+
+    def shortHelpString(self) -> str:
+        return self.shortDescription() if prints_help() else super().shortHelpString()
 
     def helpUrl(self) -> str:
         return algorithm_help_url(self.name())

@@ -23,7 +23,7 @@ _TOLD_AGAIN = 0.5
 text into their log, and an hour takes a line for each time that it halves."""
 
 
-class TellingFeedback(QgsProcessingMultiStepFeedback):
+class TimeLeftFeedback(QgsProcessingMultiStepFeedback):
     """Passes everything on, and says in the text of the progress how long it still takes and until when.
 
     Feedback with a true attribute ``shows_time_left`` does so by itself and is told nothing.

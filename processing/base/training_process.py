@@ -88,14 +88,14 @@ def _require_no_failure(event: dict, feedback: QgsProcessingFeedback) -> None:
         )
 
 
-class TrainingTeller:
+class TrainingProgress:
     """Shows what a training tells, from ``first`` to ``last`` % of the progress."""
 
     def __init__(self, feedback: QgsProcessingFeedback, first: float, last: float) -> None:
         self._feedback, self._first, self._last = feedback, first, last
         self._resumed_at = 0.0
 
-    def tell(self, event: dict) -> None:
+    def show(self, event: dict) -> None:
         """Shows one event."""
         share = event.get("share")
         if event["event"] == "resumed":

@@ -41,7 +41,7 @@ class CanceledKeeping(Canceled):
         super().__init__()
         self.folder = folder
 
-    def said(self) -> str:
+    def message(self) -> str:
         """What the user is told, in their language."""
         text = tr("Canceled; what was trained is kept in {folder}: run it again with the same output to go on.")
         return text.format(folder=self.folder)

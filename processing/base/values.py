@@ -54,7 +54,7 @@ class Values:
         """The value as it was given; None for none."""
         return self._parameters.get(key)
 
-    def described(self, key: str) -> tuple[str, str]:
+    def title_and_help(self, key: str) -> tuple[str, str]:
         """What a parameter is called, and what it is, with what the algorithm does; in the user's language."""
         definition = self._algorithm.parameterDefinition(key)
         return definition.description(), f"{definition.help()}\n\n{self._algorithm.shortDescription()}"

@@ -35,7 +35,7 @@ class ChosenImages:
     flight: int = 0
 
 
-def look_at_images(paths: Sequence[str]) -> ChosenImages:
+def count_images(paths: Sequence[str]) -> ChosenImages:
     """Count the images and look whether they are photos.
 
     Raises:

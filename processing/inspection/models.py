@@ -65,7 +65,7 @@ def base_model(chosen: str, here: set[str], class_names: Callable[[], set[str]])
     return chosen if chosen in fitting else fitting[0] if len(fitting) == 1 else ""
 
 
-def at_hand(path: str) -> str:
+def resolve_model(path: str) -> str:
     """A model's path; for one that ships with another installation of the plugin, the path in this one.
 
     A project keeps where its model lay: in another profile, or on another machine, the plugin lies elsewhere.

@@ -94,13 +94,13 @@ class Comparison:
     apart: tuple[float, ...]
 
 
-def window_named(database: ReferenceDatabase, name: str) -> int | None:
+def find_window(database: ReferenceDatabase, name: str) -> int | None:
     """Index of the window of this name, None where there is none."""
     found = np.flatnonzero(database.windows.names == name)
     return int(found[0]) if len(found) else None
 
 
-def window_under(database: ReferenceDatabase, x: float, y: float) -> int | None:
+def window_at_point(database: ReferenceDatabase, x: float, y: float) -> int | None:
     """Index of the smallest window around map (x, y), of several the one with the nearest center; None without one."""
     from ...core.database.look_alikes import window_at
 

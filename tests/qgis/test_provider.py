@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import html
+
 import pytest
 from qgis.core import (
     QgsApplication,
@@ -93,7 +95,7 @@ def test_every_parameter_has_a_title_and_help(create, name):
 @pytest.mark.parametrize("name", NAMES)
 def test_the_help_shows_the_summary_and_every_parameter(create, name):
     algorithm = create(name)
-    text = algorithm.shortHelpString()
+    text = html.unescape(algorithm.shortHelpString())
     assert algorithm.shortDescription() in text
     for parameter in algorithm.parameterDefinitions():
         assert parameter.help() in text

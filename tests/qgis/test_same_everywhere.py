@@ -174,7 +174,7 @@ def test_the_shipped_model_gives_the_same_database(qgis_app, repository, setting
 
 @pytest.fixture(scope="module")
 def qgis_process(repository, tmp_path_factory):
-    """`qgis_process(algorithm id, parameters)` runs it in a process of its own, in a fresh profile."""
+    """`qgis_process(command, arguments …)` runs in a fresh profile and returns what it prints."""
     # Debian 12's wrapper qgis_process passes on an option that its own qgis_process.bin does not know.
     program = shutil.which("qgis_process.bin") or shutil.which("qgis_process")
     if program is None:
@@ -193,17 +193,27 @@ def qgis_process(repository, tmp_path_factory):
         "PYTHONPATH": sysconfig.get_path("purelib"),
     }
 
-    def call(*arguments: str) -> None:
+    def call(*arguments: str) -> str:
         command = [program, *arguments]
         answer = subprocess.run(
             command, env=environment, cwd=home, capture_output=True, text=True, timeout=TIMEOUT_S, check=False
         )
         assert answer.returncode == 0, f"{command} exits {answer.returncode}:\n{answer.stdout}\n{answer.stderr}"
+        return answer.stdout
 
     call("plugins", "enable", "processing")
     call("plugins", "enable", "semref")
-    return lambda algorithm, parameters: call("run", algorithm, "--", *(f"{k}={v}" for k, v in parameters.items()))
+    return call
 
 
 def test_qgis_process_gives_the_same(qgis_process, inputs, settings, expected, tmp_path):
-    assert_same(run_chain(qgis_process, settings, tmp_path, inputs), expected)
+    def run(algorithm, parameters):
+        qgis_process("run", algorithm, "--", *(f"{key}={value}" for key, value in parameters.items()))
+
+    assert_same(run_chain(run, settings, tmp_path, inputs), expected)
+
+
+@pytest.mark.parametrize("name", ["builddatabase", "classtable", "annotationtodatabase"])
+def test_qgis_process_prints_help_without_html(qgis_process, name):
+    text = qgis_process("help", f"semref:{name}")
+    assert "Description" in text and not re.search("<(p|h[1-6]|br|i|b)>|&(amp|lt|gt|quot);", text)

@@ -44,9 +44,9 @@ def run_for(feedback, clock, seconds, steps=1000):
 
 @pytest.fixture
 def telling(dialog, clock):
-    from semref.processing.base.time_left import TellingFeedback
+    from semref.processing.base.time_left import TimeLeftFeedback
 
-    return TellingFeedback(dialog)
+    return TimeLeftFeedback(dialog)
 
 
 def test_a_long_run_shows_the_time_left_and_its_end(dialog, clock, telling, monkeypatch):
@@ -84,10 +84,10 @@ def test_what_is_done_next_keeps_the_time_beside_it(dialog, clock, telling):
 
 
 def test_the_time_left_is_shown_once_in_the_dock(dialog, clock):
-    from semref.processing.base.time_left import TellingFeedback
+    from semref.processing.base.time_left import TimeLeftFeedback
 
     dialog.shows_time_left = True
-    telling = TellingFeedback(dialog)
+    telling = TimeLeftFeedback(dialog)
     telling.setProgressText("Localizing")
     run_for(telling, clock, 3600)
     telling.setProgressText("Writing")
@@ -95,11 +95,11 @@ def test_the_time_left_is_shown_once_in_the_dock(dialog, clock):
 
 
 def test_a_cancel_is_passed_on_whenever_it_came(dialog, telling):
-    from semref.processing.base.time_left import TellingFeedback
+    from semref.processing.base.time_left import TimeLeftFeedback
 
     assert not telling.isCanceled()
     dialog.cancel()
-    assert telling.isCanceled() and TellingFeedback(dialog).isCanceled()
+    assert telling.isCanceled() and TimeLeftFeedback(dialog).isCanceled()
 
 
 def test_every_algorithm_works_with_feedback_of_the_time_left(dialog, clock):

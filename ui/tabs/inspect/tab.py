@@ -31,9 +31,9 @@ from ....processing.inspection.window import (
     Comparison,
     InspectedWindow,
     compare,
+    find_window,
     inspect_window,
-    window_named,
-    window_under,
+    window_at_point,
 )
 from ....processing.layers.reference_systems import transformed_point
 from ....processing.messages.numbers import LocalTemplate
@@ -169,7 +169,7 @@ class InspectTab(QWidget):
         """Inspect the window with this name as soon as the database is read."""
         if self._must_wait(self.show_window, name):
             return
-        index = window_named(self._database, name)
+        index = find_window(self._database, name)
         if index is None:
             self._messages.info(tr("The database has no window “{name}”.").format(name=name))
             return
@@ -194,7 +194,7 @@ class InspectTab(QWidget):
         place = transformed_point(QgsCoordinateTransform(crs, self._crs, QgsProject.instance()), point)
         if place is None:
             return
-        index = window_under(self._database, place.x(), place.y())
+        index = window_at_point(self._database, place.x(), place.y())
         if index is None:
             self._messages.info(tr("The database has no window at this place."))
             return

@@ -22,7 +22,7 @@ from qgis.PyQt.QtWidgets import (
 from ....core.localization import Method
 from ....processing.base.algorithm import REPORTS_AS_FILES
 from ....processing.base.localized_image import is_photo
-from ....processing.inspection.chosen import ChosenImages, look_at_images
+from ....processing.inspection.chosen import ChosenImages, count_images
 from ....processing.messages.sentences import worded
 from ....processing.translation import tr
 from ...fields.recent_files import MODEL, note_used
@@ -132,7 +132,7 @@ class ImageBox(FoldingBox):
         is_known = not any(map(os.path.isdir, paths))
         self._show_chosen(ChosenImages(len(paths), any(map(is_photo, paths))) if is_known else None)
         if paths:
-            self._reader.read(tr("Reading the images"), look_at_images, paths)
+            self._reader.read(tr("Reading the images"), count_images, paths)
         else:
             self.flight.setChecked(False)
             self.setCollapsed(False)
