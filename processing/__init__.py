@@ -1,1 +1,1 @@
-"""SemRef's Processing provider and its algorithms, one a file."""
+"""SemRef's Processing provider and its algorithms, one per file."""

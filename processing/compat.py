@@ -1,4 +1,4 @@
-"""What differs between QGIS 3.22 and today, in one place."""
+"""Differences between QGIS 3.22 and newer versions, in one place."""
 
 from qgis.core import (
     Qgis,
@@ -29,7 +29,7 @@ _FIELD_TYPES = {
 
 
 def make_field(name: str, kind: str) -> QgsField:
-    """A field of a kind of _FIELD_TYPES; ``long`` has 64 bits. QGIS 3.38 replaced QVariant types by QMetaType's."""
+    """Return a field of a kind of _FIELD_TYPES; QGIS 3.38 replaced the types of QVariant by those of QMetaType."""
     meta_name, variant_name = _FIELD_TYPES[kind]
     if Qgis.QGIS_VERSION_INT >= 33800:
         return QgsField(name, getattr(QMetaType.Type, meta_name))
@@ -37,7 +37,7 @@ def make_field(name: str, kind: str) -> QgsField:
 
 
 def is_null(value) -> bool:
-    """Whether an attribute is NULL: PyQGIS has QVariant NULLs until 3.4x, None after."""
+    """Return whether an attribute is NULL: PyQGIS gives a QVariant NULL until 3.4x, later None."""
     return value is None or (isinstance(value, QVariant) and value.isNull())
 
 
@@ -49,7 +49,7 @@ def wkt_for_gdal(crs: QgsCoordinateReferenceSystem) -> str:
 
 
 def is_metric(crs: QgsCoordinateReferenceSystem) -> bool:
-    """Whether the CRS is projected with meters as unit."""
+    """Return whether the CRS is projected with meters as unit."""
     meters = Qgis.DistanceUnit.Meters if Qgis.QGIS_VERSION_INT >= 33000 else QgsUnitTypes.DistanceMeters
     return crs.isValid() and not crs.isGeographic() and crs.mapUnits() == meters
 
@@ -82,7 +82,7 @@ AS_THEY_ARE = (
     if hasattr(Qgis, "ProcessingFeatureSourceFlag")
     else QgsProcessingFeatureSource.FlagSkipGeometryValidityChecks
 )
-"""Features with whatever geometry they have: QGIS else ends at the first that is invalid."""
+"""Features with any geometry: otherwise QGIS ends at the first invalid one."""
 
 MAP_TILE = Qgis.MapSettingsFlag.RenderMapTile if hasattr(Qgis, "MapSettingsFlag") else QgsMapSettings.RenderMapTile
-"""Pieces drawn one by one fit together."""
+"""Tiles that are drawn one by one fit together."""

@@ -70,7 +70,7 @@ class SemRefProvider(QgsProcessingProvider):
     def loadAlgorithms(self) -> None:
         for algorithm in ALGORITHMS:
             self.addAlgorithm(algorithm())
-        # A model can be read only when the algorithms in it are registered: not the first time.
+        # A model can be read only after its algorithms are registered, so not the first time.
         if QgsApplication.processingRegistry().providerById(self.id()) is not None:
             for model in shipped_models():
                 self.addAlgorithm(model)
@@ -83,15 +83,15 @@ class SemRefProvider(QgsProcessingProvider):
 
 
 def register_provider(registry: QgsProcessingRegistry) -> QgsProcessingProvider:
-    """A registered SemRefProvider with its models; the caller keeps it and removes it from the registry.
+    """Return a registered SemRefProvider with its models; the caller keeps it and removes it from the registry.
 
-    Returns the provider that is there already when one is: QGIS crashes when one id is registered twice.
+    Returns an already registered provider: QGIS crashes if one id is registered twice.
     """
     registered = registry.providerById("semref")
     if registered is not None:
         return registered
     provider = SemRefProvider()
     registry.addProvider(provider)
-    # Once more, now with the models; the toolbox hears of it.
+    # Again, now with the models; the toolbox is updated.
     provider.refreshAlgorithms()
     return provider

@@ -1,4 +1,4 @@
-"""How many threads the user lets QGIS use."""
+"""Number of threads that the user allows QGIS to use."""
 
 import os
 
@@ -6,6 +6,6 @@ from qgis.core import QgsApplication
 
 
 def worker_threads() -> int:
-    """QGIS's own setting (Options ▸ Rendering); all cores when it is left to QGIS."""
+    """Return QGIS's setting (Options ▸ Rendering), or all cores if it is not set."""
     chosen = QgsApplication.maxThreads()
     return chosen if chosen > 0 else (os.cpu_count() or 1)

@@ -1,4 +1,4 @@
-"""One way to translate what the user reads."""
+"""Translation of texts for the user."""
 
 from qgis.PyQt.QtCore import QCoreApplication
 
@@ -6,5 +6,5 @@ CONTEXT = "SemRef"
 
 
 def tr(text: str) -> str:
-    """``text`` in the user's language; lupdate finds the calls by this name."""
+    """Translate ``text`` into the user's language; lupdate finds the calls by this name."""
     return QCoreApplication.translate(CONTEXT, text)

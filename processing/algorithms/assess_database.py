@@ -1,4 +1,4 @@
-"""semref:assessdatabase – a map of where a reference database will localize, and where it won't."""
+"""semref:assessdatabase: map where a reference database localizes images, and where it does not."""
 
 from __future__ import annotations
 
@@ -52,12 +52,11 @@ class AssessDatabase(AssessAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Shows where images will be localized with a reference database, and where not: expected success and error "
-            "of each square of ground under the noise that you state, number of landmarks, look-alikes, and the "
-            "reason where it fails.\n\n"
-            "Images of the database’s own landmarks are simulated, spoiled and localized by the localizer itself; a "
-            "regression carries what they teach to squares with few trials. Nothing but the database is needed. It "
-            "is an expectation: noise that you understate, and changes on the ground, make it too good. “Evaluate "
+            "Maps where images can be localized with a reference database, and where not. Each square of ground has "
+            "an expected success and error, the number of landmarks and similar windows, and the reason where "
+            "localization fails.\n\nImages of the database’s landmarks are simulated with the given errors and "
+            "localized. A regression extends the results to squares with few trials. Only the database is needed. The "
+            "result is too optimistic if the real errors are larger or the ground has changed. “Evaluate "
             "localization” tests a database with a label map of another date."
         )
 
@@ -65,24 +64,25 @@ class AssessDatabase(AssessAlgorithm):
         return (
             parameters.database(),
             with_help(
-                QgsProcessingParameterString(self.FOOTPRINT, tr("Footprints (map units)"), optional=True),
+                QgsProcessingParameterString(self.FOOTPRINT, tr("Footprint widths (m)"), optional=True),
                 tr(
-                    "Edge of the ground that an image shows; several separated by “;” for several heights. The window "
-                    "size if left out."
+                    "Edge length of the ground that an image shows. Separate the values for several flight heights by "
+                    "“;”. If not set, the window size of the database."
                 ),
             ),
             with_help(
-                QgsProcessingParameterNumber(
-                    self.SPACING, tr("Spacing (map units)"), type=DOUBLE, optional=True, minValue=0.0
-                ),
-                tr("Edge of the squares; half the smallest footprint if left out."),
+                QgsProcessingParameterNumber(self.SPACING, tr("Spacing (m)"), type=DOUBLE, optional=True, minValue=0.0),
+                tr("Edge length of the squares. If not set, half the smallest footprint width."),
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterNumber(
                     self.TRIALS, tr("Simulated images"), type=INTEGER, defaultValue=1000, minValue=20, maxValue=100_000
                 ),
-                tr("For each footprint, spread evenly over the ground. More make the intervals narrower."),
+                tr(
+                    "Number of simulated images for each footprint width, spread evenly over the ground. More images "
+                    "give narrower intervals."
+                ),
                 advanced=True,
             ),
             *self.noise_parameters(),
@@ -90,12 +90,12 @@ class AssessDatabase(AssessAlgorithm):
             with_help(
                 QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Expected success"), type=SOURCE_POLYGON),
                 tr(
-                    "Squares of ground; of several footprints one square each, of which the first footprint’s are "
-                    "drawn."
+                    "Squares of ground. With several footprint widths there is one square for each; the map shows the "
+                    "first one."
                 ),
             ),
             parameters.report(
-                tr("Map, success by footprint, landmarks and what was assumed, in one file to read and print.")
+                tr("Page with a map, the success for each footprint width, the landmarks and the assumed errors.")
             ),
             QgsProcessingOutputNumber(self.LOCALIZABLE_FRACTION, tr("Localizable fraction")),
         )
@@ -120,7 +120,9 @@ class AssessDatabase(AssessAlgorithm):
         spacing = values.optional_number(self.SPACING, min(footprints) / 2)
         cells = cancelable(ground_cells, database, spacing, feedback=feedback)
         if not len(cells):
-            raise ParameterError("{path} has neither labels nor landmarks; build it again.", path=database.source)
+            raise ParameterError(
+                "The database {path} contains neither labels nor landmarks. Build it again.", path=database.source
+            )
         localizer = self.localizer(database, feedback)
         count = values.integer(self.TRIALS)
         assessments = [self.assessment(values, database, localizer, edge, feedback) for edge in footprints]
@@ -149,7 +151,7 @@ class AssessDatabase(AssessAlgorithm):
         conditions, threshold = self.conditions(values), self.threshold(values)
         correlation = self.with_correlation(values, database)
         settings = [
-            (tr("Spacing (map units)"), shown(cells.size, "g")),
+            (tr("Spacing (m)"), shown(cells.size, "g")),
             (tr("Simulated images"), str(values.integer(self.TRIALS))),
             *setting_rows(conditions, threshold, correlation, values.integer(self.SEED)),
         ]
@@ -181,8 +183,8 @@ class AssessDatabase(AssessAlgorithm):
         for result in results:
             feedback.pushInfo(
                 tr(
-                    "Footprint {footprint:g}: {share:.1%} of the ground with an expected success of {threshold:.0%} or "
-                    "more; on average {mean:.1%}."
+                    "Footprint width {footprint:g} m: {share:.1%} of the ground has an expected success of "
+                    "{threshold:.0%} or more; the mean is {mean:.1%}."
                 ).format(
                     footprint=result.footprint,
                     share=float((result.estimates.success >= threshold).mean()),

@@ -1,4 +1,4 @@
-"""semref:assessroute – expected success along a planned route, its gaps, and where to shift them."""
+"""semref:assessroute: expected success along a planned route, its gaps, and better parallel lines."""
 
 from __future__ import annotations
 
@@ -64,10 +64,10 @@ FIELDS = (
 
 
 class RouteParameter(QgsProcessingParameterFeatureSource):
-    """Lines of a layer, or the path of a waypoint file, which QGIS itself would not take for a layer."""
+    """Lines of a layer, or the path of a waypoint file, which QGIS does not accept as a layer."""
 
     def checkValueIsAcceptable(self, value, context=None):
-        # Not at the top: it loads numpy, and QGIS starts without.
+        # Imported here because it loads numpy, and QGIS starts without it.
         from ...storage.route_files import is_waypoint_file
 
         return is_waypoint_file(_plain(value)) or super().checkValueIsAcceptable(value, context)
@@ -98,13 +98,12 @@ class AssessRoute(AssessAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Shows what to expect along a planned route: success, error and number of landmarks at every point, the "
-            "longest stretch without an expected fix, and which stretches do better when they are shifted to a side."
-            "\n\n"
-            "The route is a line layer, or the path of a file that planners have: GPX (routes, else tracks, else "
-            "waypoints), KML, a plan of QGroundControl (.plan, surveys included) or a waypoint list (.waypoints). "
-            "Longitude and latitude are transformed to the database’s CRS. Images are simulated as “Assess reference "
-            "database” does, under the noise that you state."
+            "Estimates how well localization works along a planned route. It reports the expected success, error and "
+            "number of landmarks at each point, the longest gap without an expected position, and parallel lines with "
+            "more success.\n\nThe route is a line layer or a file: GPX (routes, otherwise tracks, otherwise "
+            "waypoints), KML, QGroundControl plan (.plan, also surveys) or waypoint list (.waypoints). Longitude and "
+            "latitude are transformed to the CRS of the database. Images are simulated with the given errors, as in "
+            "“Assess reference database”."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
@@ -112,35 +111,30 @@ class AssessRoute(AssessAlgorithm):
             parameters.database(),
             with_help(
                 RouteParameter(self.ROUTE, tr("Route"), types=[SOURCE_LINE]),
-                tr(
-                    "A line layer, or the path of a GPX, KML, .plan or .waypoints file. Every line is a route of its "
-                    "own."
-                ),
+                tr("Line layer, or path of a GPX, KML, .plan or .waypoints file. Each line is a separate route."),
             ),
             *self._lengths(),
             with_help(
                 QgsProcessingParameterNumber(
                     self.TRIALS,
-                    tr("Simulated images a point"),
+                    tr("Simulated images per point"),
                     type=INTEGER,
                     defaultValue=10,
                     minValue=1,
                     maxValue=1000,
                 ),
-                tr("More make the intervals narrower; points near each other learn from each other."),
+                tr(
+                    "Number of simulated images at each point, for example 10. More images give narrower intervals. "
+                    "Nearby points share their results."
+                ),
                 advanced=True,
             ),
             *self.noise_parameters(),
             with_help(
                 QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Points along the route"), type=SOURCE_POINT),
-                tr(
-                    "What to expect at each point; “gap” is the length of the stretch without an expected fix it lies "
-                    "in."
-                ),
+                tr("Expected success at each point. The field “gap” is the length of the gap that contains the point."),
             ),
-            parameters.report(
-                tr("Map of the route, profile of expected success, and its gaps, in one file to read and print.")
-            ),
+            parameters.report(tr("Page with a map of the route, a profile of the expected success, and the gaps.")),
             *self._below_the_route(),
             *route_flights.parameters(),
             QgsProcessingOutputNumber(self.LONGEST_GAP, tr("Longest gap")),
@@ -149,25 +143,29 @@ class AssessRoute(AssessAlgorithm):
         )
 
     def _lengths(self) -> tuple[Declared, ...]:
-        """What may be left out of how the route is flown."""
+        """Return the lengths and the speed of the flight."""
         lengths = (
             (
                 self.SPACING,
-                tr("Spacing (map units)"),
-                tr("Distance between the points; a quarter of the footprint if left out."),
+                tr("Spacing (m)"),
+                tr("Distance between the points. If not set, a quarter of the footprint width."),
             ),
             (
                 self.FOOTPRINT,
-                tr("Footprint (map units)"),
-                tr("Edge of the ground that an image shows; the window size if left out."),
+                tr("Footprint width (m)"),
+                tr("Edge length of the ground that an image shows. If not set, the window size of the database."),
             ),
-            (self.SPEED, tr("Speed (m/s)"), tr("Over ground; gaps are then told in seconds, too.")),
+            (
+                self.SPEED,
+                tr("Speed (m/s)"),
+                tr("Ground speed, for example 20. It is used to give the length of gaps in seconds."),
+            ),
             (
                 self.SHIFT,
-                tr("Largest shift (map units)"),
+                tr("Maximum shift (m)"),
                 tr(
-                    "How far stretches without an expected fix may be shifted to either side; half of it is tried, "
-                    "too. The footprint if left out, 0 for none."
+                    "Maximum distance by which gaps may be moved to the left or right. Half of it is tested, too. If "
+                    "not set, the footprint width. 0 disables it."
                 ),
             ),
         )
@@ -182,18 +180,21 @@ class AssessRoute(AssessAlgorithm):
         )
 
     def _below_the_route(self) -> tuple[Declared, ...]:
-        """What the report's map shows below the route."""
+        """Return the layers that the map of the report shows below the route."""
         return (
             with_help(
                 QgsProcessingParameterFeatureSource(
                     self.ASSESSMENT, tr("Expected success"), types=[SOURCE_POLYGON], optional=True
                 ),
-                tr("The squares that “Assess reference database” wrote, drawn below the route in the report."),
+                tr("Squares of “Assess reference database”. They are drawn below the route in the report."),
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterRasterLayer(self.BASE_MAP, tr("Base map"), optional=True),
-                tr("An orthophoto, map tiles, or the overview of the database, drawn below everything in the report."),
+                tr(
+                    "Orthophoto, map tiles or overview of the database. It is drawn below everything else in the "
+                    "report."
+                ),
                 advanced=True,
             ),
         )
@@ -214,7 +215,9 @@ class AssessRoute(AssessAlgorithm):
             source = values.source(self.ROUTE)
         except ParameterError as error:
             raise ParameterError(
-                "ROUTE is {value}, which is neither a line layer nor a GPX, KML, .plan or .waypoints file.", value=value
+                "The route {value} is not a line layer and not a GPX, KML, .plan or .waypoints file. Select one of "
+                "these.",
+                value=value,
             ) from error
         self._route = route_of_source(source)
 
@@ -229,7 +232,7 @@ class AssessRoute(AssessAlgorithm):
         points = route_points(lines_in(self._route, crs, values.transform_context), spacing)
         inside = _inside(database.parameters.extent, points.places)
         if not inside.any():
-            raise ParameterError("ROUTE lies outside the database’s map; choose another route or database.")
+            raise ParameterError("The route is outside the map of the database. Select another route or database.")
         below = self._picture_below(values, points, crs, feedback) if outputs.wants(self.REPORT) else b""
         assessment = self.assessment(values, database, self.localizer(database, feedback), footprint, feedback)
         count = values.integer(self.TRIALS)
@@ -237,7 +240,7 @@ class AssessRoute(AssessAlgorithm):
         estimates = self._estimate(
             assessment, points.places, min(spacing, footprint / 10), count, feedback, (5, 65 * part)
         )
-        # Off the map there is nothing to agree with.
+        # Outside the map nothing can match.
         for name in ("success", "low", "high"):
             getattr(estimates, name)[~inside] = 0.0
         threshold = self.threshold(values)
@@ -269,7 +272,7 @@ class AssessRoute(AssessAlgorithm):
         feedback: QgsProcessingFeedback,
         share: tuple[float, float],
     ) -> Estimates:
-        """What to expect at places (P, 2), from ``count`` images each within ``reach``."""
+        """Return the estimates at places (P, 2), from ``count`` images each within ``reach``."""
         queries = assessment.plan(places, reach, count * len(places))
         ((trials, correlated),) = self.simulate([assessment], [queries], feedback, *share)
         return cancelable(assessment.estimate, places, trials, correlated, feedback=feedback)
@@ -285,7 +288,7 @@ class AssessRoute(AssessAlgorithm):
         feedback: QgsProcessingFeedback,
         part: float,
     ) -> list[ShiftHint | None]:
-        """A hint, or None, for each stretch: all shifts of all stretches are simulated together."""
+        """Return a hint, or None, for each gap. All shifts of all gaps are simulated together."""
         import numpy as np
 
         from ...core.assessment.route import SHIFTS, best_shift
@@ -295,7 +298,7 @@ class AssessRoute(AssessAlgorithm):
         offsets = [share * largest for share in SHIFTS]
         chosen = np.concatenate([gap.points for gap in stretches])
         places = np.concatenate([points.shifted(chosen, offset) for offset in offsets])
-        feedback.pushInfo(tr("Looking for better lines beside {count} gaps.").format(count=len(stretches)))
+        feedback.pushInfo(tr("Searching better lines beside {count} gaps.").format(count=len(stretches)))
         found = self._estimate(
             assessment, places, 0.0, max(count // 2, 1), feedback, (65 * part, 95 * part)
         ).success.reshape(len(offsets), -1)
@@ -331,9 +334,9 @@ class AssessRoute(AssessAlgorithm):
 
         conditions = self.conditions(values)
         settings = [
-            (tr("Footprint (map units)"), shown(route.footprint, "g")),
-            (tr("Spacing (map units)"), shown(route.spacing, "g")),
-            (tr("Simulated images a point"), str(values.integer(self.TRIALS))),
+            (tr("Footprint width (m)"), shown(route.footprint, "g")),
+            (tr("Spacing (m)"), shown(route.spacing, "g")),
+            (tr("Simulated images per point"), str(values.integer(self.TRIALS))),
             *setting_rows(conditions, route.threshold, assessment.correlation, values.integer(self.SEED)),
         ]
         title = f"{self._route.name}, {os.path.basename(database.source)}"
@@ -357,42 +360,42 @@ class AssessRoute(AssessAlgorithm):
 
     def _log(self, route: AssessedRoute, longest: float, feedback: QgsProcessingFeedback) -> None:
         feedback.pushInfo(
-            tr("{count} points; {share:.0%} of them with an expected success of {threshold:.0%} or more.").format(
+            tr("{count} points. {share:.0%} of them have an expected success of {threshold:.0%} or more.").format(
                 count=len(route.points),
                 share=float((route.estimates.success >= route.threshold).mean()),
                 threshold=route.threshold,
             )
         )
         if longest:
-            feedback.pushInfo(tr("Longest stretch without an expected fix: {length:.0f} m.").format(length=longest))
+            feedback.pushInfo(tr("Longest gap without an expected position: {length:.0f} m.").format(length=longest))
         for gap, hint in zip(route.stretches, route.hints):
             if hint is not None:
                 feedback.pushInfo(hint_text(gap, hint))
 
 
 def _plain(value: Any) -> Any:
-    """What a dialog's “selected features only” is wrapped around."""
+    """Return the value without the wrapper that a dialog adds for “selected features only”."""
     return value.source.staticValue() if isinstance(value, QgsProcessingFeatureSourceDefinition) else value
 
 
 def hint_text(gap: RouteGap, hint: ShiftHint) -> str:
-    """Where a stretch does better, in a sentence."""
+    """Return the sentence about a parallel line with more success."""
     text = (
         tr(
-            "From {start:.0f} to {end:.0f} m: {shift:.0f} m to the left success would be {after:.0%} instead of "
-            "{before:.0%}."
+            "From {start:.0f} m to {end:.0f} m: with a shift of {shift:.0f} m to the left, success rises from "
+            "{before:.0%} to {after:.0%}."
         )
         if hint.offset < 0
         else tr(
-            "From {start:.0f} to {end:.0f} m: {shift:.0f} m to the right success would be {after:.0%} instead of "
-            "{before:.0%}."
+            "From {start:.0f} m to {end:.0f} m: with a shift of {shift:.0f} m to the right, success rises from "
+            "{before:.0%} to {after:.0%}."
         )
     )
     return text.format(start=gap.start, end=gap.end, shift=abs(hint.offset), after=hint.success, before=hint.before)
 
 
 def _wkt(line_xy: np.ndarray) -> str:
-    """A line as Well-Known Text, to a centimeter."""
+    """Return a line as Well-Known Text, rounded to 1 cm."""
     return QgsGeometry.fromPolylineXY([QgsPointXY(x, y) for x, y in line_xy.tolist()]).asWkt(2)
 
 
@@ -407,7 +410,7 @@ def _values(route: AssessedRoute, n: int, gap: RouteGap | None, hint: ShiftHint 
 
     expected = expectation(route.estimates, n, route.threshold, worded)
     if not route.inside[n]:
-        outside = tr("Outside the database’s map.")
+        outside = tr("This point is outside the map of the database.")
         expected.update(error=None, reason="" if expected["success"] >= route.threshold else outside)
     return {
         **expected,

@@ -1,4 +1,4 @@
-"""semref:builddatabase – label map to reference database."""
+"""semref:builddatabase: build a reference database from a label map."""
 
 from __future__ import annotations
 
@@ -58,22 +58,26 @@ class BuildDatabase(SemRefAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Slides windows over a label map and describes each by the topology vector of its landmarks; saves "
-            "windows, landmarks of the whole map, a reduced map, classes and parameters in one GeoPackage.\n\n"
-            "The method is that of He & Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks "
-            "get no vector; the log says how many."
+            "Builds a reference database from a label map. The database contains the landmarks of the map, and "
+            "windows that are described by the topology vectors of their landmarks.\n\nThe result is one GeoPackage "
+            "with windows, landmarks, a reduced map (overview), classes and parameters. The method is that of He & "
+            "Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks have no vector; the log shows "
+            "their number."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
             parameters.label_map(
-                tr("Single-band raster of class values in a metric CRS, as “Rasterize annotation” makes it.")
+                tr(
+                    "Single-band raster of class values in a projected CRS with meters, for example from “Rasterize "
+                    "land-cover layer”."
+                )
             ),
             parameters.reference_classes(
                 tr(
-                    "Classes whose regions are landmarks: names or values separated by “;”, for example "
-                    "building;bare_land;water. If left out, the classes with the role “reference” in the map’s class "
-                    "table."
+                    "Classes that are landmarks: names or values separated by “;”, for example "
+                    "building;bare_land;water. If not set, the classes with the role “reference” in the class table "
+                    "of the map are used."
                 )
             ),
             *self._windows(),
@@ -81,18 +85,18 @@ class BuildDatabase(SemRefAlgorithm):
                 QgsProcessingParameterNumber(
                     self.MINIMUM_AREA, tr("Minimum area (m²)"), type=DOUBLE, defaultValue=100.0, minValue=0.0
                 ),
-                tr("Smaller regions are no landmarks."),
+                tr("Regions smaller than this area are not used as landmarks."),
             ),
             with_help(
                 QgsProcessingParameterFileDestination(
                     self.DATABASE, tr("Reference database"), fileFilter=tr("GeoPackage (*.gpkg)")
                 ),
-                tr("One GeoPackage with the layers windows, references, overview, classes and parameters."),
+                tr("GeoPackage with the layers windows, references, overview, classes and parameters."),
             ),
             with_help(
                 QgsProcessingParameterNumber(
                     self.MAP_ACCURACY,
-                    tr("Accuracy of the map (map units)"),
+                    tr("Map accuracy (m)"),
                     type=DOUBLE,
                     defaultValue=1.1,
                     optional=True,
@@ -100,9 +104,9 @@ class BuildDatabase(SemRefAlgorithm):
                     maxValue=10000.0,
                 ),
                 tr(
-                    "Standard deviation along each axis of where landmarks are on the map. Neighbors are displaced "
-                    "alike, so that it limits how exactly images are located; the radius of fixes reckons with it. "
-                    "1.1 m was measured between maps of two dates."
+                    "Standard deviation of landmark positions on the map, along each axis. It increases the 95 % "
+                    "radius, because neighboring landmarks are displaced together. The default of 1.1 m was measured "
+                    "between maps of two dates."
                 ),
                 advanced=True,
             ),
@@ -113,25 +117,25 @@ class BuildDatabase(SemRefAlgorithm):
         )
 
     def _windows(self) -> tuple[Declared, ...]:
-        """How windows lie and what describes them."""
+        """Return the parameters of windows and vectors."""
         return (
             with_help(
                 QgsProcessingParameterNumber(
-                    self.WINDOW_SIZE, tr("Window size (map units)"), type=DOUBLE, defaultValue=1280.0, minValue=0.001
+                    self.WINDOW_SIZE, tr("Window size (m)"), type=DOUBLE, defaultValue=1280.0, minValue=0.001
                 ),
-                tr("Edge length of a window on the ground: about what an image shows."),
+                tr("Edge length of a window on the ground, about the footprint width of an image."),
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.STRIDE, tr("Stride (map units)"), type=DOUBLE, defaultValue=350.0, minValue=0.001
+                    self.STRIDE, tr("Stride (m)"), type=DOUBLE, defaultValue=350.0, minValue=0.001
                 ),
-                tr("Distance from window to window; at most the window size."),
+                tr("Distance between neighboring windows. It must not be larger than the window size."),
             ),
             with_help(
                 QgsProcessingParameterString(self.LEVELS, tr("Levels"), defaultValue="1", optional=True),
                 tr(
-                    "Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for "
-                    "flights twice as high."
+                    "Multipliers of window size and stride, separated by “;”. For example, 1;2 adds windows of twice "
+                    "the size for flights at twice the height."
                 ),
                 advanced=True,
             ),
@@ -144,7 +148,7 @@ class BuildDatabase(SemRefAlgorithm):
                     minValue=3,
                     maxValue=1000,
                 ),
-                tr("How many of the landmarks nearest to the center a vector holds."),
+                tr("Number of landmarks in a vector: those nearest to the center of the window."),
                 advanced=True,
             ),
         )
@@ -153,8 +157,8 @@ class BuildDatabase(SemRefAlgorithm):
         size, stride = values.number(self.WINDOW_SIZE), values.number(self.STRIDE)
         if stride > size:
             raise ParameterError(
-                "The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be "
-                "missed; make the stride at most the window size.",
+                "The stride ({stride:g}) is larger than the window size ({size:g}), so the windows would leave gaps. "
+                "Enter a stride that is not larger than the window size.",
                 stride=stride,
                 size=size,
             )
@@ -197,7 +201,7 @@ class BuildDatabase(SemRefAlgorithm):
         put: OverviewSink,
         feedback: QgsProcessingFeedback,
     ) -> ReferenceDatabase:
-        """The database, by the workers of SCHEDULER or by threads of this process."""
+        """Build with the workers of SCHEDULER, or with threads of this process."""
         from ...core.database.build import DatabaseBuilder, level_grids
         from ...core.database.tasks import Threads
         from ...storage.label_maps import HeldLabels
@@ -217,19 +221,21 @@ class BuildDatabase(SemRefAlgorithm):
         return builder.database
 
     def _table(self, values: Values, labels: GdalLabels, feedback: QgsProcessingFeedback) -> ClassTable:
-        """The map's class table with the asked reference classes."""
+        """Return the class table of the map with the selected reference classes."""
         from ...storage.label_maps import class_table_of_map, class_table_of_values, count_values
 
         table = class_table_of_map(labels, self._layer.file)
         if table is None:
             table = class_table_of_values(count_values(labels, feedback.isCanceled))
             check_canceled(feedback)
-            feedback.pushInfo(tr("The label map brings no class names; its classes are named by their values."))
+            feedback.pushInfo(tr("The label map contains no class names. The class values are used as names."))
         chosen = values.parts(self.REFERENCE_CLASSES)
         try:
             return (table.with_references(chosen) if chosen else table).require_references()
         except ClassTableError as error:
-            raise ParameterError("{where}: {fault}", where=self.REFERENCE_CLASSES, fault=error.sentence) from None
+            raise ParameterError(
+                "{where}: {fault}", where=values.title(self.REFERENCE_CLASSES), fault=error.sentence
+            ) from None
 
     def _settings(self, values: Values) -> BuildSettings:
         from ...core.database.build import BuildSettings
@@ -253,9 +259,10 @@ class BuildDatabase(SemRefAlgorithm):
             asked = settings.window_size * level, settings.stride * level
             if abs(size - asked[0]) > 1e-9 * size or abs(stride - asked[1]) > 1e-9 * stride:
                 feedback.pushWarning(
-                    tr("Windows are whole pixels: window size {size:g}, stride {stride:g}.").format(
-                        size=size, stride=stride
-                    )
+                    tr(
+                        "Window size and stride were rounded to whole pixels: window size {size:g} m, stride "
+                        "{stride:g} m."
+                    ).format(size=size, stride=stride)
                 )
 
     def _log_result(self, windows: int, references: int, lacking: int, feedback: QgsProcessingFeedback) -> None:
@@ -263,7 +270,7 @@ class BuildDatabase(SemRefAlgorithm):
         feedback.pushInfo(text.format(windows=windows, references=references))
         if lacking:
             feedback.pushWarning(
-                tr("{lacking} windows ({share:.0%}) show fewer than three landmarks and have no vector.").format(
+                tr("{lacking} windows ({share:.0%}) contain fewer than three landmarks and have no vector.").format(
                     lacking=lacking, share=lacking / windows
                 )
             )

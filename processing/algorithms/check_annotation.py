@@ -1,4 +1,4 @@
-"""semref:checkannotation – what is wrong with a land-cover layer, each finding a feature."""
+"""semref:checkannotation: find errors in a land-cover layer."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from ..base.values import Values
 
 READ, CHECKED, BURNT, DONE = 20.0, 70.0, 90.0, 95.0
-"""Percent of the progress after reading, checking, burning at a pixel size, and looking at the pixels."""
+"""Progress in percent after reading, checking, burning at a pixel size, and checking the pixels."""
 
 
 class CheckAnnotation(AnnotationAlgorithm):
@@ -45,16 +45,15 @@ class CheckAnnotation(AnnotationAlgorithm):
     ERROR_COUNT = "ERROR_COUNT"
 
     def title(self) -> str:
-        return tr("Check annotation")
+        return tr("Check land-cover layer")
 
     def summary(self) -> str:
         return tr(
-            "Finds what is wrong with a land-cover layer before it becomes a label map: invalid geometries, overlaps "
-            "that nothing decides, duplicates, gaps and slivers, missing and unknown classes, and landmarks that "
-            "touch, are too small, or that pixels of a given size would lose, merge or split.\n\n"
-            "Each finding is a feature with its kind, severity (error, warning, information), a sentence and the ids "
-            "of the features concerned. A model can stop when the number of errors is not 0. “Repair annotation” "
-            "mends most of it."
+            "Finds errors in a land-cover layer before you make a label map of it. It finds invalid geometries, "
+            "undecided overlaps, duplicates, gaps, slivers, and missing or unknown classes. It also finds landmarks "
+            "that touch, are too small, or are lost, merged or split at a given pixel size.\n\nEach finding is a "
+            "feature with its kind, severity (error, warning, information), a message and the ids of the features. A "
+            "model can stop if the number of errors is not 0. “Repair land-cover layer” repairs most findings."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
@@ -69,29 +68,35 @@ class CheckAnnotation(AnnotationAlgorithm):
                     optional=True,
                     minValue=0.0,
                 ),
-                tr("Smaller landmarks are reported: “Build reference database” leaves them out."),
+                tr(
+                    "Landmarks smaller than this area are reported, because “Build reference database” does not use "
+                    "them. A typical value is 100."
+                ),
             ),
             with_help(
                 QgsProcessingParameterNumber(
                     self.PIXEL_SIZE, tr("Pixel size (m)"), type=DOUBLE, optional=True, minValue=0.001
                 ),
                 tr(
-                    "The pixel size that the layer is to be rasterized with: landmarks that such pixels would lose, "
-                    "merge or split are reported too. Not looked at if left out."
+                    "Pixel size for “Rasterize land-cover layer”. Landmarks that are lost, merged or split at this "
+                    "pixel size are reported too. If not set, this is not checked."
                 ),
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.MAXIMUM_GAP, tr("Largest gap (m²)"), type=DOUBLE, defaultValue=1.0, minValue=0.0
+                    self.MAXIMUM_GAP, tr("Maximum gap (m²)"), type=DOUBLE, defaultValue=1.0, minValue=0.0
                 ),
-                tr("Uncovered places up to this area, enclosed by polygons, are gaps; thin ones are at any area."),
+                tr(
+                    "Uncovered areas up to this size, enclosed by polygons, are reported as gaps. Thin areas are "
+                    "reported at any size."
+                ),
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterFeatureSink(self.ISSUES, tr("Issues"), type=SOURCE_POLYGON),
-                tr("One feature a finding, in the coordinate reference system of the label map."),
+                tr("One feature for each finding, in the CRS of the label map."),
             ),
-            parameters.report(tr("Findings by kind and class in one file to read and print."), by_default=False),
+            parameters.report(tr("Page with the findings by kind and class."), by_default=False),
             QgsProcessingOutputNumber(self.ISSUE_COUNT, tr("Number of findings")),
             QgsProcessingOutputNumber(self.ERROR_COUNT, tr("Number of errors")),
         )
@@ -105,7 +110,7 @@ class CheckAnnotation(AnnotationAlgorithm):
         findings = reading.findings + self._find(values, reading.features, lookup, crs, feedback)
         findings.sort(key=lambda finding: CHECKED_KINDS.index(finding.kind))
         feedback.setProgress(DONE)
-        # Outputs are made last: a cancel before leaves nothing behind.
+        # Outputs are written last, so that a cancel leaves nothing behind.
         check_canceled(feedback)
         names = {c.value: c.name for c in lookup.table}
         with outputs.layer(self.ISSUES, FIELDS, MULTI_POLYGON, crs, "issues") as sink:
@@ -114,7 +119,9 @@ class CheckAnnotation(AnnotationAlgorithm):
         for (kind, severity), number in Counter((f.kind, f.severity) for f in findings).items():
             feedback.pushInfo(f"{kind_titles()[kind]} ({severity_title(severity)}): {number}")
         errors = sum(finding.severity == ERROR for finding in findings)
-        feedback.pushInfo(tr("{issues} findings, {errors} of them errors").format(issues=len(findings), errors=errors))
+        feedback.pushInfo(
+            tr("{issues} findings, {errors} of them are errors.").format(issues=len(findings), errors=errors)
+        )
         if outputs.wants(self.REPORT):
             outputs.text(self.REPORT, AnnotationReport(self._source.name, self._source.count, findings, names).html())
         return {self.ISSUE_COUNT: len(findings), self.ERROR_COUNT: errors}
@@ -127,7 +134,7 @@ class CheckAnnotation(AnnotationAlgorithm):
         crs: QgsCoordinateReferenceSystem,
         feedback: QgsProcessingFeedback,
     ) -> list[Finding]:
-        """Findings on how the features lie, and what pixels do to them if their size is given."""
+        """Return findings on the features and, if a pixel size is given, on what pixels do to them."""
         from ...core.annotation.check import AnnotationCheck, CheckSettings, find_raster_losses
         from ...storage.rasterize import RegionBurning
 

@@ -1,4 +1,4 @@
-"""semref:classifyopenstreetmap – polygons with OpenStreetMap's tags to land cover with classes and priorities."""
+"""semref:classifyopenstreetmap: convert polygons with OpenStreetMap tags to land cover."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ if TYPE_CHECKING:
 
 RULES_PATH = Path(__file__).resolve().parents[2] / "resources" / "openstreetmap" / "rules.csv"
 POLYGONS_OF_OSM = "multipolygons"
-"""Layer of GDAL's reader of OpenStreetMap extracts that has the areas."""
+"""Layer with areas in GDAL's reader of OpenStreetMap extracts."""
 
 FIELDS = (("class", "text"), ("priority", "integer"), ("tag", "text"), ("osm_id", "text"), ("name", "text"))
 ID_COLUMNS = ("osm_id", "osm_way_id", "id", "full_id")
 CHECK_EVERY = 1000
-"""Features between two looks for a cancel."""
+"""Features between two checks for a cancel."""
 
 
 class ClassifyOpenStreetMap(SemRefAlgorithm):
@@ -57,37 +57,38 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Turns polygons with OpenStreetMap’s tags into land cover: building, water, bare land, forest, cultivated "
-            "land, grass and built-up land, with a priority that says what lies on top. The result is an annotation "
-            "layer for “Rasterize annotation”, or for “Annotation to reference database”, which makes a database "
-            "of it in one step.\n\n"
-            "Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles and anything with a column a "
-            "tag or a column of tags. Which tag means which class stands in a table of rules that you may replace by "
-            "your own."
+            "Converts polygons with OpenStreetMap tags to land cover: building, water, bare land, forest, cultivated "
+            "land, grass and built-up land. A priority decides which polygon is on top. Use the result in “Rasterize "
+            "land-cover layer” or “Land-cover layer to reference database”.\n\nThe input may be an extract (.osm, "
+            ".osm.pbf), a QuickOSM layer, a Geofabrik shapefile, or any layer with tags as columns or in one column. "
+            "A table of rules assigns classes to tags; you can select your own table."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
                 QgsProcessingParameterFeatureSource(self.INPUT, tr("OpenStreetMap polygons"), types=[SOURCE_POLYGON]),
-                tr("A layer with tags as columns, or an extract; of an extract its areas are taken."),
+                tr("Layer with tags as columns, or an OpenStreetMap extract. Of an extract, the areas are used."),
             ),
             with_help(
                 QgsProcessingParameterFile(self.RULES, tr("Rules"), fileFilter=tr("CSV files (*.csv)"), optional=True),
                 tr(
-                    "CSV with the columns key, value, class, priority; * stands for any value, an empty class leaves "
-                    "polygons out. If left out, the rules that come with SemRef."
+                    "CSV file with the columns key, value, class, priority. The value * matches any value; an empty "
+                    "class excludes polygons. If not set, the rules of SemRef are used."
                 ),
                 advanced=True,
             ),
             with_help(
-                QgsProcessingParameterString(self.OTHER_CLASS, tr("Class of all others"), optional=True),
-                tr("For polygons that no rule fits, such as building outlines without tags; left out if empty."),
+                QgsProcessingParameterString(self.OTHER_CLASS, tr("Class of other polygons"), optional=True),
+                tr(
+                    "Class of polygons that no rule matches, for example of building outlines without tags. If empty, "
+                    "these polygons are left out."
+                ),
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Land cover"), type=SOURCE_POLYGON),
-                tr("The polygons that have a class, with the fields class, priority, tag, osm_id and name."),
+                tr("Polygons with a class, with the fields class, priority, tag, osm_id and name."),
             ),
             QgsProcessingOutputNumber(self.FEATURE_COUNT, tr("Number of polygons with a class")),
         )
@@ -104,8 +105,8 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
         other = values.text(self.OTHER_CLASS).strip()
         if len(other) > limits.NAME_CHARACTERS:
             raise ParameterError(
-                "{key} has more than {most} characters; give a shorter name.",
-                key=self.OTHER_CLASS,
+                "“{key}” has more than {most} characters. Enter a shorter name.",
+                key=values.title(self.OTHER_CLASS),
                 most=limits.NAME_CHARACTERS,
             )
         counts: Counter[str] = Counter()
@@ -124,20 +125,20 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
         if not counts:
             columns = self._source.fields().names()
             raise ParameterError(
-                "No polygon of “{source}” has a tag that the rules know; its columns are {columns}. Choose a layer "
-                "with OpenStreetMap's tags, other RULES, or an OTHER_CLASS.",
+                "No rule matches a tag of “{source}”. Its columns are: {columns}. Select a layer with OpenStreetMap "
+                "tags or other rules, or enter a class of other polygons.",
                 source=self._source.sourceName(),
                 columns=columns,
             )
         for name, count in counts.most_common():
             feedback.pushInfo(tr("{name}: {count} polygons").format(name=name, count=count))
-        feedback.pushInfo(tr("Left out, without a class or an area: {count}").format(count=left_out))
+        feedback.pushInfo(tr("Left out, because they have no class or no area: {count}").format(count=left_out))
         return {self.FEATURE_COUNT: sum(counts.values())}
 
     def _features(self, feedback: QgsProcessingFeedback) -> Iterator[tuple[QgsGeometry | None, dict[str, object]]]:
-        """The polygons of each feature and its value by column.
+        """Yield the polygons of each feature and its values by column.
 
-        Raises ParameterError where a file ends early: QGIS would take what it read for all that there is.
+        Raises ParameterError where a file ends early: QGIS would use what it read as if it were complete.
         """
         from ...storage.gdal_errors import gdal_failures
 
@@ -151,16 +152,16 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
         if failures:
             source, reason = self._source.sourceName(), failures[0]
             raise ParameterError(
-                "“{source}” can't be read to its end: {reason}. Copy or download it again.",
+                "“{source}” cannot be read completely: {reason}. Copy or download it again.",
                 source=source,
                 reason=reason,
             )
 
 
 def row_of(columns: dict[str, object], rules: Rules, other: str) -> dict[str, object] | None:
-    """The attributes of a polygon's land cover, by FIELDS; None for one that is left out.
+    """Return the attributes of a land-cover polygon, by FIELDS; None for one that is left out.
 
-    ``columns``: value by column as QGIS has them; ``other``: the class where no rule fits, empty for none.
+    ``columns``: values by column; ``other``: the class where no rule matches, or empty.
     """
     from ...core.labels.openstreetmap import tags_of
 
@@ -179,7 +180,7 @@ def row_of(columns: dict[str, object], rules: Rules, other: str) -> dict[str, ob
 
 
 def polygons_of(geometry: QgsGeometry) -> QgsGeometry | None:
-    """The polygons of a geometry as a multipolygon without heights; None where it has none."""
+    """Return the polygons of a geometry as a multipolygon without heights; None without polygons."""
     if geometry.isNull() or geometry.isEmpty() or geometry.type() != POLYGON_GEOMETRY:
         return None
     geometry.convertToStraightSegment()

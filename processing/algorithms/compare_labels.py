@@ -1,4 +1,4 @@
-"""semref:comparelabels – where a prediction disagrees with the annotation, and how much."""
+"""semref:comparelabels: compare a predicted label map with an annotated one."""
 
 from __future__ import annotations
 
@@ -59,65 +59,66 @@ class CompareLabels(SemRefAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall "
-            "accuracy, and the places where they disagree as polygons, the largest first.\n\n"
-            "Classes are matched by name, or by value where the maps share no names. Maps of different pixel sizes are "
-            "compared on the pixels of the annotated one. Pixels without annotation are left out; pixels without "
-            "prediction count as wrong.\n\n"
-            "The report also tells how far from where they are the landmarks of each class are shown: a network’s "
-            "bias, which an image’s position inherits. With a model it is written into a copy of it, for “Localize "
-            "images” to take it off."
+            "Compares a predicted label map with an annotated label map. The result is a confusion matrix, the IoU of "
+            "each class, the overall accuracy, and polygons where the maps disagree, the largest first.\n\nClasses "
+            "are matched by name, or by value if the maps share no names. Maps with different pixel sizes are "
+            "compared on the pixels of the annotated map. Pixels without annotation are not used; pixels without "
+            "prediction count as wrong.\n\nThe report also contains the class offset: the distance by which the model "
+            "shows each class off its true position. If you select the model, the offset is saved in a copy of it. "
+            "“Localize images” then corrects for it."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
                 QgsProcessingParameterRasterLayer(self.REFERENCE, tr("Annotated label map")),
-                tr("What is held to be true: single-band class values, for example from “Rasterize annotation”."),
+                tr("Label map that is correct, for example from “Rasterize land-cover layer”."),
             ),
             with_help(
                 QgsProcessingParameterRasterLayer(self.PREDICTED, tr("Predicted label map")),
-                tr("What is checked, for example from “Segment image”. It must be in the CRS of the annotated map."),
+                tr("Label map to check, for example from “Segment image”. It must have the CRS of the annotated map."),
             ),
             with_help(
                 QgsProcessingParameterNumber(
                     self.MINIMUM_AREA, tr("Minimum area"), type=DOUBLE, defaultValue=10.0, optional=True, minValue=0.0
                 ),
                 tr(
-                    "Smaller disagreements give no polygon, and landmarks so small are not counted; square map units, "
-                    "pixels without georeference."
+                    "Disagreements and landmarks smaller than this area are not counted, in square map units (square "
+                    "pixels without a georeference)."
                 ),
             ),
             with_help(
                 QgsProcessingParameterFeatureSink(self.DISAGREEMENTS, tr("Disagreements"), type=SOURCE_POLYGON),
-                tr("One polygon a connected place where the same two classes are confused, ranked by area."),
+                tr("One polygon for each connected area where the same two classes are confused, ranked by area."),
             ),
             parameters.report(
                 tr(
-                    "A page with the confusion matrix as a picture, the figures of each class and the landmarks that "
-                    "were missed, invented and misnamed. Assessments take it as COMPARISON."
+                    "Page with the confusion matrix, the accuracy of each class, and the missed, spurious and "
+                    "mislabeled landmarks. “Assess reference database”, “Assess route” and “Evaluate localization” "
+                    "can read it."
                 ),
                 by_default=False,
             ),
             parameters.model(
-                tr("The network that made the predicted map, if the bias of its classes is to be written into a copy."),
+                tr("Model that made the predicted map. Select it to save the class offset in a copy of the model."),
                 optional=True,
             ),
             parameters.sun_direction(
                 tr(
-                    "Where the sun stood when the predicted image was taken, in degrees clockwise from grid north: a "
-                    "bias that shadows make turns with it. If left out, the bias is the same under any sun."
+                    "Azimuth of the sun when the predicted image was taken, in degrees clockwise from grid north. A "
+                    "class offset that shadows cause turns with the sun. If not set, the offset is the same for all "
+                    "directions of the sun."
                 )
             ),
             with_help(
                 QgsProcessingParameterFileDestination(
                     self.MODEL_OUTPUT,
-                    tr("Model with bias"),
+                    tr("Model with class offset"),
                     fileFilter=tr("ONNX models (*.onnx)"),
                     optional=True,
                     createByDefault=False,
                 ),
-                tr("A copy of the model whose metadata say how far off it shows its classes, in meters."),
+                tr("Copy of the model with the class offset, in meters, in its metadata."),
                 advanced=True,
             ),
             QgsProcessingOutputNumber(self.MEAN_IOU, tr("Mean IoU")),
@@ -136,14 +137,14 @@ class CompareLabels(SemRefAlgorithm):
 
         require_one_crs(*self._layers)
         if outputs.wants(self.MODEL_OUTPUT) and not values.file(self.MODEL):
-            raise ParameterError("MODEL_OUTPUT is a copy of the model; give the network as MODEL.")
+            raise ParameterError("“Model with class offset” is a copy of the model. Select the model as well.")
         paths = [layer.path for layer in self._layers]
         pair = LabelMapPair(*paths)
         match = self._match(pair, feedback)
         with DisagreementMap(pair) as disagreements:
             feedback.setProgressText(tr("Comparing"))
             comparison = LabelComparison(self._count(pair, match, disagreements, feedback))
-            feedback.setProgressText(tr("Outlining the disagreements"))
+            feedback.setProgressText(tr("Making polygons of the disagreements"))
             polygons = self._polygons(disagreements, values.number(self.MINIMUM_AREA), feedback)
         feedback.setProgressText(tr("Comparing landmarks"))
         shifts = measure_shifts(pair, match, comparison, self._layers[0].crs, feedback)
@@ -152,13 +153,12 @@ class CompareLabels(SemRefAlgorithm):
             outputs.text(self.REPORT, comparison_html(comparison, match, shifts, errors, *paths))
         self._write_model(values, outputs, shifts)
         self._write(outputs, polygons, match)
-        feedback.pushInfo(tr("{count} places disagree.").format(count=len(polygons)))
+        feedback.pushInfo(tr("{count} areas disagree.").format(count=len(polygons)))
         _log(comparison, match, feedback)
         log_shifts(shifts, feedback)
         return {self.MEAN_IOU: comparison.mean_iou, self.OVERALL_ACCURACY: comparison.overall_accuracy}
 
     def _write_model(self, values: Values, outputs: Outputs, shifts: MeasuredShifts) -> None:
-        """The copy of the model, where it is wanted."""
         from ..base.compared_landmarks import model_with_biases
 
         if outputs.wants(self.MODEL_OUTPUT):
@@ -174,16 +174,16 @@ class CompareLabels(SemRefAlgorithm):
         maps = (pair.reference, pair.predicted)
         match = match_classes(*(class_table_of_map(labels, layer.file) for labels, layer in zip(maps, self._layers)))
         if not match.by_name:
-            feedback.pushWarning(tr("The maps share no class names: classes are matched by their values."))
+            feedback.pushWarning(tr("The maps share no class names. Classes are matched by their values."))
         elif match.only_predicted:
-            text = tr("Classes that only the predicted map has: {names}.")
+            text = tr("Classes in the predicted map only: {names}.")
             feedback.pushWarning(text.format(names=", ".join(match.only_predicted)))
         return match
 
     def _count(
         self, pair: LabelMapPair, match: ClassMatch, disagreements: DisagreementMap, feedback: QgsProcessingFeedback
     ) -> np.ndarray:
-        """(256, 256) pixels of each pair of classes; draws where they disagree."""
+        """Return (256, 256) counts of pixels for each pair of classes, and draw where they disagree."""
         import numpy as np
 
         from ...core.labels.comparison import count_pairs, disagreement_codes
@@ -201,7 +201,7 @@ class CompareLabels(SemRefAlgorithm):
     def _polygons(
         self, disagreements: DisagreementMap, minimum_area: float, feedback: QgsProcessingFeedback
     ) -> list[tuple[int, float, bytes]]:
-        """[(code, area, outline as WKB)], the largest first; raises Canceled, also while they are being made."""
+        """Return [(code, area, outline as WKB)], the largest first. Raises Canceled, also while polygons are made."""
 
         def proceed(share: float) -> bool:
             feedback.setProgress(40 + 40 * share)
@@ -232,10 +232,10 @@ class CompareLabels(SemRefAlgorithm):
 def _log(comparison: LabelComparison, match: ClassMatch, feedback: QgsProcessingFeedback) -> None:
     for value in comparison.values:
         if value:
-            text = tr("{name}: IoU {iou:.1%}, {pixels} pixels annotated")
+            text = tr("{name}: IoU {iou:.1%}, {pixels} annotated pixels")
             pixels = int(comparison.annotated[value])
             feedback.pushInfo(text.format(name=match.name(value), iou=comparison.iou(value), pixels=pixels))
-    text = tr("Mean IoU {iou:.1%}, overall accuracy {accuracy:.1%} of {pixels} pixels.")
+    text = tr("Mean IoU {iou:.1%}, overall accuracy {accuracy:.1%}, {pixels} pixels.")
     feedback.pushInfo(
         text.format(iou=comparison.mean_iou, accuracy=comparison.overall_accuracy, pixels=comparison.pixels)
     )

@@ -1,4 +1,4 @@
-"""semref:decodecolorlabels – color label image to label map."""
+"""semref:decodecolorlabels: convert a color label image to a label map."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from ..base.values import Values
 
 ROWS_PIXELS = 4_000_000
-"""Pixels decoded at a time."""
+"""Pixels that are decoded at once."""
 
 
 class DecodeColorLabels(SemRefAlgorithm):
@@ -42,22 +42,21 @@ class DecodeColorLabels(SemRefAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Turns an image that shows classes as colors into a label map, by the HSV ranges of the class table as "
-            "published or by the nearest class color.\n\n"
-            "Pixels that no range covers are unlabeled (0). With nearest color, black is unlabeled unless a class is "
-            "black."
+            "Converts an image that shows classes as colors to a label map. Classes are found by the HSV ranges of "
+            "the class table, as in the published method, or by the nearest class color.\n\nPixels outside all ranges "
+            "are unlabeled (0). With “Nearest color”, black is unlabeled unless a class is black."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
                 QgsProcessingParameterRasterLayer(self.INPUT, tr("Color label image")),
-                tr("Image with at least three bands (red, green, blue) of 8 bits."),
+                tr("Image with at least three 8-bit bands (red, green, blue)."),
             ),
             parameters.class_table(
                 tr(
-                    "CSV with the columns value, name, color, role and, for HSV ranges, hsv_min and hsv_max (“h s v”, "
-                    "h 0–180, s and v 0–255; the hue may wrap)."
+                    "CSV file with the columns value, name, color, role and, for HSV ranges, hsv_min and hsv_max (“h "
+                    "s v”, h from 0 to 180, s and v from 0 to 255; the hue may wrap around)."
                 ),
                 optional=False,
             ),
@@ -68,11 +67,11 @@ class DecodeColorLabels(SemRefAlgorithm):
                     options=(tr("HSV ranges"), tr("Nearest color")),
                     defaultValue=self.HSV_RANGES,
                 ),
-                tr("HSV ranges follow the publication; nearest color forgives blended edges."),
+                tr("“HSV ranges” is the published way. “Nearest color” also labels blended colors at edges."),
             ),
             with_help(
                 QgsProcessingParameterRasterDestination(self.OUTPUT, tr("Label map")),
-                tr("GeoTIFF, 8 bits a pixel, on the grid of the image."),
+                tr("8-bit GeoTIFF with the pixels of the image."),
             ),
         )
 

@@ -1,4 +1,4 @@
-"""semref:describeimage – the landmarks and the topology vector of one label image."""
+"""semref:describeimage: the landmarks and the topology vector of one label image."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from ..base.values import Values
 
 NO_GEOREFERENCE = (0.0, 1.0, 0.0, 0.0, 0.0, -1.0)
-"""Geotransform of an image without one: pixels, y up."""
+"""Geotransform of an image without a georeference: pixels, y up."""
 
 FIELDS = (
     ("class", "integer"),
@@ -65,25 +65,28 @@ class DescribeImage(SemRefAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Shows what localization sees in a label image: its landmarks as points and its topology vector.\n\n"
-            "The image is described in its largest centered square, exactly as the windows of a database are. With a "
-            "database its classes, minimum area and vector length are used; without one, give them here."
+            "Shows what localization uses of a label image: its landmarks as points, and its topology vector.\n\nThe "
+            "image is described in its largest centered square, like the windows of a database. With a database, its "
+            "classes, minimum area and vector length are used. Without a database, set them here."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
                 QgsProcessingParameterRasterLayer(self.INPUT, tr("Label image")),
-                tr("Single-band class values, or colors decoded by the class table. It needs no georeference."),
+                tr("Single-band class values, or colors of the class table. A georeference is not needed."),
             ),
             parameters.database(
-                tr("The image is described as this database’s windows are; the settings below are then not used."),
+                tr("Database with the settings to use. The settings below are then ignored."),
                 optional=True,
             ),
             *self._without_database(),
             with_help(
                 QgsProcessingParameterFeatureSink(self.REFERENCES, tr("Landmarks"), type=SOURCE_POINT),
-                tr("Points with class, area and pixel position; in pixels (y up, negative) without georeference."),
+                tr(
+                    "Points with class, area and pixel position. Without a georeference the coordinates are pixels (y "
+                    "up, negative)."
+                ),
             ),
             with_help(
                 QgsProcessingParameterFileDestination(
@@ -93,34 +96,40 @@ class DescribeImage(SemRefAlgorithm):
                     optional=True,
                     createByDefault=False,
                 ),
-                tr("Distance ratios, angle differences and class ranks, with the classes used."),
+                tr("Distance ratios, angle differences, class ranks, and the classes that were used."),
             ),
             QgsProcessingOutputNumber(self.REFERENCE_COUNT, tr("Number of landmarks")),
         )
 
     def _without_database(self) -> tuple[Declared, ...]:
-        """What a database would tell."""
+        """Return the settings that a database replaces."""
         return (
             parameters.class_table(
-                tr("Without a database: the classes. If left out, those that the label image itself carries.")
+                tr(
+                    "Classes of the image, if no database is selected. If not set, the class table of the label image "
+                    "is used."
+                )
             ),
             parameters.reference_classes(
                 tr(
-                    "Without a database: names or values separated by “;”. If left out, the role in the class table "
-                    "counts."
+                    "Classes that are landmarks, if no database is selected: names or values separated by “;”. If not "
+                    "set, the roles in the class table are used."
                 )
             ),
             with_help(
                 QgsProcessingParameterNumber(
                     self.MINIMUM_AREA, tr("Minimum area"), type=DOUBLE, defaultValue=100.0, minValue=0.0
                 ),
-                tr("Without a database: smallest landmark in square map units, in pixels without georeference."),
+                tr(
+                    "Smallest landmark, if no database is selected, in square map units (square pixels without a "
+                    "georeference)."
+                ),
             ),
             with_help(
                 QgsProcessingParameterNumber(
                     self.REFERENCES_PER_VECTOR, tr("Landmarks per vector"), type=INTEGER, defaultValue=10, minValue=3
                 ),
-                tr("Without a database: how many of the landmarks nearest to the center the vector holds."),
+                tr("Number of landmarks in the vector, if no database is selected: those nearest to the center."),
                 advanced=True,
             ),
         )
@@ -147,11 +156,12 @@ class DescribeImage(SemRefAlgorithm):
             tr("{count} landmarks in the centered square of {size} pixels.").format(count=count, size=described.size)
         )
         if described.vector is None:
-            feedback.pushWarning(tr("Fewer than three landmarks: the image has no topology vector."))
+            feedback.pushWarning(tr("The image shows fewer than three landmarks, so it has no topology vector."))
         return {self.REFERENCE_COUNT: count}
 
     def _settings(self, values: Values, transform: tuple[float, ...]) -> tuple[ClassTable, Callable[[int], float], int]:
-        """(class table, function square size → area fraction, vector length), from the database or the parameters."""
+        """Return (class table, function from square size to area fraction, vector length) of the database or the
+        parameters."""
         from ...storage.database.reader import read_database
         from ...storage.label_maps import stored_class_table
         from ...storage.rasters import open_raster
@@ -165,7 +175,9 @@ class DescribeImage(SemRefAlgorithm):
         if table is None:
             table = stored_class_table(open_raster(self._layer.path), self._layer.path)
         if table is None:
-            raise ParameterError("Give DATABASE or CLASS_TABLE: the label image brings no class table of its own.")
+            raise ParameterError(
+                "The label image contains no class table. Select a reference database or a class table."
+            )
         chosen = values.parts(self.REFERENCE_CLASSES)
         table = (table.with_references(chosen) if chosen else table).require_references()
         area = values.number(self.MINIMUM_AREA)
@@ -203,7 +215,6 @@ class DescribeImage(SemRefAlgorithm):
 
 
 def _vector(described: DescribedImage, table: ClassTable, length: int) -> dict:
-    """The topology vector as it is written."""
     vector: list[float] | None = None
     if described.vector is not None:
         vector = [round(float(v), 7) for v in described.vector]

@@ -1,4 +1,4 @@
-"""semref:evaluatelocalization – how well a database localizes, by seeded trials with known truth."""
+"""semref:evaluatelocalization: measure how well a database localizes, by seeded trials with ground truth."""
 
 from __future__ import annotations
 
@@ -59,10 +59,10 @@ USUAL: dict[str, tuple[float, float]] = {
 """Default ranges by key."""
 
 ORDER = (Method.AUTOMATIC, Method.CONSTELLATION, Method.MAP_CORRELATION, Method.TOPOLOGY_VECTOR)
-"""Of several methods the grid of noise is about the first."""
+"""The first of the selected methods is the one of the noise table and the outputs."""
 
 _TRIALS_A_TASK = 4
-"""Of some hundred milliseconds each."""
+"""Trials of some hundred milliseconds each."""
 
 
 class EvaluateLocalization(SemRefAlgorithm):
@@ -90,12 +90,12 @@ class EvaluateLocalization(SemRefAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Tries a reference database: images with known truth are cut from a label map, turned, scaled, moved off "
-            "the windows and spoiled, then localized with one method or several.\n\n"
-            "The report compares the methods, with the two tables of He & Wu 2025, success against offset and noise, "
-            "errors, false accepts and what the confidence is worth. Same seed, same result. Use a label map of "
-            "another date than the database’s for an honest answer, and 0 for “Map displaced” then: on its own map a "
-            "database always does better."
+            "Tests a reference database with images of known position. The images are cut from a label map, rotated, "
+            "scaled, moved off the windows, given label errors, and localized with one or more methods.\n\nThe report "
+            "compares the methods: the two tables of He & Wu 2025, success by offset and errors, position errors, "
+            "false positions, and the reliability of the confidence. The same seed gives the same result. Use a label "
+            "map of another date than that of the database, with a map displacement of 0. A test on the map of the "
+            "database itself is too optimistic."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
@@ -103,8 +103,8 @@ class EvaluateLocalization(SemRefAlgorithm):
             parameters.database(),
             parameters.label_map(
                 tr(
-                    "The map that images are cut from: the database’s own or another of the same ground, in the "
-                    "database’s CRS and with its classes; the pixel size may differ."
+                    "Label map that images are cut from: the map of the database, or another map of the same ground. "
+                    "It needs the CRS and the classes of the database; the pixel size may differ."
                 )
             ),
             with_help(
@@ -116,8 +116,8 @@ class EvaluateLocalization(SemRefAlgorithm):
                     defaultValue=[0, 1],
                 ),
                 tr(
-                    "Tried on the same images, side by side. The outputs’ rates and the grid of noise are those of the "
-                    "first of automatic, constellation, map correlation, topology vector that is chosen."
+                    "Methods to compare on the same images. The output numbers and the noise table use the first "
+                    "selected method in the order Automatic, Constellation, Map correlation, Published method."
                 ),
             ),
             *self._numbers(),
@@ -129,31 +129,32 @@ class EvaluateLocalization(SemRefAlgorithm):
             with_help(
                 QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Trials"), type=SOURCE_POINT),
                 tr(
-                    "A point for each trial and method at the true position, with what was found and how far off it is."
+                    "One point for each trial and method at the true position, with the computed position and its "
+                    "error."
                 ),
             ),
-            parameters.report(tr("Tables and charts in one file to read and print.")),
+            parameters.report(tr("Page with tables and charts.")),
             with_help(
                 QgsProcessingParameterFileDestination(
                     self.JSON, tr("Numbers"), fileFilter=tr("JSON files (*.json)"), optional=True, createByDefault=False
                 ),
-                tr("All that the report shows, for scripts."),
+                tr("All numbers of the report, for scripts."),
             ),
             QgsProcessingOutputNumber(self.SUCCESS_RATE, tr("Success rate")),
             QgsProcessingOutputNumber(self.MEDIAN_ERROR, tr("Median error")),
-            QgsProcessingOutputNumber(self.FALSE_ACCEPT_RATE, tr("False accept rate")),
+            QgsProcessingOutputNumber(self.FALSE_ACCEPT_RATE, tr("False positions")),
         )
 
     def _numbers(self) -> tuple[Declared, ...]:
-        """How many images are tried."""
+        """Return the numbers of trials."""
         return (
             with_help(
                 QgsProcessingParameterNumber(
                     self.TRIALS, tr("Trials"), type=INTEGER, defaultValue=200, minValue=1, maxValue=1_000_000
                 ),
                 tr(
-                    "Number of images. The report needs about 1.5 times as many again for noise and offset, and 66 for "
-                    "its tables."
+                    "Number of images. The report needs about 1.5 times as many additional images for noise and "
+                    "offset, and 66 for its tables."
                 ),
             ),
             with_help(
@@ -166,30 +167,30 @@ class EvaluateLocalization(SemRefAlgorithm):
                     maxValue=90.0,
                 ),
                 tr(
-                    "Part of the trials that show a mirrored piece of the map. They look like the map but can never be "
-                    "right: a fix of one is a false accept."
+                    "Share of trials that show a mirrored part of the map. Such an image has no correct position, so "
+                    "each computed position is false."
                 ),
             ),
         )
 
     def _range_parameters(self) -> list[Declared]:
-        """What trials draw their values from."""
+        """Return the ranges that the values of trials are drawn from."""
         defaults = {key: f"{low:g},{high:g}" for key, (low, high) in USUAL.items()}
         ranges = (
-            (self.SCALE, tr("Scale"), tr("Ground that an image shows, as a multiple of the window size.")),
+            (self.SCALE, tr("Scale"), tr("Footprint width of an image, as a multiple of the window size.")),
             (
                 self.OFFSET,
                 tr("Offset"),
                 tr(
-                    "Distance of an image’s center from the nearest window’s, as a share of the stride: 0 to 0 lies on "
-                    "the windows, 0 to 0.5 anywhere."
+                    "Distance from the center of an image to the center of the nearest window, as a share of the "
+                    "stride. 0 to 0 means on the windows, 0 to 0.5 anywhere."
                 ),
             ),
-            (self.ROTATION, tr("Rotation (°)"), tr("Heading of an image’s top, clockwise from grid north.")),
+            (self.ROTATION, tr("Rotation (°)"), tr("Heading of the top of an image, clockwise from grid north.")),
             *parameters.noises(),
             *parameters.shared_errors(),
         )
-        # Optional, because QGIS ignores the default of a range that is not.
+        # Optional, because QGIS ignores the default of a mandatory range.
         return [
             with_help(
                 QgsProcessingParameterRange(key, title, type=DOUBLE, defaultValue=defaults[key], optional=True),
@@ -200,21 +201,27 @@ class EvaluateLocalization(SemRefAlgorithm):
         ]
 
     def _judging(self) -> tuple[Declared, ...]:
-        """Where trials lie, and what is right."""
+        """Return where trials are, and which positions are right."""
         return (
             with_help(
                 QgsProcessingParameterNumber(
-                    self.MINIMUM_REFERENCES, tr("Landmarks in the window"), type=INTEGER, defaultValue=3, minValue=0
+                    self.MINIMUM_REFERENCES,
+                    tr("Minimum landmarks in the window"),
+                    type=INTEGER,
+                    defaultValue=3,
+                    minValue=0,
                 ),
-                tr("Trials lie around windows that have at least so many landmarks; 20 leaves open country out."),
+                tr(
+                    "Trials are placed around windows with at least this number of landmarks. 20 excludes open country."
+                ),
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.RIGHT_WITHIN, tr("Right within (map units)"), type=DOUBLE, optional=True, minValue=0.0
+                    self.RIGHT_WITHIN, tr("Right within (m)"), type=DOUBLE, optional=True, minValue=0.0
                 ),
                 tr(
-                    "How far off a fix may be to count as right. If left out, 2 % of the edge of the ground that the "
-                    "image shows. The topology vector is right when it names the nearest window."
+                    "Largest error of a position that counts as right. If not set, 2 % of the footprint width. A "
+                    "position of “Published method” is right if it names the nearest window."
                 ),
                 advanced=True,
             ),
@@ -226,7 +233,7 @@ class EvaluateLocalization(SemRefAlgorithm):
         require_scheduler(values)
 
     def _ranges(self, values: Values) -> TrialRanges:
-        """Raises ParameterError for ranges that can't be."""
+        """Return the ranges. Raises ParameterError for impossible ranges."""
         from ...core.evaluation.evaluation import TrialRanges
 
         ranges = noise_ranges(values, USUAL, values.range)
@@ -259,7 +266,7 @@ class EvaluateLocalization(SemRefAlgorithm):
                 tried = run.answers(EVALUATE, self._job, jobs, database, _TRIALS_A_TASK)
             trials = [trial for of_image in with_progress(tried, len(jobs), feedback, 0, 98) for trial in of_image]
         feedback.pushInfo(tr("{seconds:.0f} s.").format(seconds=time.monotonic() - started))
-        # Everything is written last: a cancel before leaves nothing behind.
+        # Everything is written last, so that a cancel leaves nothing behind.
         check_canceled(feedback)
         self._write_texts(values, outputs, trials, methods, evaluation)
         self._write_points(outputs, trials, crs)
@@ -272,22 +279,22 @@ class EvaluateLocalization(SemRefAlgorithm):
         }
 
     def _jobs(self, values: Values, evaluation: Evaluation, methods: list[Method], is_reported: bool) -> list[Job]:
-        """What is tried with which methods; reports need more."""
+        """Return the trials with their methods; reports need additional trials."""
         mirrored = values.number(self.MIRRORED) / 100
         return evaluation.plan(methods, values.integer(self.TRIALS), mirrored, is_reported)
 
     def _methods(self, values: Values) -> dict[Method, str]:
-        """Chosen methods with their titles, the one that the outputs are about first."""
+        """Return the selected methods with their titles, the one of the outputs first."""
         chosen = values.choices(self.METHODS)
         if not chosen:
-            raise ParameterError("METHODS is empty; choose at least one method.")
-        # The published method is what the others are compared with.
+            raise ParameterError("“Methods” is empty. Select at least one method.")
+        # The others are compared with the published method.
         return {method: worded(method.title) for method in ORDER if method.number in chosen}
 
     def _evaluation(
         self, values: Values, feedback: QgsProcessingFeedback
     ) -> tuple[Evaluation, ReferenceDatabase, QgsCoordinateReferenceSystem]:
-        """(Evaluation, database, its CRS); raises SemRefError when map and database don't belong together."""
+        """Return (Evaluation, database, its CRS). Raises SemRefError if map and database do not belong together."""
         from ...core.evaluation.evaluation import EvaluationJob
         from ...storage.database.reader import read_database
         from ...storage.label_maps import GdalLabels
@@ -311,13 +318,14 @@ class EvaluateLocalization(SemRefAlgorithm):
         return self._job.evaluation(database, labels), database, crs
 
     def _check_map(self, labels: GdalLabels, database: ReferenceDatabase, crs: QgsCoordinateReferenceSystem) -> None:
-        """Raises LabelMapError unless the label map has the database's CRS and classes."""
+        """Raises LabelMapError unless the label map has the CRS and the classes of the database."""
         from ...storage.label_maps import require_classes_of
         from ..layers.reference_systems import describe_crs
 
         if self._layer.crs != crs:
             raise LabelMapError(
-                "{path} is in {crs} and the database in {database_crs}; warp the label map to the database’s CRS.",
+                "The CRS of {path} ({crs}) differs from the CRS of the database ({database_crs}). Warp the label map "
+                "to the CRS of the database.",
                 path=self._layer.path,
                 crs=describe_crs(self._layer.crs),
                 database_crs=describe_crs(crs),
@@ -332,7 +340,6 @@ class EvaluateLocalization(SemRefAlgorithm):
         methods: dict[Method, str],
         evaluation: Evaluation,
     ) -> None:
-        """Report and JSON where they are wanted."""
         from ...core.evaluation.as_json import evaluation_json
         from ..reports.evaluation_report import EvaluationReport, tried_ground
 
@@ -348,7 +355,7 @@ class EvaluateLocalization(SemRefAlgorithm):
             outputs.text(self.JSON, evaluation_json(trials, list(methods), settings, evaluation.tried_windows))
 
     def _settings(self, values: Values) -> dict[str, Any]:
-        """Values by key as they were used."""
+        """Return the values that were used, by key."""
         return {
             self.TRIALS: values.integer(self.TRIALS),
             self.MIRRORED: values.number(self.MIRRORED),
@@ -374,7 +381,7 @@ class EvaluateLocalization(SemRefAlgorithm):
         for method, title in methods.items():
             summary = summarize(trials, method)
             feedback.pushInfo(
-                tr("{method}: right {right}, wrong {wrong}, false accepts {accepts}, median error {error}").format(
+                tr("{method}: right {right}, wrong {wrong}, false positions {accepts}, median error {error}").format(
                     method=title,
                     right=rate_text(summary.right),
                     wrong=rate_text(summary.wrong),
@@ -385,7 +392,7 @@ class EvaluateLocalization(SemRefAlgorithm):
 
 
 def _setting_text(value: Any) -> str:
-    """As the report shows it: ranges as “0.8–1.25”, what was left out as “2 % of the ground’s edge”."""
+    """Return a setting as the report shows it: ranges as “0.8–1.25”, None as “2 % of the footprint width”."""
     if isinstance(value, list):
         return "–".join(f"{limit:g}" for limit in value)
-    return tr("2 % of the ground’s edge") if value is None else f"{value:g}"
+    return tr("2 % of the footprint width") if value is None else f"{value:g}"

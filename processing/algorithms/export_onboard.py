@@ -1,4 +1,4 @@
-"""semref:exportonboard – a reference database as one small file for the aircraft's computer."""
+"""semref:exportonboard: export a reference database as one small file for the aircraft."""
 
 from __future__ import annotations
 
@@ -51,10 +51,9 @@ class ExportOnboard(SemRefAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Writes a reference database as one small file (.npz) for a computer without QGIS: install the Python "
-            "package semref there and run “semref localize”.\n\n"
-            "Positions, areas and vectors are rounded; the log says how much. An older onboard file is replaced, which "
-            "the log says; a file of any other kind is never overwritten."
+            "Writes a reference database to one small file (.npz) for a computer without QGIS. Install the Python "
+            "package semref on that computer and run “semref localize”.\n\nPositions, areas and vectors are rounded; "
+            "the log shows the largest error. An existing onboard file is replaced. Other files are never overwritten."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
@@ -62,19 +61,19 @@ class ExportOnboard(SemRefAlgorithm):
             parameters.database(),
             with_help(
                 QgsProcessingParameterFeatureSource(self.CLIP, tr("Area or route"), optional=True),
-                tr("Only what lies in these polygons, or along these lines, is exported; without it the whole map."),
+                tr("Polygons or lines that limit the export. If not set, the whole map is exported."),
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.DISTANCE, tr("Distance around it (map units)"), type=DOUBLE, defaultValue=0.0, minValue=0.0
+                    self.DISTANCE, tr("Distance around area or route (m)"), type=DOUBLE, defaultValue=0.0, minValue=0.0
                 ),
-                tr("Half the width of the corridor along a route; give what an image shows at least."),
+                tr("Half the width of the corridor along a route. Use at least the footprint width of the images."),
             ),
             with_help(
-                QgsProcessingParameterBoolean(self.OVERVIEW, tr("With the overview"), defaultValue=True),
+                QgsProcessingParameterBoolean(self.OVERVIEW, tr("Include the overview"), defaultValue=True),
                 tr(
-                    "The reduced label map, which map correlation searches; without it the file is several times "
-                    "smaller."
+                    "The overview is the reduced label map that map correlation searches. Without it the file is "
+                    "several times smaller."
                 ),
             ),
             *self._file_parameters(),
@@ -82,7 +81,7 @@ class ExportOnboard(SemRefAlgorithm):
                 QgsProcessingParameterFileDestination(
                     self.OUTPUT, tr("Onboard file"), fileFilter=tr("Onboard files (*.npz)")
                 ),
-                tr("Arrays in numpy’s format, zipped; the documentation describes it for readers in other languages."),
+                tr("Zip file of NumPy arrays. The documentation describes the format for other programming languages."),
             ),
             QgsProcessingOutputNumber(self.BYTES, tr("Size in bytes")),
         )
@@ -91,12 +90,9 @@ class ExportOnboard(SemRefAlgorithm):
         return (
             with_help(
                 QgsProcessingParameterNumber(
-                    self.PRECISION, tr("Precision (map units)"), type=DOUBLE, optional=True, minValue=1e-6
+                    self.PRECISION, tr("Precision (m)"), type=DOUBLE, optional=True, minValue=1e-6
                 ),
-                tr(
-                    "Largest rounding error of a landmark’s x and y; a hundredth of a pixel of the label map if left "
-                    "out."
-                ),
+                tr("Maximum rounding error of the x and y of a landmark. If not set, 0.01 pixels of the label map."),
                 advanced=True,
             ),
             with_help(
@@ -104,9 +100,9 @@ class ExportOnboard(SemRefAlgorithm):
                     self.KEY_FILE, tr("Key file"), fileFilter=tr("All files (*)"), optional=True
                 ),
                 tr(
-                    "Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that "
-                    "“semref … --require-signature KEY” takes no file that others made or changed. Keep the "
-                    "key secret: anyone who has it can sign."
+                    "File with secret bytes, for example 32 random bytes, that signs the onboard file (HMAC-SHA256). "
+                    "With “semref … --require-signature KEY” the aircraft rejects files that were changed or made by "
+                    "others. Keep this file secret: anyone who has it can sign."
                 ),
                 advanced=True,
             ),
@@ -140,21 +136,21 @@ class ExportOnboard(SemRefAlgorithm):
             now = datetime.now(timezone.utc)
             cancelable(write_onboard, temporary, database, lon_lat, precision, key_file, now, feedback=feedback)
             feedback.setProgress(80)
-            # Read back before it gets its name: what is on board must be readable there.
+            # Read the file before it gets its name: the aircraft must be able to read it.
             onboard = cancelable(read_onboard, temporary, True, key_file, feedback=feedback)
             check_canceled(feedback)
         self._log(onboard, feedback)
         return {self.BYTES: onboard.size_bytes}
 
     def _check_target(self, output: str, feedback: QgsProcessingFeedback) -> None:
-        """An older export may be replaced, but not unsaid; anything else that has the name is not ours to delete."""
+        """Log that an older onboard file is replaced, and refuse to replace any other file."""
         from ...core.onboard.format import is_onboard_file
 
         if not os.path.isfile(output):
             return
         if not is_onboard_file(output):
             raise ParameterError(
-                "{output} exists and is no onboard file; remove it or choose another name.", output=output
+                "{output} exists and is not an onboard file. Choose another name, or remove the file.", output=output
             )
         feedback.pushWarning(tr("{output} is replaced.").format(output=output))
 
@@ -165,7 +161,6 @@ class ExportOnboard(SemRefAlgorithm):
         crs: QgsCoordinateReferenceSystem,
         feedback: QgsProcessingFeedback,
     ) -> ReferenceDatabase:
-        """What lies in the area."""
         from ...core.onboard.area import area_mask, clip_database
         from ..layers.areas import area_rings
 
@@ -174,7 +169,7 @@ class ExportOnboard(SemRefAlgorithm):
         rings = cancelable(area_rings, *arguments, feedback=feedback)
         part = clip_database(database, area_mask(rings, database.parameters))
         feedback.pushInfo(
-            tr("{kept} of {landmarks} landmarks and {windows} of {all_windows} windows lie in the area.").format(
+            tr("The area contains {kept} of {landmarks} landmarks and {windows} of {all_windows} windows.").format(
                 kept=len(part.references),
                 landmarks=len(database.references),
                 windows=len(part.windows),
@@ -186,8 +181,8 @@ class ExportOnboard(SemRefAlgorithm):
     def _log(self, onboard: OnboardDatabase, feedback: QgsProcessingFeedback) -> None:
         feedback.pushInfo(
             tr(
-                "{bytes} bytes. Rounded: positions by {position:g} map units at most, areas by {area:.3%}, vectors by "
-                "{vector:.4f} an element."
+                "{bytes} bytes. Largest rounding errors: positions {position:g} m, areas {area:.3%}, vector elements "
+                "{vector:.4f}."
             ).format(
                 bytes=onboard.size_bytes,
                 position=onboard.position_error,
@@ -197,9 +192,9 @@ class ExportOnboard(SemRefAlgorithm):
         )
         if onboard.lon_lat is None:
             feedback.pushWarning(
-                tr("The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.")
+                tr("The file contains no longitude and latitude, because the map is too large or contains a pole.")
             )
         else:
             feedback.pushInfo(
-                tr("Longitudes and latitudes are within {error:.4f} m.").format(error=onboard.lon_lat.error_m)
+                tr("Longitude and latitude are accurate to {error:.4f} m.").format(error=onboard.lon_lat.error_m)
             )

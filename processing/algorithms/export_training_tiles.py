@@ -1,4 +1,4 @@
-"""semref:exporttrainingtiles – image and label map to tiles that a segmentation network is trained on."""
+"""semref:exporttrainingtiles: cut an image and its label map into training tiles."""
 
 from __future__ import annotations
 
@@ -44,11 +44,10 @@ class ExportTrainingTiles(SemRefAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Cuts an image and its label map into tiles that a segmentation network is trained on, with a class "
-            "table, statistics and a manifest.\n\n"
-            "Training and validation tiles are divided by place: whole blocks of ground are set aside for "
-            "validation, and no pixel is in both. Tiles without labels are left out. Labels on another grid are "
-            "brought onto the image’s, nearest neighbor."
+            "Cuts an image and its label map into tiles for training a segmentation network, with a class table, "
+            "statistics and a manifest.\n\nTraining and validation tiles are separated by location: whole blocks of "
+            "ground are set aside for validation, and no pixel is in both sets. Tiles without labels are left out. "
+            "Labels with other pixels are resampled to the image (nearest neighbor)."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
@@ -56,32 +55,35 @@ class ExportTrainingTiles(SemRefAlgorithm):
             with_help(
                 QgsProcessingParameterRasterLayer(self.IMAGE, tr("Image")),
                 tr(
-                    "Aerial image of 8 or 16 bits. Networks of SemRef take three bands; further bands are exported too."
+                    "Aerial image with 8 or 16 bits. SemRef’s networks use three bands; further bands are exported too."
                 ),
             ),
             parameters.label_map(
-                tr("Single-band raster of class values, 0 where nothing is known, of the same ground.")
+                tr("Single-band raster of class values for the same ground; 0 where the class is unknown.")
             ),
             with_help(
                 QgsProcessingParameterNumber(
                     self.TILE_SIZE, tr("Tile size (pixels)"), type=INTEGER, defaultValue=512, minValue=32
                 ),
-                tr("Edge of a tile; a multiple of 32 suits networks."),
+                tr("Edge length of a tile, for example 512. Multiples of 32 suit most networks."),
             ),
             with_help(
                 QgsProcessingParameterNumber(
                     self.STRIDE, tr("Stride (pixels)"), type=INTEGER, defaultValue=512, minValue=1
                 ),
-                tr("Step from tile to tile; less than the tile size makes tiles overlap."),
+                tr("Distance between neighboring tiles. A stride smaller than the tile size makes tiles overlap."),
             ),
             parameters.validation_fraction(optional=True),
             parameters.class_table(
-                tr("CSV with the columns value, name, color, role, for a label map that brings no classes of its own."),
+                tr(
+                    "CSV file with the columns value, name, color, role. It is used if the label map contains no "
+                    "classes."
+                ),
                 advanced=True,
             ),
             with_help(
-                QgsProcessingParameterFolderDestination(self.OUTPUT, tr("Folder for the tiles")),
-                tr("A new or empty folder; one that holds files is left alone."),
+                QgsProcessingParameterFolderDestination(self.OUTPUT, tr("Folder for tiles")),
+                tr("A new or empty folder. Files in an existing folder are not changed."),
             ),
             QgsProcessingOutputNumber(self.TILE_COUNT, tr("Number of tiles")),
         )
@@ -104,7 +106,7 @@ class ExportTrainingTiles(SemRefAlgorithm):
         with outputs.folder(self.OUTPUT) as folder:
             follow(export.steps(Path(folder), table), feedback)
         feedback.pushInfo(
-            tr("{training} tiles to train on, {validation} to validate on").format(
+            tr("{training} training tiles, {validation} validation tiles").format(
                 training=export.counts[TRAIN], validation=export.counts[VALIDATION]
             )
         )

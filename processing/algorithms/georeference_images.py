@@ -1,4 +1,4 @@
-"""semref:georeferenceimages – images with a fix to georeferenced images."""
+"""semref:georeferenceimages: georeference images that have a position."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 GEOTIFF, WORLD_FILE, CONTROL_POINTS = range(3)
 
 LEAST_MATCHES = 4
-"""Landmarks from which on they are the control points; with fewer the corners are, as the fix puts them."""
+"""Landmarks that are needed as control points; with fewer, the corners of the computed footprint are used."""
 
 
 class GeoreferenceImages(SemRefAlgorithm):
@@ -55,17 +55,16 @@ class GeoreferenceImages(SemRefAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Gives images their place on the ground, as “Localize images” found it: as GeoTIFFs, with world files, or "
-            "with control points for the Georeferencer.\n\n"
-            "Images without a fix are left out, and so are fixes of the topology vector, which have no heading. The "
-            "images themselves stay as they are."
+            "Georeferences images with the positions of “Localize images”: as GeoTIFFs, with world files, or with "
+            "control points for the Georeferencer.\n\nImages without a position are left out, and so are positions of "
+            "“Published method”, which have no heading. The original images are not changed."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
                 QgsProcessingParameterFeatureSource(self.POSITIONS, tr("Positions"), types=[SOURCE_POINT]),
-                tr("What “Localize images” wrote, with all its columns."),
+                tr("Positions layer of “Localize images”, with all its columns."),
             ),
             with_help(
                 QgsProcessingParameterEnum(
@@ -75,32 +74,32 @@ class GeoreferenceImages(SemRefAlgorithm):
                     defaultValue=GEOTIFF,
                 ),
                 tr(
-                    "GeoTIFF: the image turned north up, transparent around it. World file: a copy of the image, its "
-                    "pixels as they are, with a world file and the CRS beside it. Control points: a copy of the image "
-                    "with a .points file, which the Georeferencer opens along with it."
+                    "GeoTIFF: the image is rotated to north up, with transparent borders. World file: a copy of the "
+                    "image with unchanged pixels, a world file and the CRS. Control points: a copy of the image and a "
+                    ".points file, which the Georeferencer opens with it."
                 ),
             ),
             with_help(
                 QgsProcessingParameterFeatureSource(
                     self.FOOTPRINTS, tr("Footprints"), types=[SOURCE_POLYGON], optional=True
                 ),
-                tr("Those of the same run: how images lie that were taken with a tilted camera."),
+                tr("Footprints layer of the same run. Needed for images that were taken with a tilted camera."),
             ),
             with_help(
                 QgsProcessingParameterFeatureSource(self.MATCHES, tr("Matches"), types=[SOURCE_POINT], optional=True),
                 tr(
-                    "Those of the same run: the landmarks that agree become control points, with how far each is off. "
-                    "Without them, where an image has fewer than four, or where map correlation placed it, the "
-                    "corners, edges and middle as the fix puts them do."
+                    "Matches layer of the same run. The matching landmarks become control points with their "
+                    "residuals. Without it, with fewer than four landmarks or with map correlation, the corners, "
+                    "edges and center of the footprint become control points."
                 ),
             ),
             with_help(
                 QgsProcessingParameterMultipleLayers(self.IMAGES, tr("Images"), layerType=SOURCE_FILE, optional=True),
-                tr("The images or their folder. Needed where they are not in the folder of the positions."),
+                tr("The images or their folder. Needed if the images are not in the folder of the positions layer."),
                 advanced=True,
             ),
             with_help(
-                QgsProcessingParameterFolderDestination(self.OUTPUT, tr("Folder for the georeferenced images")),
+                QgsProcessingParameterFolderDestination(self.OUTPUT, tr("Folder for georeferenced images")),
                 tr("A new or empty folder."),
             ),
             QgsProcessingOutputNumber(self.IMAGE_COUNT, tr("Number of images")),
@@ -132,14 +131,14 @@ class GeoreferenceImages(SemRefAlgorithm):
                         )
                         written += 1
                     except UnwritableError:
-                        # One bad image must not stop the others; a full disk does.
+                        # An error of one image must not stop the others; a full disk must.
                         check_canceled(feedback)
                         raise
                     except SemRefError as error:
                         check_canceled(feedback)
                         refusal = worded(error)
                 if refusal:
-                    feedback.pushWarning(tr("{image}: left out. {reason}").format(image=name, reason=refusal))
+                    feedback.pushWarning(tr("{image} was left out. {reason}").format(image=name, reason=refusal))
                 feedback.setProgress(100 * (n + 1) / len(found))
         text = tr("{written} of {images} images are georeferenced.")
         feedback.pushInfo(text.format(written=written, images=len(found)))
@@ -149,7 +148,7 @@ class GeoreferenceImages(SemRefAlgorithm):
         return values.choice(self.FORMAT)
 
     def _files(self, values: Values) -> Callable[[str], str]:
-        """Return a function from the path in a row to the file that it means; it raises ImageError for other files."""
+        """Return a function from the path in a row to its file; it raises ImageError for files elsewhere."""
         from ...core.named_files import named_file
         from ...storage.rasters import image_files
         from ..layers.positions import folder_of
@@ -158,12 +157,12 @@ class GeoreferenceImages(SemRefAlgorithm):
         folder = folder_of(values.vector(self.POSITIONS))
 
         def file_of(path: str) -> str:
-            # A temporary layer is of this session: its images were chosen by the user.
+            # A temporary layer is from this session: the user chose its images.
             found = chosen.get(os.path.basename(path)) or (path if folder is None else named_file(path, [folder]))
             if not found:
                 raise ImageError(
-                    "The positions name {path}, which is not in their own folder; select the image, or its folder, as "
-                    "Images.",
+                    "The positions layer contains {path}, which is not in the folder of the layer. Select the image "
+                    "or its folder as “Images”.",
                     path=path,
                 )
             return found
@@ -172,18 +171,18 @@ class GeoreferenceImages(SemRefAlgorithm):
 
 
 def _why_not(image: PositionRow) -> str:
-    """Why an image can't be laid on the ground; empty where it can."""
+    """Return why an image cannot be georeferenced; empty if it can."""
     if image.position is None:
-        return tr("It has no fix.")
+        return tr("It has no position.")
     if not image.has_place:
-        return tr("Its fix has no heading and pixel size, as those of the topology vector.")
+        return tr("Its position has no heading and pixel size, because it was computed by “Published method”.")
     if image.was_leveled and image.ground is None:
-        return tr("Its camera was tilted; give FOOTPRINTS of the same run, which tell how it lies.")
+        return tr("The camera was tilted. Select the footprints layer of the same run as well.")
     return ""
 
 
 class _Writer:
-    """Writes one image in one of the formats; raises SemRefError."""
+    """Write one image in one of the formats. Raises SemRefError."""
 
     def __init__(self, kind: int, crs_wkt: str, feedback: QgsProcessingFeedback) -> None:
         self._kind, self._crs_wkt, self._feedback = kind, crs_wkt, feedback
@@ -194,7 +193,9 @@ class _Writer:
         from ...storage.rasters import open_raster, require_whole_raster
 
         if not os.path.isfile(file):
-            raise ImageError("There is no image {path}; give IMAGES, the folder where it lies now.", path=file)
+            raise ImageError(
+                "The image {path} does not exist. Select the folder that contains it now as “Images”.", path=file
+            )
         raster = open_raster(file)
         corners = image.corners((raster.RasterYSize, raster.RasterXSize))
         if self._kind == GEOTIFF:

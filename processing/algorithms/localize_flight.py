@@ -1,4 +1,4 @@
-"""semref:localizeflight – all images of a flight to one track."""
+"""semref:localizeflight: compute one track from all images of a flight."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ if TYPE_CHECKING:
     from ..base.values import Values
 
 READ_PERCENT, JOINED_PERCENT = 60, 97
-"""Progress when all images were looked at by themselves and when the flight is placed."""
+"""Progress after all images are localized separately, and after the flight is placed."""
 
 
 class LocalizeFlight(LocalizeAlgorithm):
@@ -65,11 +65,11 @@ class LocalizeFlight(LocalizeAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Finds the track of a flight: all its images together, by what each says of its place and by how they lie "
-            "to each other. Images that have no fix of their own are placed, too, and wrong fixes are outvoted.\n\n"
-            "The images are taken in the order of their times, else of their names. Motion from image to image is "
-            "seen in their pixels where they overlap, or told by an odometry table; without either it is taken to go "
-            "on as before, and errors grow. Where nothing decides, an image stays without a position and says why."
+            "Computes the track of a flight from all its images together. It combines the position of each image with "
+            "the motion between images. Images without a position of their own are placed too, and wrong positions "
+            "are outvoted.\n\nImages are ordered by time, or by name if a time is unknown. The motion is measured in "
+            "overlapping images, or read from an odometry table or a flight log. Without these the motion is "
+            "extrapolated and the error grows. An image that cannot be placed has a reason."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
@@ -83,20 +83,20 @@ class LocalizeFlight(LocalizeAlgorithm):
                     self.ODOMETRY, tr("Odometry table"), fileFilter=tr("CSV (*.csv *.txt)"), optional=True
                 ),
                 tr(
-                    "A CSV with the columns image, dx_m, dy_m and dheading_deg: how far the camera moved since the "
-                    "row before, to the right and towards the top of that image in meters, and how far it turned "
-                    "clockwise in degrees; optionally sigma_m, sigma_heading_deg, scale and sigma_scale. A row without "
-                    "numbers says that the motion is not known. It counts before what pixels say."
+                    "CSV file with the columns image, dx_m, dy_m and dheading_deg: the motion since the previous row, "
+                    "to the right and to the top of that image (m), and the clockwise turn (degrees). Optional "
+                    "columns are sigma_m, sigma_heading_deg, scale and sigma_scale. A row without numbers means "
+                    "unknown motion. The table is used before the motion measured in images."
                 ),
                 advanced=True,
             ),
             self.speed_parameter(),
             *self._output_parameters(),
             self.risk_parameter(
-                tr("Allowed risk of a wrong track"),
+                tr("Maximum error probability"),
                 tr(
-                    "A track is told when the probability that it is wrong is at most this: 0.0001 is once in 10,000. "
-                    "A smaller risk needs more images."
+                    "A track is accepted if the probability that it is wrong is not larger than this value, for "
+                    "example 0.0001 (1 in 10,000). A smaller value needs more images."
                 ),
             ),
             self.sun_parameter(),
@@ -108,32 +108,31 @@ class LocalizeFlight(LocalizeAlgorithm):
                     optional=True,
                 ),
                 tr(
-                    "The log of an autopilot (ArduPilot .bin, PX4 .ulg, .tlog), subtitles of DJI (.SRT) or a geo.txt: "
-                    "heading, height and attitude that neither camera table nor photos tell, and motion between "
-                    "images where neither pixels nor the odometry table tell it. Its positions are left alone."
+                    "Autopilot log (ArduPilot .bin, PX4 .ulg, .tlog), DJI subtitles (.SRT) or geo.txt. SemRef uses "
+                    "heading, height and attitude where the camera table and the photos lack them, and motion where "
+                    "the images and the odometry table lack it. Positions in the log are not used."
                 ),
                 advanced=True,
             ),
         )
 
     def _output_parameters(self) -> tuple[Declared, ...]:
-        """What is written, and the numbers that are told."""
         return (
             with_help(
                 QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Positions of the flight"), type=SOURCE_POINT),
                 tr(
-                    "One point an image, in the order of the flight: as of “Localize images”, with what the position "
-                    "rests on (source: own or flight), its track, and whether a fix of its own was outvoted. Images "
-                    "whose times are known can be played with QGIS’s temporal controller."
+                    "One row for each image, in flight order. In addition to the columns of “Localize images” it has "
+                    "the source of the position (own or flight), the track, and whether its own position was "
+                    "outvoted. If the times are known, the temporal controller of QGIS can play the flight."
                 ),
             ),
             with_help(
                 QgsProcessingParameterFeatureSink(self.TRACK, tr("Track"), type=SOURCE_LINE, optional=True),
-                tr("One line a track, from image to image."),
+                tr("One line for each track, from image to image."),
             ),
-            self.footprints_parameter(tr("One polygon an image with a position: the ground that it shows.")),
+            self.footprints_parameter(tr("One polygon for each image with a position: its footprint.")),
             parameters.report(
-                tr("The track with its error ellipses, what held where, heading and height, and the gaps, in one file.")
+                tr("Page with the track and its error ellipses, the source of each position, heading, height and gaps.")
             ),
             *self.shown_parameters(),
             QgsProcessingOutputNumber(self.FIX_COUNT, tr("Number of images with a position")),
@@ -144,7 +143,7 @@ class LocalizeFlight(LocalizeAlgorithm):
     def check(self, values: Values) -> None:
         priors.scales(values, self.method(values))
         if not values.files(self.IMAGES):
-            raise ParameterError("IMAGES is empty; choose at least one image, a folder with images, or a LAYER.")
+            raise ParameterError("“Images” is empty. Select at least one image or a folder with images.")
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, Any]:
         from ...core.localizer.localizer import Localizer
@@ -153,7 +152,7 @@ class LocalizeFlight(LocalizeAlgorithm):
         from ..layers.reference_systems import database_crs
 
         method = self.method(values)
-        # Tracks are told apart by class areas, whatever finds an image by itself.
+        # Class areas decide between tracks, whichever method localizes single images.
         database = self.read_database(values, Method.MAP_CORRELATION, feedback)
         crs = database_crs(database)
         settings = replace(LOCALIZER, allowed_risk=values.number(self.RISK))
@@ -180,7 +179,7 @@ class LocalizeFlight(LocalizeAlgorithm):
             flown = [replace(one, localized=item) for one, item in zip(flown, localized)]
             for one in flown:
                 log_pose(one, feedback)
-            # Layers are made last: a cancel before leaves nothing behind.
+            # Layers are written last, so that a cancel leaves nothing behind.
             check_canceled(feedback)
             write_flight_positions(outputs, self.OUTPUT, flown, crs, values.transform_context)
             write_tracks(outputs, self.TRACK, flown, crs)
@@ -190,7 +189,7 @@ class LocalizeFlight(LocalizeAlgorithm):
                 outputs.text(self.REPORT, self._report(values, database, flown, reader.motion_sentences(links)))
         placed = sum(one.is_placed for one in flown)
         tracks = len(tracks_of(flown))
-        text = tr("{placed} of {images} images have a position; tracks: {tracks}.")
+        text = tr("{placed} of {images} images have a position. Tracks: {tracks}.")
         feedback.pushInfo(text.format(placed=placed, images=len(flown), tracks=tracks))
         found = {self.FIX_COUNT: placed, self.TRACK_COUNT: tracks}
         if read_labels.pace is None:
@@ -199,7 +198,7 @@ class LocalizeFlight(LocalizeAlgorithm):
         return {**found, **read_labels.pace.results}
 
     def _odometry(self, values: Values, paths: Sequence[str]) -> tuple:
-        """Rows of the odometry table; none without one."""
+        """Return the rows of the odometry table; empty without a table."""
         from ...core.flight.odometry import odometry_links, read_odometry
 
         if not values.has(self.ODOMETRY):
@@ -208,15 +207,14 @@ class LocalizeFlight(LocalizeAlgorithm):
         steps = read_odometry(table)
         if len(paths) > 1 and not odometry_links(steps, paths):
             raise ParameterError(
-                "{path} tells no motion between two of these images, such as {image}; give the ODOMETRY of this "
-                "flight.",
+                "The odometry table {path} contains no motion between two of these images, for example {image}. "
+                "Select the table of this flight.",
                 path=table,
                 image=os.path.basename(paths[0]),
             )
         return steps
 
     def _read_log(self, values: Values, feedback: QgsProcessingFeedback) -> Telemetry | None:
-        """The flight's log; None without one."""
         from ...core.flight.logs.files import read_log
 
         if not values.has(self.LOG):
@@ -231,11 +229,11 @@ class LocalizeFlight(LocalizeAlgorithm):
         risk: float,
         feedback: QgsProcessingFeedback,
     ) -> list[FlownImage]:
-        """What the flight says of each image."""
+        """Place the flight and return the result of each image."""
         from ...core.flight.flight import FlightSolver
         from ...core.flight.settings import FLIGHT
 
-        feedback.setProgressText(tr("Placing the flight"))
+        feedback.setProgressText(tr("Computing the track"))
         solver = FlightSolver(localizer, replace(FLIGHT, allowed_risk=risk))
         for done, count in interruptible(solver.steps(reader.flown, links), feedback):
             check_canceled(feedback)
@@ -251,7 +249,7 @@ class LocalizeFlight(LocalizeAlgorithm):
         database: ReferenceDatabase,
         feedback: QgsProcessingFeedback,
     ) -> list[FlownImage]:
-        """The images, positions that can't be reached in time marked, if a speed is given."""
+        """Mark positions that cannot be reached in time, if a maximum speed is set."""
         speed = values.optional_number(self.MAXIMUM_SPEED)
         if speed is None:
             return list(flown)
@@ -266,10 +264,10 @@ class LocalizeFlight(LocalizeAlgorithm):
         from ..reports.flight_report import flight_html
 
         settings = [
-            (tr("Method"), tr("of each image by itself: {method}").format(method=worded(self.method(values).title))),
-            (tr("Allowed risk of a wrong track"), f"{values.number(self.RISK):g}"),
-            (tr("Model"), os.path.basename(values.file(self.MODEL)) or tr("none: label images")),
-            (tr("Flight log"), os.path.basename(values.file(self.LOG)) or tr("none")),
-            (tr("Odometry table"), os.path.basename(values.file(self.ODOMETRY)) or tr("none")),
+            (tr("Method"), tr("{method}, for single images").format(method=worded(self.method(values).title))),
+            (tr("Maximum error probability"), f"{values.number(self.RISK):g}"),
+            (tr("Model"), os.path.basename(values.file(self.MODEL)) or tr("not used (label images)")),
+            (tr("Flight log"), os.path.basename(values.file(self.LOG)) or tr("not used")),
+            (tr("Odometry table"), os.path.basename(values.file(self.ODOMETRY)) or tr("not used")),
         ]
         return flight_html(report_points(flown), os.path.basename(database.source), links, settings)

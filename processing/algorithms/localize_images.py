@@ -1,4 +1,4 @@
-"""semref:localizeimages – images to positions."""
+"""semref:localizeimages: compute the positions of images."""
 
 from __future__ import annotations
 
@@ -51,11 +51,11 @@ class LocalizeImages(LocalizeAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Finds where images were taken: each label image is described by its landmarks and matched with a "
-            "reference database.\n\n"
-            "Every image gives one point; without a fix it has no geometry and its reason says why. Automatic and the "
-            "constellation find images anywhere on the map, at any heading, and verify what they find. The topology "
-            "vector method finds images centered on a window and accepts images from elsewhere: check what it finds."
+            "Computes the positions of aerial images. The landmarks of each image are matched with a reference "
+            "database.\n\nEach image gives one row. A row without a position contains the reason. “Automatic” and "
+            "“Constellation” find images anywhere on the map and at any heading, and verify each position. “Published "
+            "method” finds only images that are centered on a window, and does not reject images of other areas. "
+            "Check its results."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
@@ -67,11 +67,11 @@ class LocalizeImages(LocalizeAlgorithm):
             self.speed_parameter(),
             *self._output_parameters(),
             self.risk_parameter(
-                tr("Allowed risk of a wrong fix"),
+                tr("Maximum error probability"),
                 tr(
-                    "A place is a fix when the probability that it is wrong is at most this: 0.0001 is once in 10,000 "
-                    "fixes. A smaller risk gives fewer fixes. The topology vector, as published, knows no such "
-                    "probability."
+                    "A position is accepted if the probability that it is wrong is not larger than this value, for "
+                    "example 0.0001 (1 in 10,000). A smaller value gives fewer positions. “Published method” does not "
+                    "use it."
                 ),
             ),
             *self._layer_parameters(),
@@ -81,65 +81,69 @@ class LocalizeImages(LocalizeAlgorithm):
         )
 
     def _layer_parameters(self) -> tuple[Declared, ...]:
-        """What is localized instead of images, or with them."""
+        """Return the layer that is localized instead of images, or in addition to them."""
         return (
             with_help(
-                QgsProcessingParameterRasterLayer(self.LAYER, tr("Layer to try"), optional=True),
+                QgsProcessingParameterRasterLayer(self.LAYER, tr("Layer to test"), optional=True),
                 tr(
-                    "A raster or a map of tiles, of which the extent is localized as if it were an image, at the "
-                    "model’s resolution (label colors: at the database’s): would this place be found?"
+                    "A raster layer or map tiles. Its extent is localized like an image, at the resolution of the "
+                    "model (for label colors, at the resolution of the database). Use it to test whether this place "
+                    "would be found."
                 ),
                 advanced=True,
             ),
             with_help(
-                QgsProcessingParameterExtent(self.EXTENT, tr("Extent of the layer to try"), optional=True),
-                tr("Needed for maps of tiles, else all of the layer."),
+                QgsProcessingParameterExtent(self.EXTENT, tr("Extent of the test layer"), optional=True),
+                tr("Part of the layer to test. Map tiles need it. If not set, the whole layer is used."),
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterFeatureSource(
-                    self.MASK, tr("Mask of the layer to try"), types=[SOURCE_POLYGON], optional=True
+                    self.MASK, tr("Mask of the test layer"), types=[SOURCE_POLYGON], optional=True
                 ),
-                tr("Polygons: ground outside of them has no label. Without an extent, what lies around them is tried."),
+                tr(
+                    "Polygons that limit the area to test. Pixels outside the polygons get no label. Without an "
+                    "extent, the extent of the polygons is used."
+                ),
                 advanced=True,
             ),
         )
 
     def _output_parameters(self) -> tuple[Declared, ...]:
-        """What is written, and the number that is told."""
         return (
             with_help(
                 QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Positions"), type=SOURCE_POINT),
                 tr(
-                    "One point an image: status, position, confidence, distance, window and, without a fix, the reason."
+                    "One row for each image with status, position, error probability, 95 % radius and, without a "
+                    "position, the reason."
                 ),
             ),
             self.footprints_parameter(
                 tr(
-                    "One polygon a fix: the ground the image shows, or the matched window of the topology vector "
-                    "method."
+                    "One polygon for each position: the footprint of the image or, for “Published method”, the "
+                    "matched window."
                 )
             ),
             with_help(
                 QgsProcessingParameterFeatureSink(
                     self.ALTERNATIVES, tr("Possible places"), type=SOURCE_POLYGON, optional=True, createByDefault=False
                 ),
-                tr("For ambiguous images: the ground of each place that fits, the best one first."),
+                tr("Footprints of all places that fit an ambiguous image. The best place has rank 1."),
             ),
             *self.shown_parameters(),
-            QgsProcessingOutputNumber(self.FIX_COUNT, tr("Number of fixes")),
+            QgsProcessingOutputNumber(self.FIX_COUNT, tr("Number of positions")),
         )
 
     def check(self, values: Values) -> None:
         priors.scales(values, self.method(values))
         if not values.has(self.LAYER) and not values.files(self.IMAGES):
-            raise ParameterError("IMAGES is empty; choose at least one image, a folder with images, or a LAYER.")
+            raise ParameterError("“Images” is empty. Select at least one image or a folder with images.")
         parts = [key for key in (self.EXTENT, self.MASK) if values.has(key)]
         if parts and not values.has(self.LAYER):
-            # They would change nothing, and who gave them took the result for that of a part.
+            # They would have no effect, and the result would be mistaken for that of a part.
             raise ParameterError(
-                "LAYER is empty, so {keys} can't be a part of it; choose a LAYER, or leave {keys} out.",
-                keys=", ".join(parts),
+                "{keys} are used only with a layer to test. Select the layer, or leave {keys} empty.",
+                keys=", ".join(f"“{values.title(key)}”" for key in parts),
             )
         require_scheduler(values, (self.LAYER, self.LABELS))
 
@@ -185,13 +189,13 @@ class LocalizeImages(LocalizeAlgorithm):
             speed = values.optional_number(self.MAXIMUM_SPEED)
             if speed is not None:
                 localized = with_jumps(localized, times_s, database.windows, speed, feedback)
-            # Layers are made last: a cancel before leaves nothing behind.
+            # Layers are written last, so that a cancel leaves nothing behind.
             check_canceled(feedback)
             write_positions(outputs, self.OUTPUT, localized, crs, values.transform_context, times_s)
             write_grounds(outputs, (self.FOOTPRINTS, self.ALTERNATIVES), localized, crs)
             write_matches(outputs, self.MATCHES, localized, database, crs)
         fixes = sum(1 for item in localized if item.result is not None and item.result.is_fix)
-        feedback.pushInfo(tr("{fixes} of {images} images have a fix.").format(fixes=fixes, images=len(localized)))
+        feedback.pushInfo(tr("{fixes} of {images} images have a position.").format(fixes=fixes, images=len(localized)))
         if read_labels.pace is None or is_scheduled:
             return {self.FIX_COUNT: fixes}
         feedback.pushInfo(read_labels.pace.sentence())
@@ -205,7 +209,6 @@ def _one_by_one(
     keep: LabelImages,
     feedback: QgsProcessingFeedback,
 ) -> list[LocalizedImage]:
-    """The images, localized here."""
     localized = []
     for n, path in enumerate(paths):
         check_canceled(feedback)

@@ -1,4 +1,4 @@
-"""semref:classtable – a class table of an annotation layer, with colors and roles."""
+"""semref:classtable: make a class table for a land-cover layer, with colors and roles."""
 
 from __future__ import annotations
 
@@ -35,10 +35,10 @@ class MakeClassTable(AnnotationAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Writes the class table of an annotation layer: a value, a color and a role for each class that it has.\n\n"
-            "Colors are those of the layer’s categorized style, else of the nomenclature, else what the class is known "
-            "by: water is blue, forest green. Look through the file before it is used: it can be edited wherever a "
-            "class table is asked for, or in any spreadsheet."
+            "Makes a class table for a land-cover layer, with a value, a color and a role for each class of the "
+            "layer.\n\nColors come from the categorized style of the layer, otherwise from the nomenclature, "
+            "otherwise from typical colors: blue for water, green for forest. Check the table before you use it. You "
+            "can edit it in all dialogs that ask for a class table, or in a spreadsheet."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
@@ -46,15 +46,15 @@ class MakeClassTable(AnnotationAlgorithm):
             *parameters.annotation()[:3],
             parameters.reference_classes(
                 tr(
-                    "Names or values of the classes whose regions are landmarks, separated by “;”. If left out, those "
-                    "that usually are compact and stay where they are: buildings, water, bare land, orchards."
+                    "Names or values of the classes that are landmarks, separated by “;”. If not set, classes that "
+                    "are usually compact and permanent are used: buildings, water, bare land, orchards."
                 )
             ),
             with_help(
                 QgsProcessingParameterFileDestination(
                     self.OUTPUT, tr("Class table"), fileFilter=tr("CSV files (*.csv)")
                 ),
-                tr("CSV with the columns value, name, color, role, draw_order, hsv_min, hsv_max."),
+                tr("CSV file with the columns value, name, color, role, draw_order, hsv_min, hsv_max."),
             ),
             with_help(
                 QgsProcessingParameterEnum(
@@ -64,8 +64,9 @@ class MakeClassTable(AnnotationAlgorithm):
                     defaultValue=0,
                 ),
                 tr(
-                    "Whose values, colors and roles the classes get. The class field may hold the names, or the codes "
-                    "that names begin with; classes that the nomenclature lacks come behind its own."
+                    "Nomenclature that gives values, colors and roles to the classes. The class field may contain its "
+                    "class names or the codes at the start of these names. Other classes are added after those of the "
+                    "nomenclature."
                 ),
                 advanced=True,
             ),
@@ -85,7 +86,9 @@ class MakeClassTable(AnnotationAlgorithm):
         try:
             table = table.with_references(chosen) if chosen else table
         except ClassTableError as error:
-            raise ParameterError("{where}: {fault}", where=self.REFERENCE_CLASSES, fault=error.sentence) from None
+            raise ParameterError(
+                "{where}: {fault}", where=values.title(self.REFERENCE_CLASSES), fault=error.sentence
+            ) from None
         outputs.text(self.OUTPUT, table.to_csv())
         _log(table, feedback)
         return {self.CLASS_COUNT: len(table)}
@@ -96,4 +99,4 @@ def _log(table: ClassTable, feedback: QgsProcessingFeedback) -> None:
         role = tr("landmarks") if one.is_reference else tr("background")
         feedback.pushInfo(f"{one.value} {one.name}: {one.color}, {role}")
     if not table.references:
-        feedback.pushWarning(tr("No class is a landmark: name some in REFERENCE_CLASSES, or edit the roles."))
+        feedback.pushWarning(tr("No class is a landmark. Enter reference classes, or edit the roles in the table."))

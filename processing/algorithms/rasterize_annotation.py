@@ -1,4 +1,4 @@
-"""semref:rasterizeannotation – land-cover polygons to a label map."""
+"""semref:rasterizeannotation: convert land-cover polygons to a label map."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from ..base.values import Values
 
 READING_SHARE = 30.0
-"""Percent of the progress that reading the polygons takes."""
+"""Progress in percent after the polygons are read."""
 
 
 class RasterizeAnnotation(AnnotationAlgorithm):
@@ -50,14 +50,14 @@ class RasterizeAnnotation(AnnotationAlgorithm):
     LABELED_FRACTION = "LABELED_FRACTION"
 
     def title(self) -> str:
-        return tr("Rasterize annotation")
+        return tr("Rasterize land-cover layer")
 
     def summary(self) -> str:
         return tr(
-            "Burns land-cover polygons into a label map: a single-band GeoTIFF whose pixels hold class values, "
-            "0 where no polygon lies.\n\n"
-            "Classes come from the class table, else from the layer’s categorized style, else from the values of "
-            "the class field. Invalid polygons are repaired, empty ones skipped; the log says how many."
+            "Converts a land-cover layer to a label map: a single-band GeoTIFF of class values. Pixels without a "
+            "polygon are 0.\n\nClasses come from the class table, otherwise from the categorized style of the layer, "
+            "otherwise from the values of the class field. Invalid polygons are repaired and empty polygons are "
+            "skipped; the log shows their number."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
@@ -67,32 +67,35 @@ class RasterizeAnnotation(AnnotationAlgorithm):
                 QgsProcessingParameterNumber(
                     self.PIXEL_SIZE, tr("Pixel size (m)"), type=DOUBLE, defaultValue=1.0, minValue=0.001
                 ),
-                tr("Edge length of a pixel in meters. The smallest landmark should cover some 50 pixels."),
+                tr("Edge length of a pixel, for example 1. The smallest landmark should cover about 50 pixels."),
             ),
             with_help(
                 QgsProcessingParameterExtent(self.EXTENT, tr("Extent"), optional=True),
-                tr("Area to rasterize, widened to whole pixels; the extent of the polygons if left out."),
+                tr("Area to rasterize, extended to whole pixels. If not set, the extent of the polygons is used."),
             ),
             with_help(
                 QgsProcessingParameterCrs(self.TARGET_CRS, tr("Target CRS"), optional=True),
-                tr("Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone."),
+                tr(
+                    "Projected CRS with meters. If not set, the CRS of the layer is used if its unit is the meter, "
+                    "otherwise a UTM zone."
+                ),
             ),
             with_help(
                 QgsProcessingParameterBoolean(
                     self.OTHER_GROUND, tr("Treat ground without a polygon as class “other”"), defaultValue=False
                 ),
                 tr(
-                    "Applies within the extent of the polygons. Choose it where all areas of the classes were drawn. "
-                    "SemRef always does it for a layer with a single class, such as buildings."
+                    "Applies within the extent of the polygons. Use it if all areas of the classes were drawn. SemRef "
+                    "always does this for a layer with a single class, such as buildings."
                 ),
             ),
             with_help(
                 QgsProcessingParameterRasterDestination(self.OUTPUT, tr("Label map")),
-                tr("GeoTIFF, 8 bits a pixel, with the class table, colors and class names."),
+                tr("8-bit GeoTIFF with class table, colors and class names."),
             ),
             scheduler(),
             QgsProcessingOutputNumber(self.CLASS_COUNT, tr("Number of classes on the map")),
-            QgsProcessingOutputNumber(self.LABELED_FRACTION, tr("Fraction of the map that is labeled")),
+            QgsProcessingOutputNumber(self.LABELED_FRACTION, tr("Labeled fraction of the map")),
         )
 
     def check(self, values: Values) -> None:
@@ -104,7 +107,7 @@ class RasterizeAnnotation(AnnotationAlgorithm):
         polygons, table = self.burn_polygons(values, feedback, crs, READING_SHARE)
         drawn, frame = len(polygons), self._frame(values, crs, polygons)
         if sum(bool(one.value) for one in table) == 1:
-            feedback.pushInfo(tr("The layer has a single class: ground without a polygon becomes class “other”."))
+            feedback.pushInfo(tr("The layer has a single class. Ground without a polygon becomes class “other”."))
             table = table.with_filling()
         table = table.with_filling() if values.switch(self.OTHER_GROUND) else table
         if table.filling is not None:
@@ -128,7 +131,12 @@ class RasterizeAnnotation(AnnotationAlgorithm):
             )
         )
         if not labeled:
-            feedback.pushWarning(tr("No polygon lies in the extent: the label map is empty."))
+            feedback.pushWarning(
+                tr(
+                    "The label map is empty, because no polygon is in the extent. Check the extent and the CRS of the "
+                    "layer."
+                )
+            )
         return {self.CLASS_COUNT: len(present), self.LABELED_FRACTION: labeled / (width * height)}
 
     def _burn(
@@ -140,7 +148,8 @@ class RasterizeAnnotation(AnnotationAlgorithm):
         polygons: list[BurnPolygon],
         feedback: QgsProcessingFeedback,
     ) -> list[int]:
-        """Writes the label map; pixels of each value. Workers get polygons, not the layer: any layer will do."""
+        """Write the label map and return the pixels of each value. Workers get polygons, so the layer may be of any
+        kind."""
         from ...cluster.task_names import BURN
         from ...storage.rasterize import LabelMapBurning
 
@@ -151,7 +160,7 @@ class RasterizeAnnotation(AnnotationAlgorithm):
         return burning.counts.tolist()
 
     def _frame(self, values: Values, crs: QgsCoordinateReferenceSystem, polygons: list[BurnPolygon]) -> MapFrame:
-        """The whole pixels of the extent, of the polygons without one."""
+        """Return the whole pixels of the extent, or of the polygons without an extent."""
         extent = values.extent(self.EXTENT, crs)
         bounds = (extent.xMinimum(), extent.yMinimum(), extent.xMaximum(), extent.yMaximum())
         if extent.isEmpty():

@@ -1,4 +1,4 @@
-"""semref:repairannotation – a land-cover layer made clean: one valid polygon a landmark, nothing overlaps."""
+"""semref:repairannotation: repair a land-cover layer, so that each landmark is one valid polygon."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from ..base.values import Values
 
 READ, REPAIRED = 20.0, 95.0
-"""Percent of the progress after reading and repairing."""
+"""Progress in percent after reading and repairing."""
 
 
 class RepairAnnotation(AnnotationAlgorithm):
@@ -38,16 +38,15 @@ class RepairAnnotation(AnnotationAlgorithm):
     CHANGES = "CHANGES"
 
     def title(self) -> str:
-        return tr("Repair annotation")
+        return tr("Repair land-cover layer")
 
     def summary(self) -> str:
         return tr(
-            "Makes a land-cover layer clean: geometries become valid, overlaps go to one polygon, tiny gaps and "
-            "slivers to the neighbor with the longest shared border, and touching polygons of one class become one. "
-            "The result has one polygon for each landmark.\n\n"
-            "Where polygons overlap, the higher priority stays on top, else the smaller polygon, else the lower class "
-            "value. Each polygon keeps the attributes of the feature that covers most of it. Repairing a repaired "
-            "layer changes nothing."
+            "Repairs a land-cover layer. Geometries become valid, each overlap goes to one polygon, and touching "
+            "polygons of one class are merged. Small gaps and slivers go to the neighbor with the longest shared "
+            "border. The result has one polygon for each landmark.\n\nIn an overlap the polygon with the higher "
+            "priority is kept, otherwise the smaller polygon, otherwise the lower class value. Each polygon keeps the "
+            "attributes of the feature that covers most of it. A second repair changes nothing."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
@@ -55,9 +54,12 @@ class RepairAnnotation(AnnotationAlgorithm):
             *parameters.annotation(),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.MAXIMUM_GAP, tr("Largest gap (m²)"), type=DOUBLE, defaultValue=1.0, optional=True, minValue=0.0
+                    self.MAXIMUM_GAP, tr("Maximum gap (m²)"), type=DOUBLE, defaultValue=1.0, optional=True, minValue=0.0
                 ),
-                tr("Uncovered places up to this area, enclosed by polygons, are filled; thin ones are at any area."),
+                tr(
+                    "Uncovered areas up to this size, enclosed by polygons, are filled. Thin areas are filled at any "
+                    "size."
+                ),
             ),
             with_help(
                 QgsProcessingParameterNumber(
@@ -69,19 +71,19 @@ class RepairAnnotation(AnnotationAlgorithm):
                     minValue=0.0,
                 ),
                 tr(
-                    "Smaller pieces that touch a neighbor are merged with it; pieces that stand alone stay. Thin "
-                    "pieces are merged at any area."
+                    "Pieces smaller than this area are merged with a neighbor that they touch. Pieces without a "
+                    "neighbor stay. Thin pieces are merged at any size."
                 ),
             ),
             with_help(
-                QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Repaired annotation"), type=SOURCE_POLYGON),
-                tr("Valid single polygons with the fields of the annotation layer, in meters."),
+                QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Repaired layer"), type=SOURCE_POLYGON),
+                tr("Valid single polygons with the fields of the land-cover layer, in a CRS with meters."),
             ),
             with_help(
                 QgsProcessingParameterFeatureSink(
                     self.CHANGES, tr("Changes"), type=SOURCE_POLYGON, optional=True, createByDefault=False
                 ),
-                tr("One feature a change: what was changed where, and which features it concerns."),
+                tr("One feature for each change, with its location and the ids of the features."),
             ),
         )
 
@@ -99,9 +101,11 @@ class RepairAnnotation(AnnotationAlgorithm):
         follow(interruptible(repair.steps(), feedback), feedback, READ, REPAIRED)
         if not repair.polygons:
             raise ParameterError(
-                "“{source}” has no polygon with area and class; there is nothing to repair.", source=self._source.name
+                "“{source}” contains no polygon with an area and a class, so there is nothing to repair. Check the "
+                "class field.",
+                source=self._source.name,
             )
-        # Outputs are made last: a cancel before leaves nothing behind.
+        # Outputs are written last, so that a cancel leaves nothing behind.
         check_canceled(feedback)
         renderer = repaired_renderer(lookup, self._source)
         fields = self._source.features.fields()
@@ -110,7 +114,7 @@ class RepairAnnotation(AnnotationAlgorithm):
                 sink.add_row(geometry_of(polygon.wkb), reading.attributes[polygon.feature])
         changes = [f for f in reading.findings if f.kind != OUTSIDE_CRS or f.severity == ERROR] + repair.changes
         feedback.pushInfo(
-            tr("{before} features became {after} polygons; {changes} changes").format(
+            tr("{before} features became {after} polygons; {changes} changes.").format(
                 before=self._source.count, after=len(repair.polygons), changes=len(changes)
             )
         )

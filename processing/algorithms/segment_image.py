@@ -1,4 +1,4 @@
-"""semref:segmentimage – photo or orthophoto to label map, with a network."""
+"""semref:segmentimage: make a label map from a photo or orthophoto with a network."""
 
 from __future__ import annotations
 
@@ -65,10 +65,10 @@ class SegmentImage(SemRefAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).\n\n"
-            "The image is brought to the resolution of the model where both are known and looked at in overlapping "
-            "tiles, so that no seams show. The label map lies where the image lies and has the classes of the model."
-            "\n\nMap tiles and web maps are drawn by QGIS at the model’s resolution in the extent that is given."
+            "Makes a label map from a photo or orthophoto with a segmentation model (ONNX).\n\nThe image is resampled "
+            "to the resolution of the model if both resolutions are known, and processed in overlapping tiles without "
+            "visible seams. The label map has the georeference of the image and the classes of the model.\n\nQGIS "
+            "draws map tiles and web maps at the resolution of the model, within the given extent."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
@@ -76,32 +76,32 @@ class SegmentImage(SemRefAlgorithm):
             with_help(
                 QgsProcessingParameterRasterLayer(self.INPUT, tr("Photo or orthophoto")),
                 tr(
-                    "Any raster with or without georeference, or any map of tiles. Red, green and blue are found by "
-                    "color interpretation or wavelength, else they are the first three bands; a single band is taken "
-                    "as gray. Bands of more than 8 bits are stretched from their 2nd to their 98th percentile."
+                    "Raster with or without georeference, or map tiles. Red, green and blue are found by color "
+                    "interpretation or wavelength; otherwise the first three bands are used. A single band is read as "
+                    "gray. Bands with more than 8 bits are stretched from their 2nd to their 98th percentile."
                 ),
             ),
             parameters.model(
-                tr("A segmentation network with its classes in its metadata; models made for Deepness will do.")
+                tr("Segmentation model (ONNX) with class names in its metadata. Models for Deepness can be used.")
             ),
             *self._tile_parameters(),
             parameters.class_table(
                 tr(
-                    "Values and colors for the model’s classes, found by name; for a model that does not name its "
-                    "classes: one line an output of the network, in order of value."
+                    "Class values and colors for the classes of the model, matched by name. For a model without class "
+                    "names, the table needs one row for each output of the network, in order of value."
                 ),
                 advanced=True,
             ),
             parameters.extent(),
             with_help(
                 QgsProcessingParameterRasterDestination(self.OUTPUT, tr("Label map")),
-                tr("GeoTIFF, 8 bits a pixel, with the classes of the model; pixels without data are 0."),
+                tr("8-bit GeoTIFF with the classes of the model. Pixels without data are 0."),
             ),
             *self._polygon_parameters(),
             parameters.mask(),
             *self._certainty_parameters(),
             *pace_results(),
-            QgsProcessingOutputNumber(self.CERTAINTY, tr("How sure the network is of its labels (%, mean)")),
+            QgsProcessingOutputNumber(self.CERTAINTY, tr("Mean confidence of the labels (%)")),
             scheduler(),
         )
 
@@ -109,15 +109,18 @@ class SegmentImage(SemRefAlgorithm):
         return (
             with_help(
                 QgsProcessingParameterNumber(
-                    self.OVERLAP, tr("Overlap of tiles (%)"), type=DOUBLE, optional=True, minValue=0, maxValue=75
+                    self.OVERLAP, tr("Tile overlap (%)"), type=DOUBLE, optional=True, minValue=0, maxValue=75
                 ),
-                tr("If left out: that of the model’s metadata, else 20. More takes longer and hides seams better."),
+                tr(
+                    "Overlap of neighboring tiles, typically 20. If not set, the value in the metadata of the model "
+                    "is used, or 20. A larger overlap takes longer and hides seams better."
+                ),
                 advanced=True,
             ),
             parameters.resolution(
                 tr(
-                    "Pixel size the network was trained on; if left out, that of the model’s metadata. Images without "
-                    "georeference are taken as they are."
+                    "Pixel size that the network was trained on. If not set, the value in the metadata of the model "
+                    "is used. Images without a georeference are not resampled."
                 )
             ),
         )
@@ -128,7 +131,7 @@ class SegmentImage(SemRefAlgorithm):
                 QgsProcessingParameterFeatureSink(
                     self.POLYGONS, tr("Polygons"), type=SOURCE_POLYGON, optional=True, createByDefault=False
                 ),
-                tr("The label map as polygons with class, name and area, without gaps and overlaps between them."),
+                tr("Label map as polygons with class, name and area, without gaps and overlaps."),
             ),
             with_help(
                 QgsProcessingParameterNumber(
@@ -138,16 +141,23 @@ class SegmentImage(SemRefAlgorithm):
                     optional=True,
                     minValue=0,
                 ),
-                tr("Smaller regions go to their largest neighbor; square pixels for images without georeference."),
+                tr(
+                    "Smaller regions are merged with their largest neighbor. The unit is square pixels for images "
+                    "without a georeference."
+                ),
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.TOLERANCE, tr("Tolerance of polygons (map units)"), type=DOUBLE, optional=True, minValue=0
+                    self.TOLERANCE,
+                    tr("Simplification tolerance of polygons (map units)"),
+                    type=DOUBLE,
+                    optional=True,
+                    minValue=0,
                 ),
                 tr(
-                    "Borders are straightened by about this much, alike on both sides; if left out by 1.5 pixels, 0 "
-                    "keeps the pixels’ edges."
+                    "Borders are simplified by about this distance, identically on both sides. If not set, 1.5 "
+                    "pixels. 0 keeps the edges of the pixels."
                 ),
                 advanced=True,
             ),
@@ -160,15 +170,18 @@ class SegmentImage(SemRefAlgorithm):
                     self.CONFIDENCE, tr("Confidence"), optional=True, createByDefault=False
                 ),
                 tr(
-                    "GeoTIFF, percent: how probable the network takes the class that a pixel has to be; 255 where it "
-                    "did not look. Networks are often surer than they should be."
+                    "GeoTIFF with the probability of the label of each pixel, in percent; 255 where there is no "
+                    "label. Networks often overestimate this probability."
                 ),
             ),
             with_help(
                 QgsProcessingParameterRasterDestination(
                     self.PROBABILITIES, tr("Probabilities"), optional=True, createByDefault=False
                 ),
-                tr("GeoTIFF, percent, one band for each class of the model, by its name; 255 where it did not look."),
+                tr(
+                    "GeoTIFF with one band for each class of the model: its probability in percent; 255 where there "
+                    "is no label."
+                ),
             ),
         )
 
@@ -208,7 +221,7 @@ class SegmentImage(SemRefAlgorithm):
             SegmentedFiles(outputs, grid, model, (self.OUTPUT, self.CONFIDENCE, self.PROBABILITIES), wanted) as files,
             closing(self._segment(values, model, (photo, image), resolution_m, overlap, wanted, feedback)) as steps,
         ):
-            # The steps are closed first: threads they hold are let go before the files are cleared away.
+            # Close the steps first: their threads end before the files are removed.
             files.write(_finished_rows(steps, sure, feedback))
         pace = NetworkPace(model, time.perf_counter() - begun)
         if values.has(SCHEDULER):
@@ -227,7 +240,8 @@ class SegmentImage(SemRefAlgorithm):
         wanted: Certainty,
         feedback: QgsProcessingFeedback,
     ) -> Iterator[tuple[float, SegmentedRows | None]]:
-        """As ``tiling.segment``, by SCHEDULER too; ``images``: the photo, and as the network sees it."""
+        """Segment with ``tiling.segment`` or the workers of SCHEDULER; ``images``: the photo, and as the network sees
+        it."""
         from ...core.segmentation.tiling import segment, tiles_of
 
         photo, image = images
@@ -247,12 +261,12 @@ class SegmentImage(SemRefAlgorithm):
             yield from segment_blocks(tiles, model.tile_hw, partial(run.in_order, SEGMENT, shared=opening))
 
     def _certainty_result(self, sure: Sureness, feedback: QgsProcessingFeedback) -> dict[str, Any]:
-        """How sure the network is; nothing of one that gives class numbers alone, or of an image without data."""
+        """Return the mean confidence; empty if the network outputs class numbers only, or the image has no data."""
         if sure.mean is None:
             return {}
         text = tr(
-            "The network takes its labels to be right with {percent:.0f} % on average. Where that is much less than on "
-            "the ground it was trained on, it does not know this ground; a high number is no proof that it does."
+            "Mean confidence of the labels: {percent:.0f} %. A value far below that of the training area shows that "
+            "the network does not know this ground. A high value is no proof that the labels are correct."
         )
         feedback.pushInfo(text.format(percent=100 * sure.mean))
         return {self.CERTAINTY: 100 * sure.mean}
@@ -260,7 +274,7 @@ class SegmentImage(SemRefAlgorithm):
     def _at_resolution(
         self, photo: SourceImage, resolution_m: float | None, model: SegmentationModel, feedback: QgsProcessingFeedback
     ) -> ImageSource:
-        """The photo at that resolution; says how it is read."""
+        """Return the photo at that resolution, and log how it is read."""
         from ...core.segmentation.resampling import at_resolution
         from ..layers.images import pixel_size_m
 
@@ -268,15 +282,15 @@ class SegmentImage(SemRefAlgorithm):
         describe(model, photo.file, feedback)
         if image is not photo.image:
             height, width = image.shape_hw
-            text = tr("Resampled to {resolution:g} cm a pixel: {width} × {height} pixels.")
+            text = tr("Resampled to {resolution:g} cm per pixel: {width} × {height} pixels.")
             feedback.pushInfo(text.format(resolution=100 * resolution_m, width=width, height=height))
         elif resolution_m is None:
-            feedback.pushWarning(tr("The model does not say its resolution: the image is taken as it is."))
+            feedback.pushWarning(tr("The metadata of the model contain no resolution. The image is not resampled."))
         return image
 
 
 def _finished_rows(steps: Iterable[tuple], sure: Sureness, feedback: QgsProcessingFeedback) -> Iterator[SegmentedRows]:
-    """The rows that are finished, adding up how sure they are; shows progress and heeds a cancel at every tile."""
+    """Yield the finished rows and add up their confidence; show progress and check for a cancel at each tile."""
     for share, rows in steps:
         check_canceled(feedback)
         feedback.setProgress(100 * share)

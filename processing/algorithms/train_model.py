@@ -1,4 +1,4 @@
-"""semref:trainmodel – orthophoto and annotation of the same ground to a segmentation network."""
+"""semref:trainmodel: train a segmentation network on an orthophoto and a land-cover layer."""
 
 from __future__ import annotations
 
@@ -40,16 +40,16 @@ if TYPE_CHECKING:
     from ..reports.training_report import TrainingReport
 
 CUT, TRAINED = 1.0, 100.0
-"""Percent of the progress at which the tiles are cut, too little to tell the time left; and the model is written."""
+"""Progress in percent after the tiles are cut (too little for an estimate), and after the model is written."""
 
 SHORTEST_SHARE = 0.2
-"""Of the time limit that the training gets, however long reading and cutting took."""
+"""Share of the time limit that the training gets, however long reading and cutting take."""
 
 LITE0_NETWORK, SMALL_NETWORK = range(2)
 UNKNOWN, SOMETHING_ELSE = range(2)
 
 LIGHT = 1.5
-"""How much light and color vary while training: photos come from other cameras and days than the orthophoto
+"""Variation of light and color during training: photos come from other cameras and days than the orthophoto
 (tools/training/train_dubai.py)."""
 
 
@@ -83,11 +83,11 @@ class TrainModel(AnnotationAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Trains a segmentation network on an orthophoto and an annotation or label map of the same ground, and "
-            "gives it as a model (ONNX) for “Segment image” and “Localize images”, with a report.\n\n"
-            "Ground is set aside to tell how good the network is. Training runs in a Python of its own that has torch: "
-            "SemRef makes one under Settings ▸ Options ▸ SemRef, or you name one. A run that is canceled can be gone "
-            "on with: run it again with the same output."
+            "Trains a segmentation model on an orthophoto and a land-cover layer or label map of the same ground. The "
+            "result is an ONNX file for “Segment image” and “Localize images”, and a report.\n\nPart of the ground is "
+            "set aside to test the model. Training needs the training environment: install it under Settings ▸ "
+            "Options ▸ SemRef, or select a Python with torch. To continue a canceled run, run it again with the same "
+            "output."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
@@ -95,23 +95,29 @@ class TrainModel(AnnotationAlgorithm):
             with_help(
                 QgsProcessingParameterRasterLayer(self.IMAGE, tr("Orthophoto")),
                 tr(
-                    "Aerial image of 8 or 16 bits with its place on the ground. Red, green and blue are learned. Map "
-                    "tiles and web maps are drawn by QGIS; they need extent and resolution."
+                    "Georeferenced aerial image with 8 or 16 bits. Red, green and blue are used. QGIS draws map tiles "
+                    "and web maps; they need an extent and a resolution."
                 ),
                 widget="PhotoWidget",
             ),
             *parameters.annotation(optional=True),
             parameters.label_map(
-                tr("Instead of an annotation: a raster of class values of the same ground, 0 without a label."),
+                tr(
+                    "Raster of class values for the same ground, instead of a land-cover layer; 0 where the class is "
+                    "unknown."
+                ),
                 optional=True,
             ),
             *self._choices(),
             *self._details(),
             with_help(
                 QgsProcessingParameterFileDestination(self.OUTPUT, tr("Model"), fileFilter=tr("ONNX models (*.onnx)")),
-                tr("ONNX file. While it is trained, a folder beside it keeps what a canceled run can go on with."),
+                tr(
+                    "ONNX file. During training a folder beside it contains the state that a canceled run needs to "
+                    "continue."
+                ),
             ),
-            parameters.report(tr("A page with IoU of each class, confusion matrix, curves and examples side by side.")),
+            parameters.report(tr("Page with the IoU of each class, confusion matrix, learning curves and examples.")),
             QgsProcessingOutputNumber(self.MEAN_IOU, tr("Mean IoU")),
             parameters.mask(),
         )
@@ -126,9 +132,9 @@ class TrainModel(AnnotationAlgorithm):
                     defaultValue=UNKNOWN,
                 ),
                 tr(
-                    "Unknown ground is left out of training. Choose class “other” only where everything that is of a "
-                    "class was drawn; the extent then keeps away ground where nothing was drawn. SemRef always does it "
-                    "for a layer with a single class, such as buildings."
+                    "“is unknown” excludes this ground from training. Select the second choice only if all areas of "
+                    "the classes were drawn, and set an extent without undrawn ground. SemRef always uses class "
+                    "“other” for a layer with a single class, such as buildings."
                 ),
             ),
             with_help(
@@ -138,22 +144,22 @@ class TrainModel(AnnotationAlgorithm):
                     fileFilter=tr("Models that SemRef trained (*.onnx *.pt)"),
                     optional=True,
                 ),
-                tr("A model that SemRef trained, to go on from: its classes are matched by name. Optional."),
+                tr("Model that was trained with SemRef and is trained further. Its classes are matched by name."),
             ),
             with_help(
                 QgsProcessingParameterNumber(
                     self.MINUTES, tr("Time limit (minutes)"), type=DOUBLE, defaultValue=30, optional=True, minValue=0
                 ),
                 tr(
-                    "Time from the start until the model is written. Ten minutes are enough to try; an hour gives a "
-                    "better model. 0: no limit."
+                    "Time from the start until the model is written. 10 minutes are enough for a test, 60 minutes "
+                    "give a better model. 0 means no limit."
                 ),
                 widget="TimeLimitWidget",
             ),
             parameters.resolution(
                 tr(
-                    "Pixel size for training, if not that of the image: the smallest buildings should be about 14 "
-                    "pixels wide. Coarser pixels train faster."
+                    "Pixel size for training, if it differs from the image. The smallest buildings should be about 14 "
+                    "pixels wide. Larger pixels train faster."
                 ),
                 advanced=False,
             ),
@@ -165,15 +171,21 @@ class TrainModel(AnnotationAlgorithm):
             *self._learning_parameters(),
             parameters.validation_fraction(advanced=True),
             with_help(
-                QgsProcessingParameterBoolean(self.RESUME, tr("Go on with a canceled run"), defaultValue=True),
-                tr("A canceled run with the same output and settings is gone on with; otherwise it is begun anew."),
+                QgsProcessingParameterBoolean(self.RESUME, tr("Continue a canceled run"), defaultValue=True),
+                tr(
+                    "A canceled run with the same output and settings is continued. Otherwise training starts from "
+                    "the beginning."
+                ),
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterFile(
-                    self.PYTHON, tr("Python that trains"), fileFilter=tr("Programs (*)"), optional=True
+                    self.PYTHON, tr("Python of the training environment"), fileFilter=tr("Programs (*)"), optional=True
                 ),
-                tr("A Python with torch; if left out, that of the options, or the one that SemRef made for training."),
+                tr(
+                    "Python with torch. If not set, the Python of the SemRef options is used, or the training "
+                    "environment that SemRef installed."
+                ),
                 advanced=True,
             ),
             parameters.seed(default=1671),
@@ -183,24 +195,30 @@ class TrainModel(AnnotationAlgorithm):
         return (
             with_help(
                 QgsProcessingParameterNumber(self.EPOCHS, tr("Epochs"), type=INTEGER, defaultValue=200, minValue=1),
-                tr("Rounds over the ground, at most; the time limit may end it earlier."),
+                tr("Maximum number of passes over the training tiles. The time limit may end training earlier."),
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterNumber(
                     self.PATIENCE, tr("Patience (epochs)"), type=INTEGER, defaultValue=30, minValue=0
                 ),
-                tr("Training stops when ground set aside has not been told better for so many epochs. 0: never."),
+                tr(
+                    "Training stops if the result on the ground set aside has not improved for this number of epochs. "
+                    "0 means never."
+                ),
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterEnum(
                     self.NETWORK,
                     tr("Network"),
-                    options=(tr("EfficientNet-Lite0, which knows photos"), tr("Small, from scratch")),
+                    options=(tr("EfficientNet-Lite0, pretrained on photos"), tr("Small, not pretrained")),
                     defaultValue=LITE0_NETWORK,
                 ),
-                tr("What is trained where there is no base model. The small one is quicker and knows nothing yet."),
+                tr(
+                    "Network that is trained if there is no base model. The small network trains faster, but has "
+                    "learned nothing before."
+                ),
                 advanced=True,
             ),
         )
@@ -211,7 +229,7 @@ class TrainModel(AnnotationAlgorithm):
         from ..packages.training_environment import training_python
 
         if values.has(self.INPUT) == values.has(self.LABELS):
-            raise ParameterError("Give either an annotation layer (INPUT) or a label map (LABELS).")
+            raise ParameterError("Select either a land-cover layer or a label map.")
         super().check(values)
         training_python(values.file(self.PYTHON))
 
@@ -224,7 +242,7 @@ class TrainModel(AnnotationAlgorithm):
         self._area = drawn_area(values.source(self.MASK))
         self._photo = PhotoSource(values, self.IMAGE, self.EXTENT, self._area) if needs_drawing(image) else None
         if self._photo is not None and not values.has(self.RESOLUTION):
-            raise ImageError("“{layer}” can be drawn at any resolution; give RESOLUTION.", layer=image.name())
+            raise ImageError("“{layer}” has no resolution of its own. Enter a resolution.", layer=image.name())
         self._image = values.image(self.IMAGE) if self._photo is None else named_layer(image)
         self._image_extent, self._labels = image.extent(), None
         if values.has(self.INPUT):
@@ -245,7 +263,7 @@ class TrainModel(AnnotationAlgorithm):
         began = time.monotonic()
         python = training_python(values.file(self.PYTHON))
         self._require_classes(values, feedback)
-        feedback.setProgressText(tr("Starting the Python that trains"))
+        feedback.setProgressText(tr("Starting the training environment"))
         ready = require_training(python, feedback)
         text = tr("{python}: torch {version} on {device}")
         feedback.pushInfo(text.format(python=python, version=ready["torch"], device=ready["device"]))
@@ -267,14 +285,15 @@ class TrainModel(AnnotationAlgorithm):
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
         results = super().processAlgorithm(parameters, context, feedback)
-        # Not before the model is in its place: if it can't be moved there, the training is not lost.
+        # Remove the run only when the model is in its place: if it cannot be moved there, the training is not lost.
         self._run.clear()
         return results
 
     def _require_classes(self, values: Values, feedback: QgsProcessingFeedback) -> None:
-        """Refuses polygons of one class alone, by their boxes: before anything is started. Pixels tell the rest.
+        """Refuse a layer with polygons of one class in the area, before anything is started. Pixels are checked
+        later.
 
-        In a layer that has a single class, other ground is the other class, as in “Rasterize annotation”.
+        In a layer with a single class, ground without a polygon is class “other”, as in “Rasterize land-cover layer”.
         """
         from ..layers.training_ground import classes_on, require_two_classes
 
@@ -286,7 +305,7 @@ class TrainModel(AnnotationAlgorithm):
         parts += [] if self._area is None else [(self._area.extent, self._area.crs)]
         lookup = self.classes(values, feedback)
         if sum(bool(one.value) for one in lookup.table) == 1:
-            feedback.pushInfo(tr("The layer has a single class: ground without a polygon becomes class “other”."))
+            feedback.pushInfo(tr("The layer has a single class. Ground without a polygon becomes class “other”."))
             self._has_single_class = True
             return
         found = classes_on(self._source, lookup, parts, values.transform_context, feedback.isCanceled)
@@ -294,7 +313,7 @@ class TrainModel(AnnotationAlgorithm):
         require_two_classes([value in found for value in range(256)], lookup.table)
 
     def _is_rest_unknown(self, values: Values) -> bool:
-        """Whether nothing is learned of ground without a label."""
+        """Return whether ground without a label is excluded from training."""
         return values.choice(self.UNLABELED) == UNKNOWN and not self._has_single_class
 
     def _train(
@@ -306,7 +325,7 @@ class TrainModel(AnnotationAlgorithm):
         began: float,
         feedback: QgsProcessingFeedback,
     ) -> TrainingReport:
-        """Cuts the ground, trains on it, writes the model; what there is to say of it."""
+        """Cut the tiles, train, write the model, and return the report."""
         from ...training.job import EXAMPLES, JOB, RESULT
         from ..base.training_estimate import remember_speed
         from ..base.training_process import TrainingProgress, training_events
@@ -331,7 +350,7 @@ class TrainModel(AnnotationAlgorithm):
             result = json.loads((run.folder / RESULT).read_text(encoding="utf-8"))
         except (OSError, ValueError) as error:
             raise TrainingError(
-                "The training ended without a word ({reason}); see whether the memory is used up, or choose another "
+                "The training ended without a message ({reason}). Check whether the memory is full, or select another "
                 "Python than {python}.",
                 python=python,
                 reason=error,
@@ -362,7 +381,7 @@ class TrainModel(AnnotationAlgorithm):
         )
 
     def _fingerprint(self, values: Values) -> dict:
-        """By what a canceled run is known to be of the same ground."""
+        """Return what identifies the ground and settings of a canceled run."""
         from ..base.training_run import stamp
 
         extent = values.extent(self.EXTENT, self._image.crs)
@@ -378,7 +397,7 @@ class TrainModel(AnnotationAlgorithm):
         if self._labels is not None:
             return {**found, "labels": stamp(self._labels.path)}
         source = self._source
-        # What lies on top counts only where it is asked: runs canceled before it could be are gone on with.
+        # The priority field counts only if it is set, so that runs that were canceled before it existed continue.
         fields = filter(None, (values.text(key) for key in (self.CLASS_FIELD, self.PRIORITY_FIELD, self.CLASS)))
         return {
             **found,
@@ -386,7 +405,7 @@ class TrainModel(AnnotationAlgorithm):
         }
 
     def _ground(self, values: Values, feedback: QgsProcessingFeedback) -> TrainingGround:
-        """What is to be seen of the image, which is drawn first where it is no file."""
+        """Return the part of the image to train on; a layer that is not a file is drawn first."""
         from ..layers.training_ground import TrainingGround, open_drawing
 
         layer, extent = self._image, self._image_extent
@@ -397,7 +416,7 @@ class TrainModel(AnnotationAlgorithm):
             resolution_m = None
         drawn = None
         if self._labels is None and not self._is_rest_unknown(values):
-            # Beyond what was annotated, nothing tells that there is something else.
+            # Outside the drawn polygons it is unknown whether the ground is class “other”.
             drawn = self._source.extent, self._source.crs
         labels = self._source.name if self._labels is None else os.path.basename(self._labels.path)
         return TrainingGround(
@@ -420,7 +439,7 @@ class TrainModel(AnnotationAlgorithm):
         run: TrainingRun,
         feedback: QgsProcessingFeedback,
     ) -> None:
-        """Labels on the image's pixels, and tiles of both."""
+        """Burn the labels on the pixels of the image, and cut tiles of both."""
         from ...core.labels.training_tiles import TRAIN, VALIDATION, fitting_tiles
         from ...storage.rasterize import LabelMapBurning
         from ...storage.training_ground import frame_of, shape_of
@@ -441,5 +460,5 @@ class TrainModel(AnnotationAlgorithm):
         run.new_tiles.mkdir(parents=True)
         follow(export.steps(run.new_tiles, table), feedback, CUT / 2, CUT)
         run.keep_tiles()
-        text = tr("{training} tiles to train on, {validation} to validate on")
+        text = tr("{training} training tiles, {validation} validation tiles")
         feedback.pushInfo(text.format(training=export.counts[TRAIN], validation=export.counts[VALIDATION]))

@@ -1,4 +1,4 @@
-"""semref:updatedatabase – database and corrected label map to the database of a full rebuild."""
+"""semref:updatedatabase: update a database from a corrected label map."""
 
 from __future__ import annotations
 
@@ -50,35 +50,34 @@ class UpdateDatabase(SemRefAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Brings a reference database up to date after its label map was corrected: the same answer as building it "
-            "anew, but only windows and landmarks that the corrections reach are touched.\n\n"
-            "All settings come from the database. What did not change keeps its row and its fid; new landmarks are "
-            "added at the end. The label map must have the pixels, the CRS and the classes of the old one."
+            "Updates a reference database after its label map was corrected. The result is the same as a new build, "
+            "but only windows and landmarks near the changes are computed.\n\nAll settings come from the database. "
+            "Unchanged rows keep their fid; new landmarks are added at the end. The label map must have the same "
+            "pixels, CRS and classes as the old label map."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            parameters.database(tr("GeoPackage made by “Build reference database” or by this algorithm.")),
+            parameters.database(tr("GeoPackage from “Build reference database” or from this algorithm.")),
             with_help(
                 QgsProcessingParameterRasterLayer(self.LABELS, tr("Corrected label map")),
-                tr("The whole area, rasterized with the pixel size and extent of the old label map."),
+                tr("Label map of the whole area, with the pixel size and extent of the old label map."),
             ),
             with_help(
                 QgsProcessingParameterFeatureSource(
                     self.CHANGED, tr("Changed areas"), types=[SOURCE_POLYGON], optional=True
                 ),
                 tr(
-                    "Polygons that hold everything that was changed, such as the places that were corrected: only the "
-                    "blocks of 512 × 512 pixels that they touch are looked at, and changes elsewhere are missed until "
-                    "an update without this. If left out, the whole map is compared with the database, which takes "
-                    "longer."
+                    "Polygons that contain all changes. Only blocks of 512 × 512 pixels that these polygons touch are "
+                    "compared, so changes outside are missed. If not set, the whole map is compared with the "
+                    "database, which takes longer."
                 ),
             ),
             with_help(
                 QgsProcessingParameterFileDestination(
                     self.OUTPUT, tr("Updated database"), fileFilter=tr("GeoPackage (*.gpkg)")
                 ),
-                tr("It may be the database itself, which is then replaced when the update is complete."),
+                tr("The output may be the input database. It is replaced when the update is complete."),
             ),
             parameters.open_output(),
         )
@@ -107,7 +106,7 @@ class UpdateDatabase(SemRefAlgorithm):
         with outputs.database(self.OUTPUT) as path:
             follow(updater.steps(), feedback, 0, 80)
             follow(DatabaseEditor(path, stored, updater.changes).steps(), feedback, 80, 100)
-        # Else the update would undo what others have written since, where it replaces the database.
+        # If the update replaces the database, it must not undo what others have written in the meantime.
         outputs.require(stored.require_as_read)
         self._log_result(stored.database, updater.changes, feedback)
 
@@ -118,22 +117,22 @@ class UpdateDatabase(SemRefAlgorithm):
         crs = QgsCoordinateReferenceSystem.fromWkt(stored)
         if wkt_for_gdal(self._layer.crs) != stored and self._layer.crs != crs:
             raise LabelMapError(
-                "The label map is in {crs}, the database in {database_crs}; rasterize to the database's CRS or build "
-                "a new database.",
+                "The CRS of the label map ({crs}) differs from the CRS of the database ({database_crs}). Rasterize "
+                "the layer in the CRS of the database, or build a new database.",
                 crs=describe_crs(self._layer.crs),
                 database_crs=describe_crs(crs),
             )
 
     def _check_classes(self, table: ClassTable, labels: GdalLabels) -> None:
-        """The map's own class table, if it brings one, must be the database's."""
+        """Require the class table of the map, if there is one, to be that of the database."""
         from ...storage.label_maps import named_classes, stored_class_table
 
         found = stored_class_table(labels.dataset, self._layer.path) or named_classes(labels.dataset)
         differing = {(c.value, c.name) for c in found} ^ {(c.value, c.name) for c in table}
         for value, name in sorted(differing if found else ()):
             raise ClassTableError(
-                "The label map and the database don't have the same classes ({value} {name} is in one of them only); "
-                "rasterize with the database's class table or build a new database.",
+                "The classes of the label map and of the database differ: {value} {name} is in one of them only. "
+                "Rasterize the layer with the class table of the database, or build a new database.",
                 value=value,
                 name=name,
             )
@@ -141,7 +140,7 @@ class UpdateDatabase(SemRefAlgorithm):
     def _areas(
         self, frame: MapFrame, values: Values, feedback: QgsProcessingFeedback
     ) -> list[tuple[int, int, int, int]] | None:
-        """(left, top, right, bottom) in pixels around every changed polygon; None without CHANGED."""
+        """Return (left, top, right, bottom) in pixels around each changed polygon; None without CHANGED."""
         from ..layers.reference_systems import transformed_box
 
         if self._changed is None:
@@ -154,15 +153,15 @@ class UpdateDatabase(SemRefAlgorithm):
                 box = transformed_box(transform, part.boundingBox())
                 if box.isNull():
                     raise ParameterError(
-                        "{key}: the area of feature {feature} can't be brought to the label map's CRS; check the "
-                        "layer's CRS.",
-                        key=self.CHANGED,
+                        "“{key}”: feature {feature} cannot be transformed to the CRS of the label map. Check the CRS "
+                        "of the layer.",
+                        key=values.title(self.CHANGED),
                         feature=feature.id(),
                     )
                 areas.append(_pixels_around(box, frame))
         if not areas:
             raise ParameterError(
-                "{key} has no polygon; leave it out to find the changes by comparing.", key=self.CHANGED
+                "“{key}” contains no polygon. Leave it empty to compare the whole map.", key=values.title(self.CHANGED)
             )
         return areas
 
@@ -170,7 +169,7 @@ class UpdateDatabase(SemRefAlgorithm):
         self, database: ReferenceDatabase, changes: DatabaseChanges, feedback: QgsProcessingFeedback
     ) -> None:
         feedback.pushInfo(
-            tr("{touched} of {windows} windows changed; {removed} landmarks removed, {added} added.").format(
+            tr("{touched} of {windows} windows changed. Landmarks: {removed} removed, {added} added.").format(
                 touched=len(changes.touched),
                 windows=len(database.windows),
                 removed=len(changes.removed),
@@ -180,7 +179,8 @@ class UpdateDatabase(SemRefAlgorithm):
 
 
 def _pixels_around(box: QgsRectangle, frame: MapFrame) -> tuple[int, int, int, int]:
-    """(left, top, right, bottom) of all pixels that a rectangle in map units touches, and of a pixel around it."""
+    """Return (left, top, right, bottom) of all pixels that a rectangle in map units touches, plus one pixel on each
+    side."""
     corners = (box.xMinimum(), box.yMaximum()), (box.xMaximum(), box.yMinimum())
     (left, top), (right, bottom) = frame.to_pixels(corners).tolist()
     return floor(left) - 1, floor(top) - 1, ceil(right) + 1, ceil(bottom) + 1

@@ -1,4 +1,4 @@
-"""What every SemRef algorithm shares: groups, help, errors, cancel, the check for Python packages."""
+"""Base of all algorithms: groups, help, errors, cancel, and the check for Python packages."""
 
 from __future__ import annotations
 
@@ -44,30 +44,30 @@ ICON_PATH = Path(__file__).resolve().parents[2] / "resources" / "icon.svg"
 ANNOTATION, REFERENCE_DATABASE, LOCALIZATION = "annotation", "referencedatabase", "localization"
 
 REPORTS_AS_FILES = "reports_as_files"
-"""Configuration of an algorithm whose reports are shown by whoever opens its dialog, not by QGIS's Results Viewer."""
+"""Configuration of an algorithm whose reports are shown by its caller, not by QGIS's Results Viewer."""
 
 CANCEL_EVERY_S = 0.2
-"""How often a cancel is looked for during work that can't be interrupted."""
+"""Seconds between checks for a cancel during work that cannot be interrupted."""
 
 
 class Canceled(Exception):
     """The user canceled; nothing was written."""
 
     def message(self) -> str:
-        """What the user is told, in their language."""
-        return tr("Canceled; nothing was written.")
+        """Return the message for the user."""
+        return tr("Canceled. Nothing was written.")
 
 
 class SemRefAlgorithm(QgsProcessingAlgorithm):
-    """Base of the algorithms. A subclass has ID, GROUP, TAGS and the methods title, summary, parameters, work."""
+    """Base of the algorithms. A subclass defines ID, GROUP, TAGS and title, summary, parameters and work."""
 
     ID = ""
     GROUP = ""
     TAGS: tuple[str, ...] = ()
     PACKAGES: tuple[Package, ...] = NEEDED
-    """Python packages that it needs beside QGIS's own."""
+    """Required Python packages beside those of QGIS."""
     MAY_REPLACE: ClassVar[Mapping[str, str]] = MappingProxyType({})
-    """Outputs that may be the file of an input, by key: it is read whole before, and replaced when all is done."""
+    """Outputs that may replace the file of an input, by key: the input is read completely before."""
 
     _refusal: SemRefError | None = None
     _note = Note()
@@ -77,24 +77,24 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         raise NotImplementedError
 
     def summary(self) -> str:
-        """One or two paragraphs of help; the parameters bring their own."""
+        """Return one to three paragraphs of help; each parameter has its own help."""
         raise NotImplementedError
 
     def parameters(self) -> tuple[Declared, ...]:
-        """What it asks for, what it writes and the numbers that it tells, in the dialog's order."""
+        """Return inputs, outputs and result numbers in the order of the dialog."""
         raise NotImplementedError
 
     def check(self, values: Values) -> None:
-        """Raises SemRefError for values that don't fit together; for what needs no work."""
+        """Raises SemRefError for values that do not fit together, before any work."""
 
     def read_layers(self, values: Values) -> None:
-        """Takes what belongs to the main thread out of layers; raises SemRefError."""
+        """Read what is needed from layers, in the main thread. Raises SemRefError."""
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, Any] | None:
-        """Does the work and writes ``outputs``; raises SemRefError for what the user can fix and Canceled.
+        """Do the work and write ``outputs``. Raises Canceled, and SemRefError for what the user can correct.
 
         Returns:
-            The numbers that it tells, by key.
+            The result numbers, by key.
         """
         raise NotImplementedError
 
@@ -164,13 +164,13 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         try:
             require(self.PACKAGES)
             values.require_texts()
-            # First: QGIS opens layers to see whether they can be.
+            # Before QGIS opens the layers to check them.
             for definition in self.parameterDefinitions():
                 if definition.type() == "raster":
                     values.require_pictures(definition.name())
             possible, reason = super().checkParameterValues(parameters, context)
             if not possible:
-                # QGIS repeats values as they are.
+                # QGIS repeats values unchanged.
                 return False, legible(reason)
             for definition in self.parameterDefinitions():
                 if values.has(definition.name()):
@@ -193,7 +193,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
             self.read_layers(values)
             self._note = note_of_run(self, parameters, context, plugin_version())
         except SemRefError as error:
-            # Raised by processAlgorithm: of what prepareAlgorithm raises QGIS tells Python callers nothing.
+            # Raised by processAlgorithm: QGIS does not pass errors of prepareAlgorithm to Python callers.
             self._refusal = error
         return True
 
@@ -219,11 +219,11 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
 
 
 _READ = {"number": Values.number, "distance": Values.number, "range": Values.range}
-"""Numbers by type of parameter: read before any work, and refused where they are none."""
+"""Readers of numbers by type of parameter: they refuse other values before any work."""
 
 
 def _is_page(parameter: QgsProcessingParameterDefinition) -> bool:
-    """Whether it is an output that QGIS shows in its Results Viewer; QGIS goes by the filter as well."""
+    """Return whether QGIS shows the output in its Results Viewer; QGIS checks the file filter, too."""
     return isinstance(parameter, QgsProcessingParameterFileDestination) and "*.htm" in parameter.fileFilter()
 
 
@@ -233,9 +233,9 @@ def prints_help() -> bool:
 
 
 def group_title(group: str) -> str:
-    """A group of algorithms in the user's language."""
+    """Return the title of a group of algorithms in the user's language."""
     return {
-        ANNOTATION: tr("Annotation"),
+        ANNOTATION: tr("Land cover"),
         REFERENCE_DATABASE: tr("Reference database"),
         LOCALIZATION: tr("Localization"),
     }[group]
@@ -247,8 +247,10 @@ _DISK_ERRORS = (errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EACCES, errno.EPE
 def _disk_sentence(error: OSError) -> str:
     name = error.filename or tr("the output")
     if error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
-        return tr("The disk is full while writing {name}; free some space or choose another place.").format(name=name)
-    return tr("{name} can’t be written; choose a place where you may write.").format(name=name)
+        return tr("The disk is full: {name} cannot be written. Free some space, or choose another folder.").format(
+            name=name
+        )
+    return tr("You have no permission to write {name}. Choose another folder.").format(name=name)
 
 
 def check_canceled(feedback: QgsProcessingFeedback) -> None:
@@ -257,13 +259,13 @@ def check_canceled(feedback: QgsProcessingFeedback) -> None:
 
 
 def cancelable(function: Callable[..., Result], *arguments: Any, feedback: QgsProcessingFeedback) -> Result:
-    """The function's result; a cancel is heeded at once, while the function ends in its own thread."""
+    """Run a function in its own thread and return its result; a cancel takes effect at once."""
     pool = ThreadPoolExecutor(1)
     try:
         running = pool.submit(function, *arguments)
         while not wait([running], timeout=CANCEL_EVERY_S).done:
             check_canceled(feedback)
-        # A function that looked for the cancel itself has ended early.
+        # A function that checks for the cancel itself ends early.
         check_canceled(feedback)
         return running.result()
     finally:
@@ -273,7 +275,7 @@ def cancelable(function: Callable[..., Result], *arguments: Any, feedback: QgsPr
 def interruptible(
     steps: Generator[tuple[str, float], None, None], feedback: QgsProcessingFeedback
 ) -> Generator[tuple[str, float], None, None]:
-    """The same steps, each in a thread of its own: a cancel is heeded in the midst of a long one."""
+    """Run each step in its own thread, so that a cancel takes effect during a long step."""
     while True:
         step = cancelable(next, steps, None, feedback=feedback)
         if step is None:
@@ -287,9 +289,9 @@ def follow(
     first: float = 0.0,
     last: float = 100.0,
 ) -> None:
-    """Runs steps of (what is being done, share done 0…1), showing progress from first to last %; raises Canceled.
+    """Run steps of (what is being done, share done 0…1) and show progress from first to last %. Raises Canceled.
 
-    The steps are closed whatever happens: files and threads they hold are let go before anything is cleared away.
+    The steps are always closed: their files and threads are released before anything is removed.
     """
     shown = None
     with contextlib.closing(steps):

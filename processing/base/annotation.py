@@ -1,4 +1,4 @@
-"""What the algorithms that read an annotation layer share: its parameters and how it is read."""
+"""Base of the algorithms that read a land-cover layer: its parameters, and how it is read."""
 
 from __future__ import annotations
 
@@ -34,11 +34,11 @@ PRESETS = {
     "CORINE Land Cover": str(CLASS_TABLES / "corine.csv"),
     "Urban Atlas": str(CLASS_TABLES / "urban_atlas.csv"),
 }
-"""Class tables that ship, by the proper names of their nomenclatures; in the order of PRESET, of which 0 is none."""
+"""Class tables in the plugin, by the names of their nomenclatures, in the order of PRESET (without 0, no preset)."""
 
 
 class AnnotationAlgorithm(SemRefAlgorithm):
-    """Base of algorithms with an annotation layer; ``self._source`` is a snapshot of it."""
+    """Base of algorithms with a land-cover layer; ``self._source`` is a snapshot of it."""
 
     GROUP = ANNOTATION
     _source: AnnotationSource
@@ -51,7 +51,9 @@ class AnnotationAlgorithm(SemRefAlgorithm):
 
     def check(self, values: Values) -> None:
         if values.has(self.INPUT) and not (values.text(self.CLASS_FIELD) or values.text(self.CLASS).strip()):
-            raise ParameterError("Choose the class field of the polygons, or enter the one class that all of them are.")
+            raise ParameterError(
+                "The polygons have no class. Select the class field, or enter the class of all polygons."
+            )
 
     def read_layers(self, values: Values) -> None:
         from ..layers.annotation import annotation_source
@@ -65,7 +67,7 @@ class AnnotationAlgorithm(SemRefAlgorithm):
         )
 
     def classes(self, values: Values, feedback: QgsProcessingFeedback) -> ClassLookup:
-        """The classes of the class table if one is given, else of the layer's style, else of its values."""
+        """Return the classes of the class table, otherwise of the layer's style, otherwise of its values."""
         from ..layers.annotation import class_lookup
 
         lookup = class_lookup(self._source, values.class_table(self.CLASS_TABLE), feedback.isCanceled)
@@ -75,14 +77,15 @@ class AnnotationAlgorithm(SemRefAlgorithm):
     def label_map_crs(
         self, values: Values, feedback: QgsProcessingFeedback, asked: QgsCoordinateReferenceSystem | None = None
     ) -> QgsCoordinateReferenceSystem:
-        """A label map's metric CRS: the one asked for, the layer's own, else (and it says so) a UTM zone."""
+        """Return the metric CRS of the label map: the selected one, otherwise the layer's, otherwise a UTM zone
+        (logged)."""
         from ..layers.reference_systems import describe_crs, metric_crs
 
         source, asked = self._source, asked or QgsCoordinateReferenceSystem()
         crs = metric_crs(source.crs, asked, source.extent, values.transform_context)
         if crs != source.crs and not asked.isValid():
             feedback.pushWarning(
-                tr("{source} does not measure in meters; the result is in {target}.").format(
+                tr("The unit of the layer’s CRS ({source}) is not the meter. The result is in {target}.").format(
                     source=describe_crs(source.crs), target=describe_crs(crs)
                 )
             )
@@ -97,7 +100,7 @@ class AnnotationAlgorithm(SemRefAlgorithm):
         last: float,
         with_attributes: bool = False,
     ) -> AnnotationReading:
-        """Reads the layer, showing progress up to ``last`` %."""
+        """Read the layer and show progress up to ``last`` %."""
         from ..layers.annotation_features import AnnotationReading, read_features
 
         reading = AnnotationReading()
@@ -111,7 +114,8 @@ class AnnotationAlgorithm(SemRefAlgorithm):
     def burn_polygons(
         self, values: Values, feedback: QgsProcessingFeedback, crs: QgsCoordinateReferenceSystem, last: float
     ) -> tuple[list[BurnPolygon], ClassTable]:
-        """Polygons to burn and the class table; says what was repaired and skipped; progress goes up to ``last`` %."""
+        """Return the polygons to burn and the class table; log what was repaired and skipped; progress ends at ``last``
+        %."""
         from ...core.annotation.classes import require_known_classes
         from ..layers.annotation import AnnotationCounts, burn_polygons
 
@@ -131,12 +135,14 @@ class AnnotationAlgorithm(SemRefAlgorithm):
         require_known_classes(counts.unknown, source.name, lookup.table)
         if not polygons:
             raise ParameterError(
-                "“{source}” has no polygon with area and class; there is nothing to rasterize.", source=source.name
+                "“{source}” contains no polygon with an area and a class, so there is nothing to rasterize. Check the "
+                "class field.",
+                source=source.name,
             )
         return polygons, lookup.table
 
     def require_known_classes(self, reading: AnnotationReading, lookup: ClassLookup) -> None:
-        """Raises AnnotationError as rasterizing does for class values that the class table lacks."""
+        """Raises AnnotationError for class values that the class table lacks, as rasterizing does."""
         from ...core.annotation.classes import require_known_classes
 
         unknown = (f.reason for f in reading.findings if f.kind == UNKNOWN_CLASS and f.severity == ERROR)
@@ -144,7 +150,7 @@ class AnnotationAlgorithm(SemRefAlgorithm):
 
 
 def filling_polygon(value: int, bounds: Iterable[Bounds]) -> BurnPolygon:
-    """What lies beneath all polygons, as far as they reach, if it comes first; ``value``: of its class."""
+    """Return a polygon of class ``value`` that covers the extent of all polygons; it must be burned first."""
     from qgis.core import QgsRectangle
 
     from ...storage.rasterize import BurnPolygon
@@ -155,7 +161,7 @@ def filling_polygon(value: int, bounds: Iterable[Bounds]) -> BurnPolygon:
 
 
 def geometry_of(wkb: bytes | None, multi: bool = False) -> QgsGeometry | None:
-    """A geometry for a sink; ``multi``: as a multi-geometry."""
+    """Return a geometry for a sink; ``multi``: as a multi-geometry."""
     if wkb is None:
         return None
     geometry = QgsGeometry()

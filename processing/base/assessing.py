@@ -1,4 +1,4 @@
-"""What assessing a database and assessing a route share: noise and its parameters, reading, trials, reasons."""
+"""Base of the assessments of a database and of a route: label errors, reading, and simulated trials."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from .values import Values
 
 _SIMULATED_A_TASK = 25
-"""Of some milliseconds each."""
+"""Trials of some milliseconds each."""
 
 USUAL: dict[str, tuple[float, float | None]] = {
     parameters.MISSED: (20.0, 100.0),
@@ -48,28 +48,28 @@ USUAL: dict[str, tuple[float, float | None]] = {
     parameters.LENS: (0.5, 10.0),
     parameters.TILT: (2.0, 30.0),
 }
-"""What is assumed by default, and the largest value, by key: percent, map units, degrees."""
+"""(default, largest value) of each error by key, in percent, m or degrees."""
 
 
 NETWORK_FACTORS = (None, 0.5, 1.0, 2.0)
-"""By option of NETWORK: multiplies what is assumed of a network; None leaves it to the numbers that are given."""
+"""Factor of the label errors by option of NETWORK; None uses the values of the parameters."""
 
 OF_NETWORKS = ("MISSED", "INVENTED", "MISNAMED", "RAGGED", "BACKGROUND", "SHIFTED")
-"""The errors that are a network's; the others are the map's and the camera's."""
+"""Errors of the network; the others are errors of the map and the camera."""
 
 
 def noise_ranges(
     values: Values, usual: Mapping[str, tuple[float, float]], read: Callable[[str], tuple[float, float]]
 ) -> dict[str, tuple[float, float]]:
-    """How poor labels are: by a comparison's report, else by the network in a word, else by the parameters themselves.
+    """Return the label errors: of a comparison report, otherwise of the label quality, otherwise of the parameters.
 
     Args:
-        values: With NETWORK and COMPARISON.
-        usual: (lowest, highest) that is assumed of a usable network, by key.
-        read: Gives the range that a parameter has.
+        values: Values with NETWORK and COMPARISON.
+        usual: (lowest, highest) of a usable network, by key.
+        read: Function that returns the range of a parameter.
 
     Raises:
-        ParameterError: The report can't be used, or a value.
+        ParameterError: The report or a value cannot be used.
     """
     factor, path = NETWORK_FACTORS[values.choice(parameters.NETWORK)], values.file(parameters.COMPARISON)
     compared = read_network(path) if path else {}
@@ -93,34 +93,33 @@ def _noise(key: str, title: str, text: str) -> QgsProcessingParameterDefinition:
 
 
 class AssessAlgorithm(SemRefAlgorithm):
-    """An algorithm that simulates images of a database."""
+    """Base of algorithms that simulate images of a database."""
 
     DATABASE, REPORT, SEED = parameters.DATABASE, parameters.REPORT, parameters.SEED
     MAP_CORRELATION = "MAP_CORRELATION"
     THRESHOLD = "THRESHOLD"
 
     def noise_parameters(self) -> tuple[QgsProcessingParameterDefinition, ...]:
-        """What is good enough, how images are localized, and how poor their labels are."""
+        """Return the threshold, the method and the label errors."""
         return (
             with_help(
                 QgsProcessingParameterNumber(
                     self.THRESHOLD,
-                    tr("Good enough from (%)"),
+                    tr("Success threshold (%)"),
                     type=DOUBLE,
                     defaultValue=90.0,
                     minValue=1.0,
                     maxValue=99.9,
                 ),
-                tr("Expected success from which a place counts as one where localization works."),
+                tr("Expected success from which a place counts as localizable, for example 90."),
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterBoolean(self.MAP_CORRELATION, tr("With map correlation"), defaultValue=True),
                 tr(
-                    "As the method Automatic works: where landmarks give no fix, map correlation is tried on images "
-                    "cut from the database’s overview. That takes about a second an image on a large map, so it is "
-                    "tried on an eighth of the images at most. Without it the constellation of landmarks alone is "
-                    "assessed."
+                    "Assess the method “Automatic”: where the landmarks give no position, map correlation is tested "
+                    "on images of the overview. This takes about 1 s per image on a large map, so at most an eighth "
+                    "of the images are tested. If off, only the constellation of landmarks is assessed."
                 ),
                 advanced=True,
             ),
@@ -135,7 +134,7 @@ class AssessAlgorithm(SemRefAlgorithm):
         self.conditions(values)
 
     def conditions(self, values: Values) -> Conditions:
-        """How poor labels and cameras are taken to be, in map units. Raises ParameterError for what can't be."""
+        """Return the assumed errors of labels and cameras, in map units. Raises ParameterError."""
         from ...core.simulation.conditions import conditions_of
 
         usual = {key: (number, number) for key, (number, _) in USUAL.items()}
@@ -143,17 +142,17 @@ class AssessAlgorithm(SemRefAlgorithm):
         return conditions_of({key.lower(): number for key, (number, _) in ranges.items()})
 
     def with_correlation(self, values: Values, database: ReferenceDatabase) -> bool:
-        """Whether map correlation is assessed as well: it is wanted, and the database has what it needs."""
+        """Return whether map correlation is assessed: it is selected and the database has an overview."""
         return values.switch(self.MAP_CORRELATION) and database.overview is not None
 
     def threshold(self, values: Values) -> float:
-        """0…1."""
+        """Return the success threshold, 0…1."""
         return values.number(self.THRESHOLD) / 100
 
     def read_all(
         self, values: Values, feedback: QgsProcessingFeedback
     ) -> tuple[ReferenceDatabase, QgsCoordinateReferenceSystem]:
-        """(database with bounds and, if it has one, overview; its CRS)."""
+        """Return (database with bounds and, if there is one, its overview; its CRS)."""
         from ...storage.database.connection import DatabaseChangedError
         from ...storage.database.reader import read_database, read_overview
         from ..layers.reference_systems import database_crs
@@ -168,10 +167,10 @@ class AssessAlgorithm(SemRefAlgorithm):
         except DatabaseChangedError:
             raise
         except DatabaseError:
-            # Landmarks can be assessed all the same.
+            # The landmarks can be assessed without the overview.
             warning = tr(
-                "The database has no overview: the constellation alone is assessed, and where the ground ends is taken "
-                "from the extent."
+                "The database has no overview. Only the constellation is assessed, and the extent is used as the "
+                "border of the ground."
             )
             feedback.pushWarning(warning)
         return database, crs
@@ -184,7 +183,7 @@ class AssessAlgorithm(SemRefAlgorithm):
         footprint: float,
         feedback: QgsProcessingFeedback,
     ) -> Assessment:
-        """The assessment of a footprint; says when images like that aren't searched for."""
+        """Return the assessment of a footprint width; warn if images of this size are not searched."""
         from ...core.assessment.assessment import Assessment
 
         correlation = self.with_correlation(values, database)
@@ -193,14 +192,14 @@ class AssessAlgorithm(SemRefAlgorithm):
         if not made.simulator.is_searched or correlation and not made.simulator.is_correlated:
             feedback.pushWarning(
                 tr(
-                    "Images that show {footprint:g} map units are not looked for without a known pixel size: too far "
-                    "from the window size of {window:g}."
+                    "Images with a footprint width of {footprint:g} m are not searched without a known pixel size: it "
+                    "differs too much from the window size ({window:g} m)."
                 ).format(footprint=footprint, window=database.parameters.window_size)
             )
         return made
 
     def localizer(self, database: ReferenceDatabase, feedback: QgsProcessingFeedback) -> Localizer:
-        """A localizer of the database, its index built once, cancelable."""
+        """Return a localizer of the database with its index built."""
         from ...core.localizer.localizer import Localizer
 
         localizer = Localizer(database)
@@ -220,15 +219,15 @@ class AssessAlgorithm(SemRefAlgorithm):
         """Simulate and localize the planned images of each assessment.
 
         Args:
-            assessments: Of one database, alike but for their footprints.
-            planned: The queries of each.
+            assessments: Assessments of one database that differ in their footprints only.
+            planned: The queries of each assessment.
             feedback: Shows progress and takes a cancel.
             first: Progress in percent before.
-            last: And after.
-            run: Workers that do it; None to do it here.
+            last: Progress in percent after.
+            run: Workers; None to compute in this process.
 
         Returns:
-            (trials, those that map correlation was tried on by their numbers in the queries) of each assessment.
+            (trials, trials of map correlation by their numbers in the queries) of each assessment.
         """
         from ...cluster.task_names import ASSESS, CORRELATE
         from ...core.assessment.assessment import CORRELATED_SHARE, AssessmentJob, to_correlate
@@ -240,7 +239,7 @@ class AssessAlgorithm(SemRefAlgorithm):
             return run.answers(task, AssessmentJob.of(assessments[0]), pieces, assessments[0].database, size)
 
         def simulate_one(assessment: Assessment, query: PlaceQuery) -> Trial:
-            # Milliseconds each, so that a thread for every one would cost more than it helps.
+            # A trial takes milliseconds, so a thread for each would cost more time than it saves.
             check_canceled(feedback)
             return assessment.run(query)
 
@@ -263,24 +262,24 @@ class AssessAlgorithm(SemRefAlgorithm):
             again = answers(CORRELATE, correlate_one, [(n, planned[n][number]) for n, number in chosen], 1)
             for (n, number), trial in zip(chosen, with_progress(again, len(chosen), feedback, middle, last)):
                 tried[n][1][number] = trial
-        text = tr("{count} images simulated in {seconds:.0f} s.")
+        text = tr("{count} simulated images in {seconds:.0f} s.")
         feedback.pushInfo(text.format(count=len(asked) + len(chosen), seconds=time.monotonic() - started))
         return tried
 
 
 def setting_rows(conditions: Conditions, threshold: float, correlation: bool, seed: int) -> list[tuple[str, str]]:
-    """What both reports list: (what, value)."""
+    """Return the settings in both reports: (title, value)."""
     noise = conditions.noise
     shared = (100 * noise.background, noise.displaced, conditions.class_shift, 100 * noise.leaning)
     numbers = (*shared, 100 * conditions.lens, conditions.tilt_deg)
     method = Method.AUTOMATIC if correlation else Method.CONSTELLATION
     return [
         (tr("Method"), worded(method.title)),
-        (tr("Landmarks missed (%)"), shown(100 * noise.missed, "g")),
-        (tr("Landmarks invented (%)"), shown(100 * noise.spurious, "g")),
-        (tr("Landmarks misnamed (%)"), shown(100 * noise.mislabeled, "g")),
-        (tr("Ragged edges (map units)"), shown(noise.jitter, "g")),
+        (tr("Missed landmarks (%)"), shown(100 * noise.missed, "g")),
+        (tr("Spurious landmarks (%)"), shown(100 * noise.spurious, "g")),
+        (tr("Mislabeled landmarks (%)"), shown(100 * noise.mislabeled, "g")),
+        (tr("Boundary jitter (m)"), shown(noise.jitter, "g")),
         *((title, shown(number, "g")) for (_, title, _), number in zip(parameters.shared_errors(), numbers)),
-        (tr("Good enough from (%)"), shown(100 * threshold, "g")),
+        (tr("Success threshold (%)"), shown(100 * threshold, "g")),
         (tr("Seed"), str(seed)),
     ]

@@ -1,4 +1,4 @@
-"""What a comparison of label maps says of their landmarks: how many are wrong, and how far off each class is shown."""
+"""Landmark errors and class offsets that a comparison of label maps measures."""
 
 from __future__ import annotations
 
@@ -38,9 +38,9 @@ def measure_errors(
     minimum_area: float,
     feedback: QgsProcessingFeedback,
 ) -> MeasuredErrors:
-    """Errors of the classes of landmarks – all classes where none is said to be –; raises Canceled.
+    """Return the errors of the landmark classes, or of all classes without roles. Raises Canceled.
 
-    ``minimum_area``: of landmarks that count, in square map units, pixels without a georeference.
+    ``minimum_area``: smallest landmark that counts, in square map units (square pixels without a georeference).
     """
     classes = _landmark_classes(match, comparison)
     _, across, x_turn, _, y_turn, along = pair.geotransform
@@ -59,7 +59,7 @@ def measure_errors(
 
 
 def _landmark_classes(match: ClassMatch, comparison: LabelComparison) -> list[int]:
-    """Values of the annotated classes that landmarks are made of."""
+    """Return the values of the annotated classes that are landmarks."""
     told = () if match.table is None else match.table.reference_values
     there = [value for value in comparison.values if value and comparison.annotated[value]]
     return [value for value in there if value in told] or there
@@ -68,7 +68,7 @@ def _landmark_classes(match: ClassMatch, comparison: LabelComparison) -> list[in
 def _numbers(
     errors: LandmarkErrors, comparison: LabelComparison, classes: Sequence[int], shifts: MeasuredShifts, size: float
 ) -> dict[str, float | None]:
-    """By key of assessments: percent and map units; None for what the maps don't tell."""
+    """Return the errors by key of assessments, in percent and map units; None for what the maps do not show."""
     of = max(errors.annotated, 1)
     shifted = _shifted(shifts)
     ragged = errors.ragged_px((shifted or 0.0) / size) if shifts.unit != PIXEL else None
@@ -83,14 +83,14 @@ def _numbers(
 
 
 def _misnamed_background(comparison: LabelComparison, classes: Sequence[int]) -> float | None:
-    """Percent of the ground of other classes that is shown as another of these; None where there is none."""
+    """Return the percentage of background that is shown as another background class; None without background."""
     others = [value for value in comparison.values if value and value not in classes]
     counts = comparison.counts[np.ix_(others, others)]
     return 100 * float(1 - np.trace(counts) / counts.sum()) if counts.sum() else None
 
 
 def _shifted(shifts: MeasuredShifts) -> float | None:
-    """How far off an image shows a class: root mean square over landmarks, of the bias and what images differ by."""
+    """Return the class offset: root mean square over landmarks, of the mean offset and of its spread among images."""
     if shifts.unit == PIXEL or not shifts.rows:
         return None
     squares = [row.along[0] ** 2 + row.along[1] ** 2 + 2 * (row.spread or 0.0) ** 2 for row in shifts.rows]
@@ -104,7 +104,7 @@ def measure_shifts(
     crs: QgsCoordinateReferenceSystem,
     feedback: QgsProcessingFeedback,
 ) -> MeasuredShifts:
-    """Shifts of the classes that both maps have; raises Canceled."""
+    """Return the offsets of the classes that both maps have. Raises Canceled."""
     values = [value for value in comparison.values if value and comparison.counts[value, value]]
     pieces = []
     for share, annotated, predicted in pair.pieces(PIECE_PX):
@@ -118,9 +118,8 @@ def measure_shifts(
 
 
 def log_shifts(shifts: MeasuredShifts, feedback: QgsProcessingFeedback) -> None:
-    """Tells each class's shift."""
     for row in shifts.rows:
-        text = tr("{name}: shown {across:+.2f} and {along:+.2f} {unit} off ({axes}), {count} landmarks.")
+        text = tr("{name}: class offset {across:+.2f}, {along:+.2f} {unit} ({axes}), {count} landmarks.")
         axes = tr("right, down") if shifts.in_image else tr("east, north")
         across, along = row.along
         told = text.format(name=row.name, across=across, along=along, unit=shifts.unit, axes=axes, count=row.pairs)
@@ -128,9 +127,9 @@ def log_shifts(shifts: MeasuredShifts, feedback: QgsProcessingFeedback) -> None:
 
 
 def model_with_biases(path: str, shifts: MeasuredShifts, sun_deg: float | None) -> bytes:
-    """An ONNX file that states the biases of the classes it has; those of others that it stated stay.
+    """Return an ONNX file with the offsets of the classes that it has; other offsets in it stay.
 
-    Raises SemRefError where they are not known in meters, for a file that is no network, and for one in parts.
+    Raises SemRefError if the offsets are not known in meters, the file is not a network, or it has several parts.
     """
     from ...core.segmentation.class_bias import KEY, class_bias_text, read_class_bias
     from ...core.segmentation.metadata import named_channels
@@ -138,8 +137,8 @@ def model_with_biases(path: str, shifts: MeasuredShifts, sun_deg: float | None) 
 
     if shifts.unit != METER:
         raise ParameterError(
-            "The maps have no metric CRS, so the bias of classes is not known in meters; give maps that have one, or "
-            "leave MODEL_OUTPUT empty."
+            "The CRS of the maps has no meters, so the class offset in meters is unknown. Select maps in a projected "
+            "CRS with meters, or leave “Model with class offset” empty."
         )
     data = _content(path)
     header = read_header(data)
@@ -149,7 +148,8 @@ def model_with_biases(path: str, shifts: MeasuredShifts, sun_deg: float | None) 
         )
     if header.weight_files:
         raise ModelError(
-            "{path} keeps its weights in another file, so it can't be copied with its bias; export it as one file.",
+            "The weights of {path} are in another file, so it cannot be copied with its class offset. Export it as "
+            "one file.",
             path=path,
         )
     texts = read_metadata(data)
@@ -158,8 +158,8 @@ def model_with_biases(path: str, shifts: MeasuredShifts, sun_deg: float | None) 
     rows = [row for row in shifts.rows if known is None or row.name.casefold() in known]
     if not rows:
         raise ParameterError(
-            "No class of {path} has enough landmarks in both maps to tell its bias; give a larger area, or leave "
-            "MODEL_OUTPUT empty.",
+            "No class of {path} has enough landmarks in both maps to measure its offset. Select maps of a larger "
+            "area, or leave “Model with class offset” empty.",
             path=path,
         )
     biases = read_class_bias(texts, names, path)
@@ -174,11 +174,11 @@ def _content(path: str) -> bytes:
         with open(path, "rb") as file:
             return file.read()
     except OSError:
-        raise ModelError("{path} does not exist; choose a model file (.onnx).", path=path) from None
+        raise ModelError("{path} does not exist. Select a model file (.onnx).", path=path) from None
 
 
 def _row(shift: ClassShift, name: str, transform: tuple, has_ground: bool) -> ShiftRow:
-    """Pixels as the map's units, or as they are without a georeference."""
+    """Convert pixels to map units; without a georeference they stay pixels."""
     right, down = shift.shift.real, shift.shift.imag
     if not has_ground:
         return ShiftRow(name, shift.pairs, (right, down), shift.deviation, shift.spread)

@@ -1,4 +1,4 @@
-"""Where outputs go, and the check before any work: none where another output, an input or a foreign file is."""
+"""Where outputs are written, and the check that they replace no other output, input or foreign file."""
 
 from __future__ import annotations
 
@@ -37,13 +37,13 @@ _TABLE = re.compile(r"""table=(?:"([^"]*)"|'([^']*)'|(\S+))""")
 
 @dataclass(frozen=True)
 class Destination:
-    """Where a layer goes.
+    """Where a layer is written.
 
     Attributes:
-        text: As QGIS states it.
-        path: The file; empty where there is none, as in memory or in a database server.
-        is_table: Whether the file is a database that the layer is added to, with all else in it kept.
-        has_index: Whether the file is a GeoPackage, which has a spatial index unless the user said otherwise.
+        text: The destination in QGIS's form.
+        path: The file; empty without one, as in memory or on a database server.
+        is_table: Whether the file is a database to which the layer is added; other layers in it stay.
+        has_index: Whether the file is a GeoPackage, which has a spatial index unless the user chose otherwise.
     """
 
     text: str
@@ -52,18 +52,18 @@ class Destination:
     has_index: bool = False
 
     def in_file(self, path: str) -> str:
-        """The same destination in another file."""
+        """Return the same destination in another file."""
         return self.text.replace(self.path, path, 1) if self.is_table else path
 
 
 def destination_of(value: Any, context: QgsProcessingContext, is_layer: bool = True) -> Destination:
-    """Reads the value of a layer output.
+    """Parse the value of a layer output.
 
     Args:
         value: A path, an ``ogr:dbname='…' table="…"`` text, ``memory:``, ``TEMPORARY_OUTPUT``, or a definition that
-            holds one of these.
-        context: Whose expressions count.
-        is_layer: Whether it is a vector layer, to whose name QGIS adds a suffix where it knows no format by it.
+            contains one of these.
+        context: Context with the expressions of the value.
+        is_layer: Whether it is a vector layer: QGIS adds a suffix to names without a known format.
     """
     options = ""
     if isinstance(value, QgsProcessingOutputLayerDefinition):
@@ -87,7 +87,7 @@ def destination_of(value: Any, context: QgsProcessingContext, is_layer: bool = T
 
 
 def with_destination(value: Any, text: str) -> QgsProcessingOutputLayerDefinition:
-    """The value of a layer output that goes elsewhere: the same project, name and options."""
+    """Return the value of a layer output with another destination: project, name and options are the same."""
     if not isinstance(value, QgsProcessingOutputLayerDefinition):
         return QgsProcessingOutputLayerDefinition(text)
     made = QgsProcessingOutputLayerDefinition(text, value.destinationProject)
@@ -98,7 +98,7 @@ def with_destination(value: Any, text: str) -> QgsProcessingOutputLayerDefinitio
 
 @dataclass(frozen=True)
 class _Input:
-    """A file that is read: its path, and which of its layers, empty for all."""
+    """An input file: its path, and the name of its layer, empty for all layers."""
 
     key: str
     title: str
@@ -107,7 +107,7 @@ class _Input:
 
 
 def replaced_by(definition: QgsProcessingParameterDefinition) -> tuple[str, tuple[str, ...] | None]:
-    """Usual suffix and tables of the older files that an output replaces, see ``require_replaceable``."""
+    """Return the usual suffix and the tables of files that an output may replace, see ``require_replaceable``."""
     from ...storage.database.schema import TABLES
 
     if definition.type() == "rasterDestination":
@@ -121,12 +121,13 @@ def replaced_by(definition: QgsProcessingParameterDefinition) -> tuple[str, tupl
 def require_outputs_apart(
     algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext, may_replace: dict
 ) -> None:
-    """Refuses an output that is an input, or another output, by name, link or inode, or would replace anything foreign.
+    """Refuse outputs that are an input or another output, by name, link or inode, or that replace a foreign file.
 
     Args:
-        algorithm: Whose parameters are looked at.
-        context: Of the run; call it where layers live.
-        may_replace: Output keys whose file may be that of an input key, since it is read whole before.
+        algorithm: Algorithm with the parameters.
+        parameters: Values by key.
+        context: Context of the run; call this in the thread of its layers.
+        may_replace: Output keys that may have the file of an input key, because the input is read before.
 
     Raises:
         ParameterError: With both titles and the path.
@@ -142,8 +143,8 @@ def require_outputs_apart(
             continue
         if _LAYER_OF_FILE.search(wanted.path):
             raise ParameterError(
-                "“{output}” is {path}, which names a layer of a file; choose a file, or add a layer by “Save to "
-                "GeoPackage”.",
+                "“{output}” is {path}, which is a layer of a file. Select a file, or use “Save to GeoPackage” to add "
+                "a layer.",
                 output=definition.description(),
                 path=wanted.path,
             )
@@ -151,8 +152,8 @@ def require_outputs_apart(
             allowed = may_replace.get(definition.name()) == read.key or _adds_a_layer(wanted, read)
             if not allowed and _same(wanted.path, read.path):
                 raise ParameterError(
-                    "“{output}” is the same file as “{input}”, {path}, which would be lost; choose another place for "
-                    "“{output}”.",
+                    "“{output}” is the same file as “{input}” ({path}), which would be overwritten. Select another "
+                    "file for “{output}”.",
                     output=definition.description(),
                     input=read.title,
                     path=wanted.path,
@@ -162,7 +163,7 @@ def require_outputs_apart(
                 wanted.text == place.text or not (wanted.is_table and place.is_table)
             ):
                 raise ParameterError(
-                    "“{output}” and “{other}” are the same file, {path}; choose two files.",
+                    "“{output}” and “{other}” are the same file ({path}). Select two different files.",
                     output=definition.description(),
                     other=other.description(),
                     path=wanted.path,
@@ -172,7 +173,7 @@ def require_outputs_apart(
 
 
 def _require_free(definition: QgsProcessingParameterDefinition, wanted: Destination) -> None:
-    """As when the output is written, which may be after hours."""
+    """Check the target as when the output is written, which may be hours later."""
     if definition.type() == "folderDestination":
         require_empty(Path(wanted.path))
     else:
@@ -181,7 +182,7 @@ def _require_free(definition: QgsProcessingParameterDefinition, wanted: Destinat
 
 
 def _adds_a_layer(wanted: Destination, read: _Input) -> bool:
-    """Whether an output only adds a layer to the file of an input."""
+    """Return whether an output only adds a layer to the file of an input."""
     if not wanted.is_table:
         return False
     found = _TABLE.search(wanted.text)
@@ -203,7 +204,7 @@ def _inputs(
 
 
 def _sources(value: Any, context: QgsProcessingContext) -> Iterator[str]:
-    """The files, as “path|layername=…”, that a value of any kind names."""
+    """Yield the files, as “path|layername=…”, in a value of any kind."""
     if isinstance(value, QgsProcessingFeatureSourceDefinition):
         value = value.source
     if isinstance(value, QgsProperty):
@@ -219,14 +220,14 @@ def _sources(value: Any, context: QgsProcessingContext) -> Iterator[str]:
         yield value
         if not os.path.exists(value.split("|")[0]):
             yield from (part.strip() for part in value.split(";") if ";" in value)
-            # Of the layers that are there already: by id or name.
+            # Layers of the project, by id or name.
             layer = QgsProcessingUtils.mapLayerFromString(value, context, False)
             if layer is not None:
                 yield from _sources(layer, context)
 
 
 def _same(one: str, other: str) -> bool:
-    """Whether two paths are one file, through links and other spellings."""
+    """Return whether two paths are one file, through links and other spellings."""
     if os.path.exists(one) and os.path.exists(other):
         return os.path.samefile(one, other)
     return _normal(one) == _normal(other)

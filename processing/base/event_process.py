@@ -1,4 +1,4 @@
-"""A process beside QGIS that reports what it does as lines of JSON on its output."""
+"""A process beside QGIS that reports its progress as lines of JSON."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from ...core.sentences import Sentence
 from .algorithm import check_canceled
 
 FAILED = {"template": str, "values": dict}
-"""Values of the event “failed” of any process."""
+"""Values of the event “failed” of each process."""
 
 _LOOKED_EVERY_MS, _KILLED_WITHIN_MS = 200, 5000
 _LAST_LINES = 20
-"""Other lines that are kept; the last ones show why the process ended."""
+"""Number of other lines that are stored; the last ones show why the process ended."""
 
 _LONGEST_LINE = 1 << 20
 _LARGEST_NUMBER = 1e15
 
 
 def python_environment() -> QProcessEnvironment:
-    """QGIS's own environment for a Python that writes UTF-8 and leaves no compiled files."""
+    """Return QGIS's environment for a Python that writes UTF-8 and no compiled files."""
     environment = QProcessEnvironment.systemEnvironment()
     environment.insert("PYTHONIOENCODING", "utf-8")
     environment.insert("PYTHONDONTWRITEBYTECODE", "1")
@@ -37,14 +37,14 @@ def python_environment() -> QProcessEnvironment:
 
 
 class EventProcess:
-    """Read the events of a process, and keep its other last lines."""
+    """Read the events of a process, and store its other last lines."""
 
     def __init__(self, process: QProcess, events: Mapping[str, Mapping[str, type]]) -> None:
-        """Nothing is read yet.
+        """Prepare to read.
 
         Args:
-            process: Was started.
-            events: Names of its events, with the types of the values that are used; ``float`` is any finite number.
+            process: A started process.
+            events: Names of its events, with the types of their values; ``float`` is any finite number.
         """
         self._process, self._known = process, events
         self._rest = b""
@@ -52,13 +52,13 @@ class EventProcess:
 
     @property
     def reason(self) -> str:
-        """Its last line that is no event, as part of a sentence."""
+        """Last line that is not an event, as part of a sentence."""
         return self._said[-1].rstrip(".") if self._said else ""
 
     def read(self, feedback: QgsProcessingFeedback) -> Iterator[dict]:
-        """Every event until the process ends; raises Canceled when the user canceled.
+        """Yield each event until the process ends. Raises Canceled.
 
-        Lines that are no such events are ignored: libraries print, too.
+        Other lines are ignored, because libraries print, too.
         """
         running = True
         while running:
@@ -69,10 +69,10 @@ class EventProcess:
             yield from self._events()
 
     def end(self, asked_ms: int = 0) -> None:
-        """Ends the process, if it runs, and all processes that it and they started.
+        """End the process, if it runs, and all processes that it and they started.
 
         Args:
-            asked_ms: How long it may take to end by itself and clear up; systems that can't ask it give it no time.
+            asked_ms: Time to end by itself and clean up; not on Windows.
         """
         if self._process.state() == QProcess.ProcessState.NotRunning:
             return
@@ -81,7 +81,7 @@ class EventProcess:
             if self._process.waitForFinished(asked_ms):
                 return
         if os.name == "nt":
-            # By its whole path: a program of that name in the current folder would come first.
+            # Full path, because a program of that name in the current folder would be found first.
             taskkill = os.path.join(os.environ.get("SYSTEMROOT", "C:\\Windows"), "System32", "taskkill.exe")
             QProcess.execute(taskkill, ["/F", "/T", "/PID", str(self._process.processId())])
         else:
@@ -112,12 +112,12 @@ class EventProcess:
 
 
 def failure(event: dict) -> Sentence:
-    """What an event “failed” says."""
+    """Return the sentence of an event “failed”."""
     said = Sentence(event["template"], **event["values"])
     try:
         str(said)
     except (KeyError, IndexError, AttributeError, ValueError, TypeError):
-        # A library that prints such an event, too.
+        # A library may print such an event, too.
         return Sentence("{reason}", reason=event["template"])
     return said
 
@@ -130,7 +130,7 @@ def _is(value: object, kind: type) -> bool:
 
 
 def _kill(root: int) -> None:
-    """Kills a process and its descendants: stopped first, so that none starts others meanwhile."""
+    """Kill a process and its descendants: stop them first, so that they start no others."""
     stopped: set[int] = set()
     while new := _descendants(root) - stopped:
         _send(new, signal.SIGSTOP)
@@ -140,13 +140,13 @@ def _kill(root: int) -> None:
 
 def _send(processes: set[int], number: signal.Signals) -> None:
     for process in processes:
-        # Those that have ended since, or run as another user.
+        # Processes that have ended, or run as another user.
         with contextlib.suppress(ProcessLookupError, PermissionError):
             os.kill(process, number)
 
 
 def _descendants(root: int) -> set[int]:
-    """A process and all those that it and they started."""
+    """Return a process and all processes that it and they started."""
     parents, found = _parents(), [root]
     for process in found:
         found += [child for child, parent in parents.items() if parent == process]
@@ -154,12 +154,12 @@ def _descendants(root: int) -> set[int]:
 
 
 def _parents() -> dict[int, int]:
-    """The parent of each process of the machine: of Linux's /proc, elsewhere as ``ps`` lists them."""
+    """Return the parent of each process of the machine, from /proc on Linux, otherwise from ``ps``."""
     if os.path.isdir("/proc/self"):
         parents = {}
         for file in Path("/proc").glob("[0-9]*/stat"):
             with contextlib.suppress(OSError):
-                # The name before may have spaces and brackets.
+                # The name before may contain spaces and brackets.
                 parents[int(file.parent.name)] = int(file.read_bytes().rpartition(b")")[2].split()[1])
         return parents
     listing = QProcess()

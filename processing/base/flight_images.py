@@ -1,4 +1,4 @@
-"""The images of a flight: in order, read, leveled and localized by themselves; what the flight says of each."""
+"""The images of a flight: ordered, read, leveled and localized one by one, then placed by the flight."""
 
 from __future__ import annotations
 
@@ -27,19 +27,19 @@ if TYPE_CHECKING:
     from ...core.pipeline import ImageResult, Pipeline
 
 _SOURCES = {"pixels": "pixels", "table": "odometry", "log": "log"}
-"""Sources of links by what a sentence calls their counts."""
+"""Sources of links, by their placeholders in the log."""
 
 
 @dataclass(frozen=True)
 class TakenImage:
-    """An image before the flight is heard.
+    """An image before the flight is solved.
 
     Attributes:
-        camera: That took it.
-        result: Of the image alone; None with an error.
-        flown: What the flight is told of it: labels as a level camera shows them, its own result; None with an error.
-        remark: About its leveling.
-        error: Why it could not be read.
+        camera: Its camera.
+        result: Result of the image alone; None with an error.
+        flown: Input of the flight: leveled labels and the result of the image alone; None with an error.
+        remark: Sentence about its leveling.
+        error: Why it cannot be read.
     """
 
     path: str
@@ -51,7 +51,7 @@ class TakenImage:
 
 
 def in_order(paths: Sequence[str], cameras: Sequence[Camera]) -> tuple[list[str], list[Camera]]:
-    """Images by the time they were taken if all tell it, else by name, 10 after 9."""
+    """Return images by time if all times are known, otherwise by name (10 after 9)."""
     if all(camera.time_s is not None for camera in cameras):
         order = sorted(range(len(paths)), key=lambda n: (cameras[n].time_s, by_name(paths[n])))
     else:
@@ -60,7 +60,7 @@ def in_order(paths: Sequence[str], cameras: Sequence[Camera]) -> tuple[list[str]
 
 
 def by_name(path: str) -> tuple[list[tuple[int, str]], str]:
-    """What names are sorted by, numbers in them as numbers."""
+    """Return the sort key of names, with numbers in them as numbers."""
     parts = re.split(r"(\d+)", os.path.basename(path).lower())
     return [(int(part), "") if part.isdecimal() else (-1, part) for part in parts], path
 
@@ -68,14 +68,16 @@ def by_name(path: str) -> tuple[list[tuple[int, str]], str]:
 def with_log(
     cameras: Sequence[Camera], log: Telemetry | None, paths: Sequence[str], with_attitude: bool
 ) -> list[Camera]:
-    """The cameras with what a flight log tells and they don't.
+    """Add the data of a flight log to cameras that lack them.
 
     Args:
-        log: Of the flight; None without one.
+        cameras: Cameras of the images.
+        log: The flight log; None without one.
+        paths: Paths of the images.
         with_attitude: Whether images are leveled.
 
     Raises:
-        ParameterError: The log tells nothing of these images.
+        ParameterError: The log contains nothing about these images.
     """
     from ...core.flight.cameras import complete_camera
     from ...core.flight.table import stem_of
@@ -88,20 +90,20 @@ def with_log(
     told = log_cameras(log, names, times_s)
     if all(one == NoCamera() for one in told) and not log_links(log, names, times_s):
         raise ParameterError(
-            "The LOG tells nothing of these images, such as {image}: neither by name nor at the times that they were "
-            "taken; give the log of this flight, or a camera table with times.",
+            "The flight log contains no entry for these images, for example {image}, by name or by time. Select the "
+            "log of this flight, or a camera table with times.",
             image=os.path.basename(paths[0]),
         )
     return [complete_camera(camera, one, with_attitude) for camera, one in zip(cameras, told)]
 
 
 class FlightReader:
-    """Reads the images of a flight one after the other, and sees how each lies to the one before.
+    """Reads the images of a flight one by one and measures the motion between neighbors.
 
     Attributes:
-        taken: What was read, in order.
-        links: Motion that pixels tell, between the images of ``flown``.
-        unlinked: (number of the later image in ``flown``, why) where they tell none.
+        taken: Images that were read, in order.
+        links: Motion measured in pixels, between the images of ``flown``.
+        unlinked: (number of the later image in ``flown``, reason) where pixels show no motion.
     """
 
     def __init__(self, pipeline: Pipeline, keep: LabelImages) -> None:
@@ -113,11 +115,12 @@ class FlightReader:
 
     @property
     def flown(self) -> list[FlightImage]:
-        """The images that could be read, in order: what numbers of links count."""
+        """Images that could be read, in order; links count these."""
         return [one.flown for one in self.taken if one.flown is not None]
 
     def take(self, path: str, camera: Camera) -> None:
-        """Reads an image, localizes it by itself and links it to the one before; one bad image stops no flight."""
+        """Read an image, localize it alone and link it to the previous one; an error of one image does not stop the
+        flight."""
         from ...core.flight.model import FlightImage
         from ...core.flight.pixel_features import features_of
 
@@ -131,7 +134,7 @@ class FlightReader:
             return
         self._keep(path, result.labels_hw)
         number = len(self.flown)
-        # A flight's photos together would fill the memory.
+        # All photos of a flight together would fill the memory.
         result = replace(result, seen=replace(seen, pixels=None))
         self.taken.append(TakenImage(path, camera, result, flown, camera_remark(camera, result.shape_hw)))
         self._link(features, number)
@@ -140,7 +143,7 @@ class FlightReader:
         from ...core.flight.pixel_motion import motion_between
 
         before, self._features = self._features, [*self._features[-1:], features]
-        # One image that is blurred lies between two that show the same ground.
+        # A blurred image may be between two images that show the same ground.
         for away, earlier in enumerate(reversed(before), 1):
             motion = motion_between(earlier, features, (number - away, number))
             if motion.link is not None:
@@ -150,7 +153,7 @@ class FlightReader:
                 self.unlinked.append((number, worded(motion.reason)))
 
     def links_with(self, steps: Sequence[OdometryRow], log: Telemetry | None) -> list[Link]:
-        """All links: those of an odometry table, of pixels where it tells none, of a log where neither does."""
+        """Return all links: of the odometry table, otherwise of pixels, otherwise of the log."""
         from ...core.flight.odometry import odometry_links
         from ...core.flight.table import stem_of
         from ...core.flight.telemetry import log_links
@@ -165,16 +168,16 @@ class FlightReader:
         return sorted(links.values(), key=lambda link: (link.second, link.first))
 
     def motion_sentences(self, links: Sequence[Link]) -> list[str]:
-        """Sentences about where the motion is known from, and why it isn't."""
+        """Return sentences about the sources of the motion, and why it is unknown."""
         pairs = max(len(self.flown) - 1, 0)
         linked = {link.second: str(link.source) for link in links if link.second == link.first + 1}
         sources = list(linked.values())
         text = tr(
-            "{pairs} pairs of neighbors: {pixels} seen in their pixels, {table} told by the table, {log} by the log, "
-            "{none} unknown."
+            "Motion between {pairs} pairs of neighboring images: {pixels} from pixels, {table} from the odometry "
+            "table, {log} from the log, {unknown} unknown."
         )
         counts = {key: sources.count(source) for key, source in _SOURCES.items()}
-        said = [text.format(pairs=pairs, none=pairs - len(linked), **counts)]
+        said = [text.format(pairs=pairs, unknown=pairs - len(linked), **counts)]
         names = [image.name for image in self.flown]
         for number, reason in self.unlinked:
             if number not in linked:
@@ -183,7 +186,7 @@ class FlightReader:
 
 
 def with_pose(taken: TakenImage, pose: FlightPose | None) -> FlownImage:
-    """What the flight says of an image, told for the image as it was taken."""
+    """Return the result of the flight for an image as it was taken, without leveling."""
     time_s = taken.camera.time_s
     if pose is None or taken.result is None:
         return FlownImage(LocalizedImage(taken.path, error=taken.error), None, time_s, taken.camera.lens)
@@ -193,8 +196,10 @@ def with_pose(taken: TakenImage, pose: FlightPose | None) -> FlownImage:
 
 
 def log_pose(flown: FlownImage, feedback: QgsProcessingFeedback) -> None:
-    """Tells what the flight says of an image."""
+    """Log the result of the flight for an image."""
     log_result(flown.localized, feedback)
     name = os.path.basename(flown.localized.path)
     if flown.pose is not None and flown.pose.is_outvoted:
-        feedback.pushWarning(tr("{image}: its own fix contradicts the flight and was outvoted.").format(image=name))
+        feedback.pushWarning(
+            tr("{image}: its own position contradicts the flight and was outvoted.").format(image=name)
+        )

@@ -1,4 +1,4 @@
-"""An image and what localization made of it: its rows in the outputs, and what the log says."""
+"""An image with its localization: its rows in the outputs, and its log messages."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ if TYPE_CHECKING:
     from ...core.database.model import ReferenceDatabase, Windows
 
 PlacedRow = tuple[Any, dict[str, Any]]
-"""(map coordinates of a point or of corners, values by name of field)."""
+"""(map coordinates of a point or of corners, values by field name)."""
 
 ERROR = "error"
-"""Status of an image that could not be read; the others come from the localizer."""
+"""Status of an image that cannot be read; the localizer gives the others."""
 
 FAR_M = 1000.0
-"""From the ground's border on; nearer, a camera that looks aside may well see it, and receivers err by less."""
+"""Distance from the border of the ground; nearer, a tilted camera may see it."""
 
 FIELDS = (
     ("image", "text"),
@@ -87,11 +87,13 @@ MATCH_FIELDS = (
 
 @dataclass(frozen=True)
 class LocalizedImage:
-    """One image and its result; ``error`` instead when it could not be read.
+    """One image and its result, or ``error`` if it cannot be read.
 
-    remark: about its leveling; camera: what was read of it; jump: whether it could not have been reached in time, None
-    if that was not checked; gps_distance_m: how far from the database's ground its photo says it was taken, if that is
-    far.
+    Attributes:
+        remark: Sentence about its leveling.
+        jump: Whether it could not have been reached in time; None if this was not checked.
+        camera: Camera data that were read.
+        gps_distance_m: Distance from the database's ground by the GPS position of the photo, if it is far.
     """
 
     path: str
@@ -105,12 +107,12 @@ class LocalizedImage:
 
 
 def is_photo(path: str) -> bool:
-    """Whether a file is of a kind that cameras write, and that keeps no label image as it is."""
+    """Return whether a file has a format of cameras, which label images do not have."""
     return path.lower().endswith((".jpg", ".jpeg"))
 
 
 class LabelImages:
-    """A folder of label images, each named after its image; called with an image's path and its (H, W) labels.
+    """A folder of label images, named after their images; called with an image's path and its (H, W) labels.
 
     Without a folder (an empty path) nothing is written.
     """
@@ -131,13 +133,15 @@ class LabelImages:
 
 
 def label_image_names(paths: Sequence[str]) -> dict[str, str]:
-    """File names of the label images by the images' paths, as ``unique_names`` gives them."""
+    """Return the file names of the label images by the images' paths, as ``unique_names`` does."""
     return unique_names(paths, ".tif")
 
 
 def unique_names(paths: Sequence[str], suffix: str = "") -> dict[str, str]:
-    """File names for what is made of images, by the images' paths: the stem and ``suffix``, the image's own without;
-    of several images with one stem the second ``stem_2`` and so on. The same for the same images in the same order."""
+    """Return file names by image path: the stem, numbered (``stem_2``) if several images share it, and ``suffix``.
+
+    Without a suffix the image's own is used. The same images in the same order get the same names.
+    """
     names: dict[str, str] = {}
     taken = set()
     for path in paths:
@@ -160,14 +164,14 @@ def with_jumps(
     speed: float,
     feedback: QgsProcessingFeedback,
 ) -> list[LocalizedImage]:
-    """The images, fixes of known time marked as jumps or not; says what was found."""
+    """Mark positions of known time as jumps or not, and log the result."""
     import numpy as np
 
     from ...core.localizer.track import jumps
 
     timed = [n for n, item in enumerate(localized) if item.result and item.result.position and times_s[n] is not None]
     results = [localized[n].result for n in timed]
-    # An image matched with a window may lie anywhere in it.
+    # An image that matches a window may be anywhere in it.
     errors = [windows.sizes[r.window_index] / 2 if r.error_95_m is None else r.error_95_m for r in results]
     flags = jumps(
         np.array([times_s[n] for n in timed]),
@@ -177,7 +181,7 @@ def with_jumps(
         speed,
     )
     reason = Sentence(
-        "It can’t be reached at {speed:g} map units per second from the fixes before and after it.", speed=speed
+        "This position cannot be reached at {speed:g} m/s from the positions before and after it.", speed=speed
     )
     checked = list(localized)
     for n, jumped in zip(timed, flags.tolist()):
@@ -185,7 +189,7 @@ def with_jumps(
         if jumped:
             checked[n] = replace(checked[n], result=replace(checked[n].result, reason=reason))
             feedback.pushWarning(f"{os.path.basename(checked[n].path)}: {worded(reason)}")
-    summary = tr("{jumps} of {checked} fixes with a time are jumps.")
+    summary = tr("{jumps} of {checked} positions with a time are jumps.")
     feedback.pushInfo(summary.format(jumps=int(flags.sum()), checked=len(timed)))
     return checked
 
@@ -197,9 +201,9 @@ def with_far_photos(
     context: QgsCoordinateTransformContext,
     feedback: QgsProcessingFeedback,
 ) -> list[LocalizedImage]:
-    """The images, with their distance from the database's ground where a photo's GPS position is far from it; says so.
+    """Add the distance of photos with a GPS position far from the database's ground, and log it.
 
-    Localization itself never uses such positions. ``crs``: of the database.
+    Localization never uses GPS positions. ``crs`` is the CRS of the database.
     """
     from ...storage.photo_position import photo_lon_lat
     from ..layers.reference_systems import meters_from
@@ -217,7 +221,7 @@ def with_far_photos(
 
 
 def row(item: LocalizedImage) -> dict[str, Any]:
-    """Values of FIELDS by name, without longitude and latitude."""
+    """Return the values of FIELDS by name, without longitude and latitude."""
     result = item.result
     if result is None:
         return {"image": item.path, "status": ERROR, "reason": item.error}
@@ -239,18 +243,18 @@ def row(item: LocalizedImage) -> dict[str, Any]:
 
 
 def far_sentence(meters: float) -> str:
-    """How far a photo was taken from the database's ground.
+    """Return a sentence about a photo that was taken far from the database's ground.
 
     Args:
-        meters: From its border.
+        meters: Distance from the border of the ground.
     """
     kilometers = shown(meters / 1000, ".1f" if meters < 10_000 else ",.0f")
-    text = tr("By its GPS this photo was taken {distance} km from the ground of the database.")
+    text = tr("The GPS position of this photo is {distance} km from the ground of the database.")
     return text.format(distance=kilometers)
 
 
 def footprint_rows(item: LocalizedImage) -> list[PlacedRow]:
-    """((4, 2) map coordinates, values of FOOTPRINT_FIELDS) of an image with a fix, else nothing."""
+    """Return ((4, 2) map coordinates, values of FOOTPRINT_FIELDS) of an image with a position, otherwise nothing."""
     if item.result is None or item.result.footprint is None:
         return []
     values = row(item)
@@ -258,7 +262,7 @@ def footprint_rows(item: LocalizedImage) -> list[PlacedRow]:
 
 
 def match_rows(item: LocalizedImage, database: ReferenceDatabase) -> list[PlacedRow]:
-    """(map position, values of MATCH_FIELDS) of each landmark of the map that agrees with one of the image."""
+    """Return (map position, values of MATCH_FIELDS) of each landmark of the map that matches one of the image."""
     if item.result is None or not item.result.is_fix or item.result.matches is None:
         return []
     found = item.result.matches
@@ -274,7 +278,7 @@ def match_rows(item: LocalizedImage, database: ReferenceDatabase) -> list[Placed
 
 
 def alternatives(item: LocalizedImage) -> list[PlacedRow]:
-    """((4, 2) map coordinates, values of ALTERNATIVE_FIELDS) of each place that an image without a fix may show."""
+    """Return ((4, 2) map coordinates, values of ALTERNATIVE_FIELDS) of each possible place of an ambiguous image."""
     from ...core.geometry.footprint import image_corners
 
     places = item.result.alternatives if item.result is not None else ()
@@ -289,7 +293,7 @@ def alternatives(item: LocalizedImage) -> list[PlacedRow]:
 
 
 def error_probability(confidence: float) -> str:
-    """Return the error probability of a fix in the user's language: "1 in 1,200", or "below 1 in 10,000"."""
+    """Return the error probability in the user's language: "1 in 1,200", or "below 1 in 10,000"."""
     from ...core.localizer import record
 
     return worded(record.error_probability(confidence))
@@ -308,7 +312,7 @@ def log_result(item: LocalizedImage, feedback: QgsProcessingFeedback) -> None:
         feedback.pushInfo(f"{name}: {item.remark}")
     result = item.result
     if result.search_capped:
-        capped = tr("The search was capped: common patterns were left out, so a better place may not have been tried.")
+        capped = tr("The search was limited: common patterns were left out, so a better place may have been missed.")
         feedback.pushWarning(f"{name}: {capped}")
     if result.position is None:
         feedback.pushInfo(f"{name}: {worded(result.status.title)}. {worded(result.reason)}")
@@ -320,7 +324,7 @@ def log_result(item: LocalizedImage, feedback: QgsProcessingFeedback) -> None:
         (result.distance, tr("distance {value:.4f}")),
         (result.heading_deg, tr("heading {value:.1f}°")),
         (result.pixel_size_m, tr("pixel size {value:.3g} m")),
-        (result.error_95_m, tr("within {value:.2f} m (95 %)")),
+        (result.error_95_m, tr("95 % radius {value:.2f} m")),
         (result.confidence if result.risk is None else None, tr("confidence {value:.2f}")),
         (
             error_probability(result.confidence) if result.confidence and result.risk else None,

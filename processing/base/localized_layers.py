@@ -1,4 +1,4 @@
-"""The layers of localized images and of flights: positions, tracks, footprints, possible places and matches."""
+"""The layers of localized images and flights: positions, tracks, footprints, possible places and matches."""
 
 from __future__ import annotations
 
@@ -59,13 +59,13 @@ TRACK_FIELDS = (
 
 
 def moment(time_s: float | None) -> QDateTime | None:
-    """A time as layers have it: UTC. Seconds that are no date count from 1970, so that they can be played."""
+    """Return a time in UTC for layers. Seconds that are not a date count from 1970, so that they can be played."""
     if time_s is None:
         return None
     try:
         text = datetime.fromtimestamp(time_s, timezone.utc).strftime("%Y-%m-%dT%H:%M:%S.%f")[:-3]
     except (OverflowError, OSError, ValueError):
-        # Years that no calendar has.
+        # Years outside the calendar.
         return None
     found = QDateTime.fromString(text, Qt.DateFormat.ISODateWithMs)
     found.setTimeSpec(Qt.TimeSpec.UTC)
@@ -80,9 +80,9 @@ def write_positions(
     context: QgsCoordinateTransformContext,
     times_s: Sequence[float | None],
 ) -> None:
-    """Writes one row an image; without a fix it has no geometry.
+    """Write one row for each image; rows without a position have no geometry.
 
-    ``times_s``: when each image was taken, seconds since 1970 or any moment; None where unknown.
+    ``times_s``: when each image was taken, in seconds since 1970 or any moment; None if unknown.
     """
     is_timed = any(time_s is not None for time_s in times_s)
     with outputs.layer(key, POSITION_FIELDS, POINT, crs, "positions", is_timed=is_timed) as sink:
@@ -93,7 +93,7 @@ def write_positions(
 def position_rows(
     localized: Sequence[LocalizedImage], crs: QgsCoordinateReferenceSystem, context: QgsCoordinateTransformContext
 ) -> Iterator[tuple[QgsGeometry | None, dict[str, Any]]]:
-    """(point, values of FIELDS) of each image; without a fix there is no point."""
+    """Yield (point, values of FIELDS) of each image; None without a position."""
     from ..layers.reference_systems import longitudes_latitudes
 
     for item in localized:
@@ -108,7 +108,7 @@ def position_rows(
 def write_grounds(
     outputs: Outputs, keys: Sequence[str], localized: Sequence[LocalizedImage], crs: QgsCoordinateReferenceSystem
 ) -> None:
-    """Writes the ground of fixes, and of possible places with a second key, where they are wanted."""
+    """Write the footprints and, with a second key, the possible places."""
     kinds = (FOOTPRINT_FIELDS, footprint_rows, "footprints"), (ALTERNATIVE_FIELDS, alternatives, "places")
     for key, (fields, rows_of, style) in zip(keys, kinds):
         with outputs.layer(key, fields, POLYGON, crs, style) as sink:
@@ -124,7 +124,7 @@ def write_matches(
     database: ReferenceDatabase,
     crs: QgsCoordinateReferenceSystem,
 ) -> None:
-    """Writes the landmarks that agree where they are wanted."""
+    """Write the matching landmarks."""
     with outputs.layer(key, MATCH_FIELDS, POINT, crs, "matches") as sink:
         for item in localized:
             for position, cells in match_rows(item, database):
@@ -133,13 +133,13 @@ def write_matches(
 
 @dataclass(frozen=True)
 class FlownImage:
-    """An image of a flight and what came of it.
+    """An image of a flight with its result.
 
     Attributes:
-        localized: As of an image alone: what the flight says of it.
-        pose: What the flight says; None for an image that could not be read.
-        time_s: When it was taken, seconds since 1970 (UTC) or since any moment; None where unknown.
-        lens: Of the camera; None where unknown.
+        localized: Result of the flight, in the form of a single image.
+        pose: Result of the flight; None for an image that cannot be read.
+        time_s: When it was taken, in seconds since 1970 (UTC) or since any moment; None if unknown.
+        lens: Lens of the camera; None if unknown.
     """
 
     localized: LocalizedImage
@@ -154,7 +154,7 @@ class FlownImage:
 
     @property
     def source(self) -> str | None:
-        """Key of what its pose rests on; None without one."""
+        """Key of the source of its position; None without a position."""
         return str(self.pose.source) if self.is_placed else None
 
 
@@ -165,7 +165,7 @@ def write_flight_positions(
     crs: QgsCoordinateReferenceSystem,
     context: QgsCoordinateTransformContext,
 ) -> None:
-    """Writes one row an image, in the flight's order, with its style and by its time."""
+    """Write one row for each image, in flight order, with style and time."""
     is_timed = any(one.time_s is not None for one in flown)
     with outputs.layer(key, FLIGHT_FIELDS, POINT, crs, "poses", is_timed=is_timed) as sink:
         rows = position_rows([one.localized for one in flown], crs, context)
@@ -181,13 +181,13 @@ def _flight_cells(one: FlownImage) -> dict[str, Any]:
 
 
 def tracks_of(flown: Sequence[FlownImage]) -> list[list[FlownImage]]:
-    """The placed images of each track, in order."""
+    """Return the placed images of each track, in order."""
     numbers = sorted({one.pose.track for one in flown if one.pose is not None and one.is_placed})
     return [[one for one in flown if one.is_placed and one.pose.track == number] for number in numbers]
 
 
 def write_tracks(outputs: Outputs, key: str, flown: Sequence[FlownImage], crs: QgsCoordinateReferenceSystem) -> None:
-    """Writes one line a track; one of a single image is no line."""
+    """Write one line for each track of two or more images."""
     with outputs.layer(key, TRACK_FIELDS, LINE, crs, "track") as sink:
         for members in tracks_of(flown):
             if len(members) < 2:
@@ -211,7 +211,7 @@ def write_tracks(outputs: Outputs, key: str, flown: Sequence[FlownImage], crs: Q
 
 
 def report_points(flown: Sequence[FlownImage]) -> list[FlightPoint]:
-    """The images as a report shows them."""
+    """Return the images for the report."""
     return [_report_point(number, one) for number, one in enumerate(flown, start=1)]
 
 

@@ -1,4 +1,4 @@
-"""What localizing images and localizing flights share: parameters, reading database, images and cameras, one image."""
+"""What “Localize images” and “Localize flight” share: parameters, reading, and the localization of one image."""
 
 from __future__ import annotations
 
@@ -45,8 +45,6 @@ if TYPE_CHECKING:
 
 
 class LocalizeAlgorithm(SemRefAlgorithm):
-    """An algorithm that localizes images in a database."""
-
     GROUP = LOCALIZATION
 
     DATABASE = parameters.DATABASE
@@ -64,21 +62,21 @@ class LocalizeAlgorithm(SemRefAlgorithm):
     SUN_DIRECTION = "SUN_DIRECTION"
 
     def image_parameters(self, optional: bool) -> tuple[QgsProcessingParameterDefinition, ...]:
-        """The images, what reads them if they are photos, and how; ``optional``: whether the images may be left out."""
+        """Return images, model and method; ``optional``: whether the images may be left out."""
         return (
             with_help(
                 QgsProcessingParameterMultipleLayers(
                     self.IMAGES, tr("Images"), layerType=SOURCE_FILE, optional=optional
                 ),
                 tr(
-                    "Label images, or folders of them: single-band class values, or colors decoded by the database’s "
-                    "class table; with a model, photos. They need no georeference."
+                    "Label images, photos, or folders with such files. Label images have one band of class values, or "
+                    "colors of the database’s class table. Photos need a model. A georeference is not needed."
                 ),
             ),
             parameters.model(
                 tr(
-                    "A segmentation network: the images are then photos. Its classes are those of the database by "
-                    "name; classes that the database does not have count as unlabeled."
+                    "Segmentation model for photos. Its classes are matched with the classes of the database by name. "
+                    "Classes that the database does not have count as unlabeled."
                 ),
                 optional=True,
             ),
@@ -90,17 +88,16 @@ class LocalizeAlgorithm(SemRefAlgorithm):
                     defaultValue=Method.AUTOMATIC.number,
                 ),
                 tr(
-                    "Automatic takes the constellation of landmarks and, where that finds no place, map correlation; "
-                    "each checks what the other finds. Map correlation compares areas instead of landmarks, for poor "
-                    "labels; it takes seconds an image, and so does automatic where the constellation finds no place. "
-                    "Topology vector is the published method: the nearest vector of all windows, accepted up to "
-                    "distance 2."
+                    "“Automatic” uses the constellation of landmarks first, and map correlation where the "
+                    "constellation finds no position. Each method checks the other. “Map correlation” compares class "
+                    "areas and suits poor labels, but needs seconds for each image. “Published method” finds the "
+                    "nearest topology vector of all windows and accepts distances up to 2."
                 ),
             ),
         )
 
     def risk_parameter(self, title: str, text: str) -> QgsProcessingParameterDefinition:
-        """How rarely what is told may be wrong."""
+        """Return the maximum error probability of a position."""
         risk = QgsProcessingParameterNumber(
             self.RISK, title, type=DOUBLE, defaultValue=RISK, minValue=LEAST_RISK, maxValue=0.5
         )
@@ -108,11 +105,10 @@ class LocalizeAlgorithm(SemRefAlgorithm):
         return with_help(risk, text, advanced=True)
 
     def sun_parameter(self) -> QgsProcessingParameterDefinition:
-        """Where the sun stood."""
         return parameters.sun_direction(
             tr(
-                "Where the sun stood when the images were taken, in degrees clockwise from grid north: what the "
-                "model states that shadows shift turns with it. Without it such a shift is only added to the error."
+                "Azimuth of the sun when the images were taken, in degrees clockwise from grid north. SemRef turns "
+                "the class offset that shadows cause with it. If not set, this offset only increases the 95 % radius."
             )
         )
 
@@ -122,36 +118,31 @@ class LocalizeAlgorithm(SemRefAlgorithm):
                 self.MAXIMUM_SPEED, tr("Maximum speed (m/s)"), type=DOUBLE, optional=True, minValue=0.001
             ),
             tr(
-                "Highest ground speed of the flight, for example 20. A position that cannot be reached in time from "
-                "the positions before and after it is marked as a jump. It is still counted. Needs the times of the "
-                "images."
+                "Highest ground speed of the flight, for example 20. Positions that cannot be reached at this speed "
+                "from the positions before and after are marked as jumps. They still count as positions. The times of "
+                "the images must be known."
             ),
             advanced=True,
         )
 
     def camera_parameter(self) -> QgsProcessingParameterDefinition:
-        """How the cameras were held, and when."""
         return with_help(
             QgsProcessingParameterFile(
                 self.ATTITUDE,
-                tr("Camera table (roll, pitch, focal length, time, height, heading)"),
+                tr("Camera table"),
                 fileFilter=tr("CSV (*.csv *.txt)"),
                 optional=True,
             ),
             tr(
-                "A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch "
-                "above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, "
-                "focal_length_35mm or field_of_view (degrees across the width), time (seconds, or date and time), "
-                "height (m above the ground) and heading (degrees clockwise from north). Images are leveled before "
-                "they are localized; height and lens together tell how large their pixels are. What the table "
-                "does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside "
-                "it. The topology vector takes images as they are."
+                "CSV file with the column image and any of roll, pitch, heading (degrees), height (m above ground), "
+                "time, and focal_length_px, focal_length_35mm or field_of_view. Missing values are read from EXIF and "
+                "XMP of the photos. SemRef levels the images to nadir; height and lens give the pixel size. "
+                "“Published method” uses the images without leveling."
             ),
             advanced=True,
         )
 
     def footprints_parameter(self, text: str) -> QgsProcessingParameterDefinition:
-        """The ground that images show."""
         return with_help(
             QgsProcessingParameterFeatureSink(
                 self.FOOTPRINTS, tr("Footprints"), type=SOURCE_POLYGON, optional=True, createByDefault=False
@@ -160,35 +151,32 @@ class LocalizeAlgorithm(SemRefAlgorithm):
         )
 
     def shown_parameters(self) -> tuple[QgsProcessingParameterDefinition, ...]:
-        """What shows why a fix is one: landmarks that agree, and the labels."""
+        """Return the outputs that show why a position was found: matching landmarks and label images."""
         return (
             with_help(
                 QgsProcessingParameterFeatureSink(
                     self.MATCHES, tr("Matches"), type=SOURCE_POINT, optional=True, createByDefault=False
                 ),
                 tr(
-                    "One point a landmark of the map that agrees with one of an image, for fixes with a heading: where "
-                    "the image has it, where the fix puts it, and how far that is off."
+                    "One point for each landmark of the map that matches a landmark of an image: its position in the "
+                    "image, its position by the computed position of the image, and the residual."
                 ),
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterFolderDestination(
-                    self.LABELS, tr("Folder for the label images"), optional=True, createByDefault=False
+                    self.LABELS, tr("Folder for label images"), optional=True, createByDefault=False
                 ),
-                tr(
-                    "A new or empty folder: each image’s labels as they were localized, a GeoTIFF with the class table."
-                ),
+                tr("A new or empty folder. The labels of each image are saved as a GeoTIFF with the class table."),
                 advanced=True,
             ),
         )
 
     def method(self, values: Values) -> Method:
-        """The road to fixes that is asked for."""
         return Method.of_number(values.choice(self.METHOD))
 
     def read_database(self, values: Values, method: Method, feedback: QgsProcessingFeedback) -> ReferenceDatabase:
-        """The database with what the method needs of it."""
+        """Return the database with the parts that the method needs."""
         from ...storage.database.reader import read_database
 
         feedback.setProgressText(tr("Reading the database"))
@@ -199,33 +187,36 @@ class LocalizeAlgorithm(SemRefAlgorithm):
     def read_images(
         self, values: Values, method: Method, feedback: QgsProcessingFeedback, needed: bool = True
     ) -> tuple[list[str], list[Camera]]:
-        """Paths of the images and how their cameras were held. Raises ParameterError for none that are ``needed``."""
+        """Return the paths of the images and their cameras. Raises ParameterError if images are ``needed`` and there
+        are none."""
         from ...core.flight.cameras import read_cameras
         from ...storage.rasters import image_files
 
         paths = image_files(values.files(self.IMAGES))
         if needed and not paths:
-            raise ParameterError("IMAGES is empty; choose at least one image, a folder with images, or a LAYER.")
+            raise ParameterError("“Images” is empty. Select at least one image or a folder with images.")
         if not values.file(self.MODEL) and any(map(is_photo, paths)):
             feedback.pushWarning(
-                tr("These are photos: choose a model.") + " " + tr("Otherwise colors are taken for classes.")
+                tr("The images are photos, but no model is selected.")
+                + " "
+                + tr("Their colors are read as class colors.")
             )
         cameras = cancelable(read_cameras, paths, values.file(self.ATTITUDE), feedback=feedback)
         if method == Method.TOPOLOGY_VECTOR:
-            # The published method, exactly: images as they are.
+            # The published method uses images without leveling.
             cameras = [camera.without_leveling() for camera in cameras]
         return paths, cameras
 
     def search(
         self, values: Values, method: Method, crs: QgsCoordinateReferenceSystem, with_matches: bool = False
     ) -> Search:
-        """How images are looked for; points are taken to ``crs``, the database's."""
+        """Return what is searched; prior positions are transformed to ``crs``, the database's CRS."""
         from ...core.localizer.search import Search
 
         return Search(method, priors.prior(values, crs), priors.scales(values, method), with_matches)
 
     def label_reader(self, values: Values, table: ClassTable, feedback: QgsProcessingFeedback) -> LabelReader:
-        """What reads label images, or with a model photos."""
+        """Return the reader of label images or, with a model, of photos."""
         from ...storage.label_images import LabelImageReader
         from .photo_labels import PhotoLabelReader
 
@@ -237,7 +228,7 @@ class LocalizeAlgorithm(SemRefAlgorithm):
 
 
 def _with_overview(database: ReferenceDatabase, path: str, feedback: QgsProcessingFeedback) -> ReferenceDatabase:
-    """The database with its overview; without one automatic has the constellation alone, and says so."""
+    """Return the database with its overview. Without an overview, the method Automatic uses the constellation only."""
     from ...storage.database.connection import DatabaseChangedError
     from ...storage.database.reader import read_overview
 
@@ -246,7 +237,7 @@ def _with_overview(database: ReferenceDatabase, path: str, feedback: QgsProcessi
     except DatabaseChangedError:
         raise
     except DatabaseError as error:
-        warning = tr("Automatic uses the constellation alone, without map correlation: {reason}").format(
+        warning = tr("“Automatic” uses only the constellation of landmarks, not map correlation: {reason}").format(
             reason=worded(error)
         )
         feedback.pushWarning(warning)
@@ -254,7 +245,7 @@ def _with_overview(database: ReferenceDatabase, path: str, feedback: QgsProcessi
 
 
 def localize_image(path: str, pipeline: Pipeline, camera: Camera, keep: LabelImages) -> LocalizedImage:
-    """One bad image must not stop a batch: its sentence becomes its row's reason."""
+    """Localize an image. An error of one image must not stop the others: it becomes the reason of its row."""
     try:
         result = pipeline.run(path, camera)
         item = _localized(path, result.localization, camera, result.shape_hw)
@@ -278,7 +269,7 @@ def localize_scheduled(
     cameras: Sequence[Camera],
     feedback: QgsProcessingFeedback,
 ) -> list[LocalizedImage]:
-    """The images, localized by the workers of SCHEDULER; ``before``: state of the database's file."""
+    """Localize images with the workers of SCHEDULER; ``before``: state of the database's file."""
     from ...cluster.task_names import IMAGES
     from ...core.localizer.search import AskedImage, ImagesJob
     from ..layers.images import stated_pixel_size_m

@@ -1,4 +1,4 @@
-"""The one way out of an algorithm: rasters, files, folders and layers, each under its name only when it is complete."""
+"""Outputs of an algorithm: rasters, files, folders and layers that get their names only when they are complete."""
 
 from __future__ import annotations
 
@@ -33,24 +33,24 @@ if TYPE_CHECKING:
     from .values import Values
 
 Schema = Union[Sequence[tuple[str, str]], QgsFields]
-"""(name, kind) of each field, kinds as in ``compat.make_field``; or the fields of another layer."""
+"""(name, kind) of each field, with kinds of ``compat.make_field``; or the fields of another layer."""
 
 _NEW_KEYS = QgsFeatureSink.RegeneratePrimaryKey
-"""A key among another layer's fields, which several features may now share, is numbered anew."""
+"""A key in the fields of another layer is numbered again, because several features may share it."""
 
 
 class Outputs:
-    """What one run of an algorithm writes.
+    """Everything that one run of an algorithm writes.
 
-    Everything is written beside its target, closed, opened again and counted; ``commit`` renames all of it when the
-    algorithm is done. An error or a cancel leaves nothing, and older files untouched.
+    Each output is written beside its target, closed, opened again and counted; ``commit`` renames all of them at the
+    end. An error or a cancel leaves nothing behind and does not change older files.
 
     Attributes:
-        results: Where each output will lie, by key: what the algorithm returns.
+        results: Final path of each output, by key: the result of the algorithm.
     """
 
     def __init__(self, values: Values, note: Note) -> None:
-        """Nothing is written yet; ``note``: history and sources of what the run will write."""
+        """Prepare to write; ``note``: history and sources of the outputs."""
         self._values, self._note_of_run = values, note
         self._batch = Batch()
         self._layers: list[_Layer] = []
@@ -67,7 +67,7 @@ class Outputs:
         self._batch.close()
 
     def commit(self) -> None:
-        """Renames everything to its target and lets QGIS load it from there."""
+        """Rename everything to its target and let QGIS load it from there."""
         self._batch.commit(*self._checks)
         for layer in self._layers:
             layer.announce(self._values.context)
@@ -77,12 +77,12 @@ class Outputs:
             open_when_done(self.results[key], self._values.raw(parameters.LABELS), key, self._values.context)
 
     def require(self, check: Callable[[], None]) -> None:
-        """Has ``check`` called before anything is renamed; it may raise."""
+        """Call ``check`` before anything is renamed; it may raise."""
         self._checks.append(check)
 
     @contextmanager
     def raster(self, key: str, write_style: Callable[[str], str] | None = None) -> Iterator[str]:
-        """Gives a path to write a raster to; ``write_style`` writes what it looks like beside it and returns it."""
+        """Yield a path to write a raster to; ``write_style`` writes its style and returns the path of it."""
         from ...storage.rasters import require_whole_raster
 
         target = self._values.raster_target(key)
@@ -95,56 +95,57 @@ class Outputs:
         self._rasters.append(target)
 
     def label_map(self, key: str, table: ClassTable) -> AbstractContextManager[str]:
-        """Gives a path to write a label map to, which gets its style."""
+        """Yield a path to write a label map to, which gets its style."""
         from ..layers.class_styles import write_label_map_style
 
         return self.raster(key, lambda path: write_label_map_style(path, table, self._note(key)))
 
     def _note(self, key: str) -> Note:
-        """What an output tells about itself."""
+        """Return title, abstract, history and sources of an output."""
         title, abstract = self._values.title_and_help(key)
         return replace(self._note_of_run, title=title, abstract=abstract)
 
     @contextmanager
     def file(self, key: str) -> Iterator[str]:
-        """Gives a path to write a file to."""
+        """Yield a path to write a file to."""
         target = self._values.target(key)
         temporary = self._batch.file(target, *self._values.replaces(key))
         yield temporary
         if not os.path.isfile(temporary):
             raise ParameterError(
-                "{name} can't be written; choose another place, or see whether the disk is full.", name=target
+                "{name} cannot be written. Choose another folder, or check whether the disk is full.", name=target
             )
         self.results[key] = target
 
     @contextmanager
     def database(self, key: str) -> Iterator[str]:
-        """Gives a path to write a reference database to, which gets its note; QGIS opens it where the user wants that.
+        """Yield a path to write a reference database to, which gets its metadata; QGIS opens it if the user wants that.
 
         Raises:
-            ParameterError: The disk can't take the note.
+            ParameterError: The metadata cannot be written.
         """
         with self.file(key) as temporary:
             yield temporary
             if not save_in_database(temporary, self._note(key)):
                 raise ParameterError(
-                    "{name} can't be written; choose another place, or see whether the disk is full.", name=key
+                    "{name} cannot be written. Choose another folder, or check whether the disk is full.",
+                    name=self._values.target(key),
                 )
         if self._values.switch(parameters.OPEN_OUTPUT):
             self._opened.append(key)
 
     def wants(self, key: str) -> bool:
-        """Whether an optional output is wanted."""
+        """Return whether an optional output is selected."""
         return self._values.has(key)
 
     def text(self, key: str, text: str) -> None:
-        """Writes a text in UTF-8."""
+        """Write a text in UTF-8."""
         with self.file(key) as temporary, open(temporary, "w", encoding="utf-8") as file:
             file.write(text)
 
     @contextmanager
     def folder(self, key: str) -> Iterator[str]:
-        """Gives a new folder to fill, an empty path for one that is not wanted."""
+        """Yield a new folder to fill; an empty path if the folder is not selected."""
         target = self._values.text(key)
         if not target:
             yield ""
@@ -162,22 +163,24 @@ class Outputs:
         style: str = "",
         **look: Any,
     ) -> Iterator[FeatureSink]:
-        """Gives a sink to fill; one that is not wanted takes features and forgets them.
+        """Yield a sink to fill; a sink that is not selected ignores its features.
 
         Args:
-            geometry: One of ``compat``'s kinds of geometry.
-            crs: What the geometries are in.
-            style: Its file in ``resources/styles``; columns get their titles without one as well.
+            key: Key of the output.
+            schema: Fields of the layer.
+            geometry: A kind of geometry of ``compat``.
+            crs: CRS of the geometries.
+            style: Its file in ``resources/styles``; columns get their titles without a style, too.
             **look: Further attributes of ``Look``.
 
         Raises:
-            ParameterError: When the output can't be made, or does not hold all that was given to it.
+            ParameterError: The output cannot be made, or is incomplete.
         """
         fields = schema if isinstance(schema, QgsFields) else _fields(schema)
         wanted = self._values.destination(key)
         beside = self._beside(wanted)
-        sink = FeatureSink(key, fields)
-        # The only reference to QGIS's sink is the one in ``sink``: when that goes, the file is closed.
+        sink = FeatureSink(self._values.title(key), fields)
+        # ``sink`` has the only reference to QGIS's sink: when it is released, the file is closed.
         written = sink.open(*self._values.sink(key, beside, fields, geometry, crs, _NEW_KEYS))
         if not sink.is_wanted and self._values.raw(key) is not None:
             raise sink.failure()
@@ -197,7 +200,7 @@ class Outputs:
         self.results[key] = final
 
     def _beside(self, wanted: Destination) -> str:
-        """Where a layer is written until ``commit``, as QGIS states it; empty where it goes into no file."""
+        """Return where a layer is written until ``commit``, in QGIS's form; empty without a file."""
         if not wanted.path:
             return ""
         if wanted.is_table:
@@ -205,7 +208,7 @@ class Outputs:
         return self._batch.file(wanted.path)
 
     def _database_beside(self, path: str) -> str:
-        """A copy of a database to add layers to, one for all of a run."""
+        """Return the copy of a database that gets the layers of this run."""
         if path not in self._copies:
             self._copies[path] = self._batch.file(path, tables=None)
             if os.path.exists(path):
@@ -217,14 +220,16 @@ class Outputs:
 
 
 def _require_unchanged(path: str, before: bytes) -> None:
-    """Raises ParameterError where others have written to a database since its copy was made."""
+    """Raises ParameterError if others have written to a database since it was copied."""
     require_closed(path)
     if content_digest(path) != before:
-        raise ParameterError("{path} was changed by another program meanwhile; try again.", path=path)
+        raise ParameterError(
+            "{path} was changed by another program during the run. Run the algorithm again.", path=path
+        )
 
 
 def _final_source(written: str, wanted: Destination) -> str:
-    """Where a layer will lie, as QGIS knows it: “path” or “path|layername=…”."""
+    """Return the final source of a layer in QGIS's form: “path” or “path|layername=…”."""
     _, _, rest = written.partition("|")
     return f"{wanted.path}|{rest}" if rest else wanted.path
 
@@ -234,8 +239,8 @@ class _Layer:
     """A layer that was written.
 
     Attributes:
-        written: Where it was written, as QGIS knows it.
-        final: Where it lies after the move.
+        written: Where it was written, in QGIS's form.
+        final: Its final source.
         look: Its style.
     """
 
@@ -244,7 +249,7 @@ class _Layer:
     look: Look
 
     def announce(self, context: QgsProcessingContext) -> None:
-        """Lets QGIS load it from its final place."""
+        """Let QGIS load it from its final source."""
         if self.written != self.final and context.willLoadLayerOnCompletion(self.written):
             waiting = context.layersToLoadOnCompletion()
             waiting[self.final] = waiting.pop(self.written)
@@ -253,7 +258,7 @@ class _Layer:
 
 
 class FeatureSink:
-    """A feature sink that says when it can't be written."""
+    """A feature sink that raises if it cannot be written."""
 
     def __init__(self, name: str, fields: QgsFields) -> None:
         self._name, self._fields = name, fields
@@ -261,17 +266,17 @@ class FeatureSink:
         self._count = 0
 
     def open(self, sink: QgsFeatureSink | None, destination: str) -> str:
-        """Takes the only reference to QGIS's sink, so that ``close`` closes its file; returns the destination."""
+        """Take the only reference to QGIS's sink, so that ``close`` closes its file; return the destination."""
         self._sink = sink
         return destination
 
     @property
     def is_wanted(self) -> bool:
-        """Whether somebody asked for it."""
+        """Whether the output is selected."""
         return self._sink is not None
 
     def add(self, geometry: QgsGeometry | None, values: dict[str, Any]) -> None:
-        """Adds a feature; fields without a value (or None) are NULL."""
+        """Add a feature; fields without a value (or None) are NULL."""
         feature = QgsFeature(self._fields)
         if geometry is not None:
             feature.setGeometry(geometry)
@@ -281,7 +286,7 @@ class FeatureSink:
         self._add(feature)
 
     def add_row(self, geometry: QgsGeometry, attributes: Sequence[Any]) -> None:
-        """Adds a feature with the value of each field."""
+        """Add a feature with the value of each field."""
         feature = QgsFeature(self._fields)
         feature.setGeometry(geometry)
         feature.setAttributes(list(attributes))
@@ -293,7 +298,7 @@ class FeatureSink:
         self._count += 1
 
     def require_all_in(self, written: str, with_index: bool) -> None:
-        """Opens what was written and counts it. Raises ParameterError where something is missing."""
+        """Open the file and count its features. Raises ParameterError if some are missing."""
         path, _, rest = written.partition("|")
         if with_index and lacks_spatial_index(path):
             raise self.failure()
@@ -301,13 +306,13 @@ class FeatureSink:
             raise self.failure()
 
     def close(self) -> None:
-        """Lets go of the file."""
+        """Release the file."""
         self._sink = None
 
     def failure(self) -> ParameterError:
-        """That it can't be written."""
+        """Return the error of a file that cannot be written."""
         return ParameterError(
-            "{name} can't be written; choose another place, or see whether the disk is full.", name=self._name
+            "{name} cannot be written. Choose another folder, or check whether the disk is full.", name=self._name
         )
 
 

@@ -1,4 +1,4 @@
-"""QGIS's own parameters with help and widgets, and those that several algorithms share."""
+"""Parameters that several algorithms share, and a helper that adds help to QGIS's own parameters."""
 
 from __future__ import annotations
 
@@ -37,13 +37,13 @@ COMPARISON = "COMPARISON"
 def with_help(
     parameter: QgsProcessingParameterDefinition, text: str, advanced: bool = False, widget: str = ""
 ) -> QgsProcessingParameterDefinition:
-    """Return the parameter with its help.
+    """Add help to a parameter and return it.
 
     Args:
         parameter: It is changed.
-        text: One or two sentences, in the user's language.
+        text: Help of at most 60 words, in the user's language.
         advanced: Whether dialogs fold it away.
-        widget: A class of ``ui/fields/dialog_widgets.py`` that dialogs show it as; QGIS's own widget if empty.
+        widget: A class of ``ui/fields/dialog_widgets.py`` that shows it in dialogs; QGIS's own widget if empty.
     """
     parameter.setHelp(text)
     if advanced:
@@ -55,7 +55,7 @@ def with_help(
 
 
 def database(text: str = "", optional: bool = False) -> QgsProcessingParameterDefinition:
-    """A reference database; ``text``: its help where another one is needed."""
+    """Return the reference database; ``text`` replaces its help."""
     text = text or tr("A GeoPackage made by “Build reference database”.")
     kinds = tr("Reference databases (*.gpkg)")
     return with_help(
@@ -66,12 +66,10 @@ def database(text: str = "", optional: bool = False) -> QgsProcessingParameterDe
 
 
 def label_map(text: str, optional: bool = False) -> QgsProcessingParameterDefinition:
-    """A label map."""
     return with_help(QgsProcessingParameterRasterLayer(LABELS, tr("Label map"), optional=optional), text)
 
 
 def class_table(text: str, optional: bool = True, advanced: bool = False) -> QgsProcessingParameterDefinition:
-    """A class table."""
     csv = tr("CSV files (*.csv)")
     return with_help(
         QgsProcessingParameterFile(CLASS_TABLE, tr("Class table"), fileFilter=csv, optional=optional),
@@ -82,7 +80,6 @@ def class_table(text: str, optional: bool = True, advanced: bool = False) -> Qgs
 
 
 def model(text: str, optional: bool = False) -> QgsProcessingParameterDefinition:
-    """A segmentation network."""
     return with_help(
         QgsProcessingParameterFile(MODEL, tr("Model"), fileFilter=tr("ONNX models (*.onnx)"), optional=optional),
         text,
@@ -91,10 +88,10 @@ def model(text: str, optional: bool = False) -> QgsProcessingParameterDefinition
 
 
 def open_output() -> QgsProcessingParameterDefinition:
-    """Whether a database is opened in QGIS when it is written; dialogs suggest it, scripts and batches don't."""
+    """Return the switch that opens a new database in QGIS: on by default in dialogs only."""
     title = tr("Open the database after running")
-    text = tr("Adds the database’s layers to the project and chooses it in the dock.")
-    # Optional: the model designer finds an error where one that must be given is left to its default.
+    text = tr("Adds the layers of the database to the project and selects the database in the dock.")
+    # Optional, because the model designer reports an error for a mandatory parameter that has its default.
     return with_help(
         QgsProcessingParameterBoolean(OPEN_OUTPUT, title, defaultValue=False, optional=True),
         text,
@@ -104,19 +101,16 @@ def open_output() -> QgsProcessingParameterDefinition:
 
 
 def extent() -> QgsProcessingParameterDefinition:
-    """A part of what an image or a layer shows."""
-    text = tr("The ground that is wanted; all that there is if left out. Map tiles and web maps need it, or a mask.")
+    text = tr("Area to process; the whole image or layer if not set. Map tiles and web maps need an extent or a mask.")
     return with_help(QgsProcessingParameterExtent(EXTENT, tr("Extent"), optional=True), text)
 
 
 def mask() -> QgsProcessingParameterDefinition:
-    """Polygons that only the ground within is wanted of."""
-    text = tr("Polygons: ground outside of them is not looked at and has no label.")
+    text = tr("Polygons that limit the area to process. Pixels outside the polygons get no label.")
     return with_help(QgsProcessingParameterFeatureSource(MASK, tr("Mask"), types=[SOURCE_POLYGON], optional=True), text)
 
 
 def resolution(text: str, advanced: bool = True) -> QgsProcessingParameterDefinition:
-    """The size of the pixels that a network looks at."""
     return with_help(
         QgsProcessingParameterNumber(
             RESOLUTION, tr("Resolution (cm per pixel)"), type=DOUBLE, optional=True, minValue=0.1
@@ -127,12 +121,11 @@ def resolution(text: str, advanced: bool = True) -> QgsProcessingParameterDefini
 
 
 def reference_classes(text: str) -> QgsProcessingParameterDefinition:
-    """Names or values of classes, separated by “;”."""
+    """Return the classes that are landmarks: names or values, separated by “;”."""
     return with_help(QgsProcessingParameterString(REFERENCE_CLASSES, tr("Reference classes"), optional=True), text)
 
 
 def report(text: str, by_default: bool = True) -> QgsProcessingParameterDefinition:
-    """A page to read and print."""
     return with_help(
         QgsProcessingParameterFileDestination(
             REPORT, tr("Report"), fileFilter=tr("HTML files (*.html)"), optional=True, createByDefault=by_default
@@ -142,8 +135,8 @@ def report(text: str, by_default: bool = True) -> QgsProcessingParameterDefiniti
 
 
 def validation_fraction(optional: bool = False, advanced: bool = False) -> QgsProcessingParameterDefinition:
-    """How much of the ground a network is tried on instead of trained."""
-    text = tr("Share of the labeled ground that is set aside for validation; 0 for none.")
+    """Return the share of the labeled ground that is set aside to test a model."""
+    text = tr("Share of the labeled ground that is set aside to test the model, for example 0.2. 0 sets nothing aside.")
     title = tr("Validation fraction")
     return with_help(
         QgsProcessingParameterNumber(
@@ -155,8 +148,8 @@ def validation_fraction(optional: bool = False, advanced: bool = False) -> QgsPr
 
 
 def seed(text: str = "", default: int = 1) -> QgsProcessingParameterDefinition:
-    """What random numbers start from; ``text``: its help where another one is needed."""
-    text = text or tr("Another number gives other trials, the same number the same.")
+    """Return the seed of random numbers; ``text`` replaces its help."""
+    text = text or tr("Start value of the random numbers. The same number gives the same trials again.")
     return with_help(
         QgsProcessingParameterNumber(SEED, tr("Seed"), type=INTEGER, defaultValue=default, minValue=0),
         text,
@@ -165,7 +158,6 @@ def seed(text: str = "", default: int = 1) -> QgsProcessingParameterDefinition:
 
 
 def sun_direction(text: str) -> QgsProcessingParameterDefinition:
-    """Where the sun stood."""
     return with_help(
         QgsProcessingParameterNumber(
             SUN_DIRECTION, tr("Direction of the sun (°)"), type=DOUBLE, optional=True, minValue=0.0, maxValue=360.0
@@ -176,22 +168,27 @@ def sun_direction(text: str) -> QgsProcessingParameterDefinition:
 
 
 def annotation(optional: bool = False) -> tuple[QgsProcessingParameterDefinition, ...]:
-    """An annotation layer: its polygons, their classes, and what decides where they overlap."""
+    """Return the land-cover layer, its class fields and its class table."""
     return (
         with_help(
             QgsProcessingParameterFeatureSource(
-                INPUT, tr("Annotation layer"), types=[SOURCE_POLYGON], optional=optional
+                INPUT, tr("Land-cover layer"), types=[SOURCE_POLYGON], optional=optional
             ),
-            tr("Polygons of land cover. They may overlap, be multipart, invalid or three-dimensional."),
+            tr(
+                "Polygon layer with land-cover classes. Polygons may overlap, and may be multipart, invalid or "
+                "three-dimensional."
+            ),
         ),
         with_help(
             QgsProcessingParameterField(CLASS_FIELD, tr("Class field"), parentLayerParameterName=INPUT, optional=True),
-            tr("Text or number field with the class of each polygon. Not needed if all are of one class."),
+            tr("Text or number field with the class of each polygon. Not needed if all polygons have the same class."),
             widget="ClassFieldWidget",
         ),
         with_help(
             QgsProcessingParameterString(CLASS, tr("All polygons are"), optional=True),
-            tr("The class of every polygon, such as “building”. If you enter one, the class field is not used."),
+            tr(
+                "Class of all polygons, for example “building”. If you enter a class here, the class field is not used."
+            ),
             widget="ClassNameWidget",
         ),
         with_help(
@@ -199,38 +196,38 @@ def annotation(optional: bool = False) -> tuple[QgsProcessingParameterDefinition
                 PRIORITY_FIELD, tr("Priority field"), parentLayerParameterName=INPUT, optional=True
             ),
             tr(
-                "Number field: where polygons overlap, the one with the higher value lies on top. Without it the draw "
-                "order of the class table counts, else later polygons lie on top."
+                "Number field. Where polygons overlap, the polygon with the higher value is on top. Without this "
+                "field the draw order of the class table decides, otherwise the later polygon is on top."
             ),
         ),
         class_table(
             tr(
-                "CSV with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. "
-                "Every class value of the layer must be in it."
+                "CSV file with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. It "
+                "must contain every class of the layer."
             )
         ),
     )
 
 
 def network() -> QgsProcessingParameterDefinition:
-    """How poor labels are, in a word."""
-    options = (tr("as the numbers say"), tr("good"), tr("usable"), tr("poor"))
+    """Return the choice that sets all label errors of a model at once."""
+    options = (tr("use the values below"), tr("good"), tr("usable"), tr("poor"))
     text = tr(
-        "How well the network that makes labels of photos does. Usable is what the advanced parameters assume from the "
-        "start: 20 % of the landmarks missed, as many invented, 5 % misnamed, edges off by 1 m. Good is half of that, "
-        "poor twice as much. Errors of map and camera stay as the numbers say."
+        "Quality of the labels that the model makes of photos. “usable” means 20 % missed landmarks, 20 % spurious "
+        "landmarks, 5 % mislabeled landmarks and a boundary jitter of 1 m. “good” means half of these errors, “poor” "
+        "twice as much. Errors of the map and the camera are not changed."
     )
     return with_help(
-        QgsProcessingParameterEnum(NETWORK, tr("Network"), options=options, defaultValue=0, optional=True), text
+        QgsProcessingParameterEnum(NETWORK, tr("Label quality"), options=options, defaultValue=0, optional=True), text
     )
 
 
 def comparison() -> QgsProcessingParameterDefinition:
-    """How poor labels are, as a comparison has measured it."""
+    """Return the report of “Compare label maps” that replaces the assumed errors."""
     text = tr(
-        "The report of “Compare label maps”: the landmarks missed, invented and misnamed, ragged edges, misnamed "
-        "background and shifted classes that it found count instead of the network in a word and of these numbers. "
-        "Errors of map and camera stay as the numbers say."
+        "Report of “Compare label maps”. Its measured values replace the label quality and the values of these "
+        "parameters: missed, spurious and mislabeled landmarks, boundary jitter, mislabeled background and class "
+        "offset. Errors of the map and the camera are not changed."
     )
     return with_help(
         QgsProcessingParameterFile(
@@ -241,59 +238,69 @@ def comparison() -> QgsProcessingParameterDefinition:
 
 
 def noises() -> tuple[tuple[str, str, str], ...]:
-    """(key, title, help) of each share of landmarks that noise spoils, and of how far it moves edges."""
+    """Return (key, title, help) of each share of wrong landmarks, and of the boundary jitter."""
     return (
-        (MISSED, tr("Landmarks missed (%)"), tr("Share of the landmarks that are taken away.")),
+        (MISSED, tr("Missed landmarks (%)"), tr("Share of the landmarks that are removed from the simulated labels.")),
         (
             INVENTED,
-            tr("Landmarks invented (%)"),
-            tr("Share of landmarks that are added, shaped like landmarks of other places of the map."),
+            tr("Spurious landmarks (%)"),
+            tr(
+                "Share of landmarks that are added to the simulated labels. They have the shapes of landmarks "
+                "elsewhere on the map."
+            ),
         ),
-        (MISNAMED, tr("Landmarks misnamed (%)"), tr("Share of the landmarks that get another class.")),
+        (MISNAMED, tr("Mislabeled landmarks (%)"), tr("Share of the landmarks that get a wrong class.")),
         (
             RAGGED,
-            tr("Ragged edges (map units)"),
-            tr("Standard deviation of how far edges are moved, alike over eight pixels."),
+            tr("Boundary jitter (m)"),
+            tr(
+                "Standard deviation of the shift of landmark boundaries. Boundaries within eight pixels shift together."
+            ),
         ),
     )
 
 
 def shared_errors() -> tuple[tuple[str, str, str], ...]:
-    """(key, title, help) of the background's noise and of errors that all landmarks of an image share."""
+    """Return (key, title, help) of the background's error, and of errors that all landmarks of an image share."""
     return (
         (
             BACKGROUND,
-            tr("Background misnamed (%)"),
-            tr("Share of the areas of other classes than those of landmarks that get another of these."),
+            tr("Mislabeled background (%)"),
+            tr("Share of the background area that gets the class of other background."),
         ),
         (
             DISPLACED,
-            tr("Map displaced (map units)"),
+            tr("Map displacement (m)"),
             tr(
-                "Standard deviation along each axis of what map and ground differ by, neighbors alike, as maps of two "
-                "dates do. 0 where the images are cut from a map of another date already."
+                "Standard deviation, along each axis, of the difference between map and ground, as between maps of "
+                "two dates. Neighboring landmarks are displaced together. Set 0 if the images are cut from a map of "
+                "another date."
             ),
         ),
         (
             SHIFTED,
-            tr("Classes shifted (map units)"),
+            tr("Class offset (m)"),
             tr(
-                "How far each class of landmarks is shown from where it is, as a whole, in any direction, as networks "
-                "do."
+                "Distance by which the model shows each class of landmarks off its true position. The direction is "
+                "random for each class."
             ),
         ),
         (
             LEANING,
-            tr("Leaning roofs (%)"),
+            tr("Building lean (%)"),
             tr(
-                "How far landmarks lean away from the image’s center, in percent of their distance from it: their "
-                "height over the camera’s."
+                "Apparent lean of landmarks away from the image center, in percent of their distance from it. It is "
+                "the height of the landmark divided by the height of the camera."
             ),
         ),
         (
             LENS,
             tr("Lens distortion (%)"),
-            tr("How much farther out or in than it should the ground in the image’s corners is shown."),
+            tr("Shift of the ground in the corners of the image, outward or inward, in percent."),
         ),
-        (TILT, tr("Camera tilt (°)"), tr("How far the camera looks aside from straight down, in any direction.")),
+        (
+            TILT,
+            tr("Camera tilt (°)"),
+            tr("Angle between the direction of the camera and straight down, in any direction."),
+        ),
     )

@@ -1,4 +1,4 @@
-"""Label images of photos: what a network sees in them, in the classes of a database."""
+"""Label images of photos: the output of a network in the classes of a database."""
 
 from __future__ import annotations
 
@@ -27,30 +27,31 @@ if TYPE_CHECKING:
     from ...storage.images import GdalImage
 
 DEVICE, TILES_PER_SECOND = "DEVICE", "TILES_PER_SECOND"
-"""Keys of what algorithms tell of a network's run."""
+"""Keys of the results about a network's run."""
 
 
 def open_model(path: str, table: ClassTable | None = None) -> SegmentationModel:
-    """A network on the device of the options. Raises ModelError."""
+    """Open a network on the device of the options. Raises ModelError."""
     from ...core.segmentation.model import SegmentationModel
 
     return SegmentationModel(path, worker_threads(), table, chosen_device())
 
 
 def pace_results() -> tuple[QgsProcessingOutputString, QgsProcessingOutputNumber]:
-    """What algorithms tell of a network's run, beside what they write."""
+    """Return the result numbers of a network's run."""
     return (
-        QgsProcessingOutputString(DEVICE, tr("What ran the network")),
-        QgsProcessingOutputNumber(TILES_PER_SECOND, tr("Tiles a second")),
+        QgsProcessingOutputString(DEVICE, tr("Device of the network")),
+        QgsProcessingOutputNumber(TILES_PER_SECOND, tr("Tiles per second")),
     )
 
 
 @dataclass(frozen=True)
 class NetworkPace:
-    """What ran a network, and how fast.
+    """Device and speed of a network's run.
 
     Attributes:
-        seconds: That it took, with reading images and putting tiles together.
+        model: The network.
+        seconds: Duration, with reading images and joining tiles.
     """
 
     model: SegmentationModel
@@ -58,7 +59,7 @@ class NetworkPace:
 
     @property
     def results(self) -> dict[str, Any]:
-        """What algorithms tell, by key."""
+        """Result numbers, by key."""
         why = " ".join(map(worded, self.model.fallbacks))
         device = self.model.device.title
         return {DEVICE: f"{device} ({why})" if why else device, TILES_PER_SECOND: self._rate}
@@ -68,16 +69,16 @@ class NetworkPace:
         return self.model.tiles_seen / self.seconds if self.seconds else 0.0
 
     def sentence(self) -> str:
-        """One sentence in the user's language."""
-        text = tr("{tiles} tiles in {seconds:.1f} s, {rate:.3g} a second on {device}.")
+        """Return one sentence for the log."""
+        text = tr("{tiles} tiles in {seconds:.1f} s ({rate:.3g} per second) on {device}.")
         rate, device = self._rate, self.model.device.title
         return text.format(tiles=self.model.tiles_seen, seconds=self.seconds, rate=rate, device=device)
 
 
 class PhotoLabelReader:
-    """Reads photos, as ``pipeline.LabelReader``; says what the network is and how fast it ran.
+    """Reads photos, as ``pipeline.LabelReader``; logs the network and its speed.
 
-    Raises ModelError when the model is unusable or does not know a reference class of ``table``, and Canceled.
+    Raises Canceled, and ModelError if the model is unusable or lacks a reference class of ``table``.
     """
 
     def __init__(self, model_path: str, table: ClassTable, feedback: QgsProcessingFeedback) -> None:
@@ -92,12 +93,12 @@ class PhotoLabelReader:
 
     @property
     def resolution_m(self) -> float | None:
-        """Pixel size that the network was trained on; None where it does not say."""
+        """Pixel size that the network was trained on; None if its metadata lack it."""
         return self._model.settings.resolution_m
 
     @property
     def stated_biases(self) -> str:
-        """What label maps that the model makes carry along."""
+        """Class offsets for the metadata of label maps of this model."""
         from ...core.segmentation.class_bias import class_bias_text
 
         return class_bias_text(self._model.class_bias)
@@ -106,7 +107,7 @@ class PhotoLabelReader:
         return self._read(path, camera, with_pixels)
 
     def _follow(self, path: str, photo: GdalImage, labels: PhotoLabels) -> Iterator[float]:
-        """Goes through the steps of a photo."""
+        """Yield the progress of a photo."""
         if not self._is_described:
             describe(self._model, photo, self._feedback)
             self._is_described = True
@@ -118,19 +119,19 @@ class PhotoLabelReader:
         self._seconds += time.perf_counter() - begun
 
     def _log_pixel_size(self, path: str, labels: PhotoLabels) -> None:
-        """Of the first photo: the others are of the same flight."""
+        """Log the pixel size of the first photo only, because the others are of the same flight."""
         if labels.camera_pixel_size_m is None:
             return
         text = tr(
-            "{image}: a pixel shows {size:.3g} cm of the ground, by the camera’s height and lens; the network sees "
-            "the photo at {resolution:.3g} cm a pixel, as it was trained."
+            "{image}: the ground sampling distance is {size:.3g} cm, from the height and the lens of the camera. The "
+            "network uses the photo at {resolution:.3g} cm, as in its training."
         )
         size, resolution = 100 * labels.camera_pixel_size_m, 100 * (self.resolution_m or 0.0)
         self._feedback.pushInfo(text.format(image=os.path.basename(path), size=size, resolution=resolution))
 
     @property
     def pace(self) -> NetworkPace:
-        """What ran, and how fast."""
+        """Device and speed of the run."""
         return NetworkPace(self._model, self._seconds)
 
 
@@ -144,8 +145,8 @@ def _open_photo(path: str) -> Photo:
 
 
 def describe(model: SegmentationModel, image: GdalImage, feedback: QgsProcessingFeedback) -> None:
-    """Says what runs, which bands it sees, and what of the model's metadata was overruled."""
-    text = tr("{model}: {classes}; run by {provider}, tiles of {width} × {height} pixels.")
+    """Log the network, the device, the bands, and which metadata of the model were not used."""
+    text = tr("{model}: {classes}. Device: {provider}, tiles of {width} × {height} pixels.")
     classes = ", ".join(model.classes.names)
     provider = model.device.title
     height, width = model.tile_hw
@@ -159,7 +160,9 @@ def describe(model: SegmentationModel, image: GdalImage, feedback: QgsProcessing
         feedback.pushInfo(tr("Stretched to 8 bits from {limits}.").format(limits=limits))
     for name, bias in model.class_bias.items():
         east, north = bias.east, bias.north
-        text = tr("{name}: shown {east:+.2f} m east and {north:+.2f} m north of where it is, as the model says.")
+        text = tr(
+            "{name}: the metadata of the model contain a class offset of {east:+.2f} m east and {north:+.2f} m north."
+        )
         feedback.pushInfo(text.format(name=name, east=east, north=north))
     for note in model.notes:
         feedback.pushWarning(worded(note))

@@ -1,4 +1,4 @@
-"""The photo of a raster parameter: a file or a part of it, or any other layer drawn by QGIS."""
+"""The photo of a raster parameter: a file, a part of it, or another layer that QGIS draws."""
 
 from __future__ import annotations
 
@@ -31,13 +31,13 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class SourceImage:
-    """An image that is open.
+    """An open image.
 
     Attributes:
-        file: The whole of it.
-        image: What is wanted of it.
+        file: The whole image.
+        image: The part to use.
         geotransform: GDAL's six numbers of ``image``; None without a georeference.
-        crs: Of the ground; an invalid one for none.
+        crs: CRS of the ground; invalid without one.
     """
 
     file: GdalImage
@@ -47,9 +47,9 @@ class SourceImage:
 
 
 class PhotoSource:
-    """What ``key`` and ``extent_key`` name, taken out of layers in the thread that they live in. Raises ImageError.
+    """The layer and extent of two parameters, read in the thread of the layers. Raises ImageError.
 
-    ``area``: what of it is wanted; of a layer that has to be drawn its extent is, where no other one is given.
+    ``area``: mask; its extent replaces a missing extent of a layer that must be drawn.
     """
 
     def __init__(self, values: Values, key: str, extent_key: str, area: DrawnArea | None = None) -> None:
@@ -63,7 +63,7 @@ class PhotoSource:
         if needs_drawing(layer):
             if not values.has(extent_key) and area is None:
                 raise ImageError(
-                    "“{layer}” has no edges of its own to go by; give EXTENT, the ground that is wanted of it.",
+                    "“{layer}” has no extent of its own. Set an extent.",
                     layer=layer.name(),
                 )
             self._layer = drawable(layer)
@@ -71,10 +71,10 @@ class PhotoSource:
             self._file = image_layer(layer)
 
     def open(self, resolution_m: float | None, feedback: QgsProcessingFeedback) -> SourceImage:
-        """The photo; a layer that is no file is drawn with pixels of that size.
+        """Open the photo; draw a layer that is not a file with pixels of that size.
 
         Raises:
-            ImageError: It can't be read or drawn.
+            ImageError: It cannot be read or drawn.
             Canceled: The user canceled.
         """
         from ...storage.images import GdalImage
@@ -89,16 +89,19 @@ class PhotoSource:
         return self._part(file, crs)
 
     def path(self) -> str:
-        """The file of a layer that needs no drawing; raises ParameterError for others, which workers can't draw."""
+        """Return the file of the layer. Raises ParameterError if QGIS must draw it, which workers cannot do."""
         if self._file is None:
-            raise ParameterError("QGIS draws this layer, workers can't; choose a raster file, or leave SCHEDULER out.")
+            raise ParameterError(
+                "Workers cannot use this layer, because QGIS draws it. Select a raster file, or leave “Scheduler” "
+                "empty."
+            )
         return self._file.path
 
     def file(self, resolution_m: float, feedback: QgsProcessingFeedback) -> str:
-        """The path of a file that shows what is wanted; one that had to be made lasts as long as QGIS runs.
+        """Return the path of a file with the selected part; a file that was made exists as long as QGIS runs.
 
         Raises:
-            ImageError: It can't be read or drawn.
+            ImageError: It cannot be read or drawn.
             Canceled: The user canceled.
         """
         from ...storage.images import GdalImage
@@ -117,7 +120,7 @@ class PhotoSource:
         return path
 
     def _leave_out(self, path: str, crs: QgsCoordinateReferenceSystem) -> None:
-        """What lies outside of the area, of a file that was made."""
+        """Remove everything outside the mask from a file that was made."""
         from ...storage.images import GdalImage
         from ...storage.pictures import keep_only
         from ..layers.areas import area_mask
@@ -131,18 +134,18 @@ class PhotoSource:
     def _draw(
         self, resolution_m: float | None, feedback: QgsProcessingFeedback
     ) -> tuple[str, QgsCoordinateReferenceSystem]:
-        """(path of a GeoTIFF that lasts as long as QGIS runs, its CRS) of a layer that is no file."""
+        """Draw a layer that is not a file; return (path of a GeoTIFF that exists as long as QGIS runs, its CRS)."""
         from ..layers.rendering import draw, plan_drawing
 
         if resolution_m is None:
-            raise ImageError("“{layer}” can be drawn at any resolution; give RESOLUTION.", layer=self._layer.name())
+            raise ImageError("“{layer}” has no resolution of its own. Enter a resolution.", layer=self._layer.name())
         context = self._values.transform_context
         extent, crs = self._wanted_extent()
         drawing = plan_drawing(self._layer, extent, crs, resolution_m, context)
         height, width = drawing.frame.shape_hw
         text = tr(
-            "Drawing “{layer}” with {width} × {height} pixels of {resolution:g} cm. Whether its images may be used so "
-            "is for the terms of whoever offers it to say."
+            "Drawing “{layer}” with {width} × {height} pixels of {resolution:g} cm. Check that its provider permits "
+            "this use."
         )
         resolution_cm = 100 * resolution_m
         feedback.pushInfo(text.format(layer=self._layer.name(), width=width, height=height, resolution=resolution_cm))
@@ -156,10 +159,10 @@ class PhotoSource:
         return self._area.extent, self._area.crs
 
     def apply_mask(self, image: ImageSource, photo: SourceImage, geotransform: Sequence[float] | None) -> ImageSource:
-        """An image on the photo's ground without what lies outside of the area, if there is one.
+        """Return an image on the photo's ground without everything outside the mask, if there is one.
 
         Raises:
-            ParameterError: No polygon touches it, or it has no place on the ground.
+            ParameterError: No polygon touches the image, or it has no georeference.
         """
         from ...core.labels.image_source import MaskedImage
         from ..layers.areas import area_mask
@@ -180,7 +183,7 @@ class PhotoSource:
         return SourceImage(file, part, (x0 + left * dx, dx, 0.0, y0 + top * dy, 0.0, dy), crs)
 
     def _window(self, file: GdalImage, crs: QgsCoordinateReferenceSystem) -> tuple[int, int, int, int]:
-        """(first column, first row, width, height) of what the extent touches, or the area. Raises ImageError."""
+        """Return (first column, first row, width, height) of the extent or the mask. Raises ImageError."""
         name, transform = self._file.path, file.geotransform
         is_extent = self._values.has(self._extent_key)
         if transform is None or transform[2] or transform[4] or not crs.isValid():
@@ -189,7 +192,8 @@ class PhotoSource:
                     "The image has no georeference, so the mask cannot be applied. Leave “Mask” empty."
                 )
             raise ImageError(
-                "“{image}” has no georeference, or a turned one, so EXTENT can’t be found on it; leave EXTENT out.",
+                "“{image}” has no georeference, or a rotated one, so the extent cannot be applied. Leave “Extent” "
+                "empty.",
                 image=name,
             )
         if is_extent:
@@ -208,7 +212,7 @@ class PhotoSource:
                 raise ParameterError(
                     "The mask and the image do not overlap. Select another mask, or leave “Mask” empty."
                 )
-            raise ImageError("EXTENT does not touch “{image}”; choose a part of it.", image=name)
+            raise ImageError("The extent and “{image}” do not overlap. Set an extent within the image.", image=name)
         return left, top, right - left, bottom - top
 
 
@@ -220,31 +224,33 @@ def draw_for_model(
     context: QgsCoordinateTransformContext,
     canceled: Callable[[], bool],
 ) -> str:
-    """Draws a piece of a layer as large as a network wants it; for a background thread.
+    """Draw a part of a layer at the resolution of a network; for a background thread.
 
     Args:
-        layer: What ``rendering.drawable`` gave.
-        extent: The ground wanted.
-        crs: Of the extent.
-        context: How the project transforms coordinates.
-        canceled: Asked several times a second.
+        layer: A layer of ``rendering.drawable``.
+        extent: The ground to draw.
+        crs: CRS of the extent.
+        model_path: Path of the network.
+        context: Coordinate transforms of the project.
+        canceled: Function that is called several times per second.
 
     Returns:
-        The path of a GeoTIFF that lasts as long as QGIS runs.
+        The path of a GeoTIFF that exists as long as QGIS runs.
 
     Raises:
-        SemRefError: The model can't be read or does not say its resolution, or the layer can't be drawn.
+        SemRefError: The model cannot be read or lacks a resolution, or the layer cannot be drawn.
     """
     from ...core.segmentation.model_card import read_card
     from ..layers.rendering import draw, plan_drawing
 
-    # Only its metadata are wanted: no need to start it.
+    # Only its metadata are read, without starting it.
     card = read_card(model_path)
     if card.fault is not None:
         raise ModelError(card.fault)
     if card.resolution_m is None:
         raise ImageError(
-            "“{layer}” can be drawn at any resolution, and {model} does not say its own; choose a model that does.",
+            "“{layer}” has no resolution of its own, and neither have the metadata of {model}. Select a model with a "
+            "resolution.",
             layer=layer.name(),
             model=model_path,
         )
@@ -257,12 +263,12 @@ def draw_for_model(
 
 
 def _stem(name: str) -> str:
-    """What a file may be called after a layer or a path: letters, digits and what joins them."""
+    """Return a file name for a layer or a path: letters, digits, “-”, “_” and “.”."""
     stem = os.path.splitext(os.path.basename(name))[0]
     return "".join(letter if letter.isalnum() or letter in "-_." else "_" for letter in stem)[:60] or "layer"
 
 
 def _within(ends: list[float], length: int) -> tuple[int, int]:
-    """First pixel and the one after the last that two places touch, on an image of that length."""
+    """Return the first pixel and the one after the last between two positions, on an image of that length."""
     first, last = (min(max(end, -1.0), length + 1.0) for end in ends)
     return max(0, int(first // 1)), min(length, -int(-last // 1))

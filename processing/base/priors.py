@@ -1,4 +1,4 @@
-"""What is known of images before they are localized: its parameters, and what is searched by their values."""
+"""Prior position, heading and scale of images: the parameters, and how their values limit the search."""
 
 from __future__ import annotations
 
@@ -23,40 +23,43 @@ SCALE_MINIMUM, SCALE_MAXIMUM = "SCALE_MINIMUM", "SCALE_MAXIMUM"
 
 
 def parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
-    """Position, heading and scale; none is ever needed."""
+    """Return the optional parameters of the prior position, heading and scale."""
     return (
         with_help(
-            QgsProcessingParameterPoint(PRIOR_POINT, tr("Approximate position"), optional=True),
-            tr("Where the images are known to be, roughly. It speeds up the search and is never needed."),
+            QgsProcessingParameterPoint(PRIOR_POINT, tr("Prior position"), optional=True),
+            tr("Approximate position of the images. It limits the search area and makes the search faster. Optional."),
             advanced=True,
         ),
         with_help(
             QgsProcessingParameterNumber(
-                PRIOR_RADIUS, tr("Radius around it (map units)"), type=DOUBLE, defaultValue=1000.0, minValue=0.01
+                PRIOR_RADIUS, tr("Search radius (m)"), type=DOUBLE, defaultValue=1000.0, minValue=0.01
             ),
-            tr("Only with an approximate position: places farther away are not searched."),
+            tr("Radius of the search area around the prior position. It is used only with a prior position."),
             advanced=True,
         ),
         with_help(
             QgsProcessingParameterNumber(
-                PRIOR_HEADING, tr("Approximate heading (°)"), type=DOUBLE, optional=True, minValue=-360, maxValue=360
+                PRIOR_HEADING, tr("Prior heading (°)"), type=DOUBLE, optional=True, minValue=-360, maxValue=360
             ),
             tr(
-                "Where the images’ top points to, roughly, in degrees clockwise from grid north. If it is left "
-                "out: what the camera tells, if it is known (camera table, XMP), within 25°."
+                "Approximate direction of the top of the images, in degrees clockwise from grid north. If not set, "
+                "SemRef uses the heading of the camera (camera table or XMP) ± 25°, where it is known."
             ),
             advanced=True,
         ),
         with_help(
             QgsProcessingParameterNumber(
                 PRIOR_HEADING_RANGE,
-                tr("Range around it (± °)"),
+                tr("Heading tolerance (± °)"),
                 type=DOUBLE,
                 defaultValue=20.0,
                 minValue=1,
                 maxValue=180,
             ),
-            tr("Only with an approximate heading: other headings are not searched."),
+            tr(
+                "Only headings within this tolerance of the prior heading are searched. It is used only with a prior "
+                "heading."
+            ),
             advanced=True,
         ),
         *_scale_parameters(),
@@ -65,11 +68,11 @@ def parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
 
 def _scale_parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
     scale = tr(
-        "Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are "
-        "left out: what the camera’s height and lens tell, if they are known (camera table, EXIF, XMP), else 0.4 "
-        "to 2.5. A narrow range is searched faster."
+        "Ground length of the shorter image edge, as a multiple of the window size of the database. If neither limit "
+        "is set, SemRef uses the height and lens of the camera, or 0.4 to 2.5 if they are unknown. A narrow range is "
+        "searched faster."
     )
-    titles = {SCALE_MINIMUM: tr("Smallest scale"), SCALE_MAXIMUM: tr("Largest scale")}
+    titles = {SCALE_MINIMUM: tr("Minimum scale"), SCALE_MAXIMUM: tr("Maximum scale")}
     return tuple(
         with_help(
             QgsProcessingParameterNumber(key, title, type=DOUBLE, optional=True, minValue=0.01, maxValue=100),
@@ -81,14 +84,14 @@ def _scale_parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
 
 
 def scales(values: Values, method: Method) -> tuple[float, float] | None:
-    """What the scales are searched in.
+    """Return the range of scales to search.
 
     Args:
-        values: Of an algorithm with these parameters.
-        method: Whose default stands in for the one that is not given.
+        values: Values of an algorithm with these parameters.
+        method: Its default replaces the limit that is not given.
 
     Returns:
-        (smallest, largest); None, each method's own, when neither is given.
+        (smallest, largest); None if neither is given, for the range of each method.
 
     Raises:
         ParameterError: The smallest is larger than the largest.
@@ -102,7 +105,8 @@ def scales(values: Values, method: Method) -> tuple[float, float] | None:
     largest = values.optional_number(SCALE_MAXIMUM, largest)
     if smallest > largest:
         raise ParameterError(
-            "The smallest scale ({smallest:g}) is above the largest ({largest:g}); give both, the smaller first.",
+            "The minimum scale ({smallest:g}) is larger than the maximum scale ({largest:g}). Enter a minimum below "
+            "the maximum.",
             smallest=smallest,
             largest=largest,
         )
@@ -110,7 +114,8 @@ def scales(values: Values, method: Method) -> tuple[float, float] | None:
 
 
 def prior(values: Values, crs: QgsCoordinateReferenceSystem) -> Prior:
-    """Position and heading in the database's CRS; pixel sizes follow from the scales and each image's shape."""
+    """Return the prior position and heading in the database's CRS. Pixel sizes follow from the scales and each image's
+    shape."""
     position = values.point(PRIOR_POINT, crs)
     radius = None if position is None else values.number(PRIOR_RADIUS)
     return Prior(position, radius, values.optional_number(PRIOR_HEADING), values.number(PRIOR_HEADING_RANGE))

@@ -1,4 +1,4 @@
-"""Flights along a planned route: the parameters of simulating them, and what is told of them."""
+"""Simulated flights along a planned route: parameters and results."""
 
 from __future__ import annotations
 
@@ -29,37 +29,37 @@ FIRST_POSITION, LARGEST_RADIUS = "FIRST_POSITION", "LARGEST_RADIUS"
 FIELDS = (("flight_placed", "real"), ("flight_radius", "real"), ("flight_lost", "real"))
 
 FLOWN_PERCENT, DONE_PERCENT = 70, 97
-"""Progress when single images are assessed, where flights are flown, too, and when those are done."""
+"""Progress in percent after single images are assessed, if flights follow, and after the flights."""
 
 
 def parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
-    """How flights are simulated, if any are."""
+    """Return the parameters of simulated flights."""
     return (
         with_help(
             QgsProcessingParameterNumber(
                 FLIGHTS, tr("Simulated flights"), type=INTEGER, defaultValue=0, minValue=0, maxValue=100
             ),
             tr(
-                "So many flights along every line, as “Localize flight” and watch --flight follow them: where the "
-                "first position comes, how large the error gets, where the track is lost. Each image takes about a "
-                "second until the first position. 0 for none."
+                "Number of simulated flights along each line, for example 5. They are localized as in “Localize "
+                "flight”. The report shows where the first position is found, the largest error, and where the track "
+                "is lost. Each image takes about 1 s until the first position. 0 means no flights."
             ),
             advanced=True,
         ),
         with_help(
             QgsProcessingParameterNumber(
-                IMAGE_DISTANCE, tr("Distance between images (map units)"), type=DOUBLE, optional=True, minValue=0.0
+                IMAGE_DISTANCE, tr("Distance between images (m)"), type=DOUBLE, optional=True, minValue=0.0
             ),
-            tr("Of a simulated flight; a third of the footprint if left out."),
+            tr("Distance between the images of a simulated flight. If not set, a third of the footprint width."),
             advanced=True,
         ),
         with_help(
             QgsProcessingParameterNumber(
-                DRIFT, tr("Drift of motion (%)"), type=DOUBLE, defaultValue=1.0, minValue=0.0, maxValue=20.0
+                DRIFT, tr("Motion drift (%)"), type=DOUBLE, defaultValue=1.0, minValue=0.0, maxValue=20.0
             ),
             tr(
-                "What motion from image to image is off by, a share of the distance: of each step by itself, and of "
-                "all of them by as much again."
+                "Error of the motion between images, in percent of the distance: a random error of each step, and a "
+                "constant error of the same size."
             ),
             advanced=True,
         ),
@@ -67,15 +67,15 @@ def parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
 
 
 def outputs() -> tuple[QgsProcessingOutputNumber, ...]:
-    """Numbers that are told."""
+    """Return the result numbers."""
     return (
         QgsProcessingOutputNumber(FIRST_POSITION, tr("Distance to the first position of a flight")),
-        QgsProcessingOutputNumber(LARGEST_RADIUS, tr("Largest 95 % radius of a flight’s positions")),
+        QgsProcessingOutputNumber(LARGEST_RADIUS, tr("Largest 95 % radius of a flight")),
     )
 
 
 def share_before(values: Values) -> float:
-    """Share of the progress that is made before flights are flown."""
+    """Return the share of the progress before the flights."""
     return FLOWN_PERCENT / 100 if values.integer(FLIGHTS) else 1.0
 
 
@@ -88,7 +88,7 @@ def simulate(
     footprint: float,
     feedback: QgsProcessingFeedback,
 ) -> FlownRoute | None:
-    """What flights along lines came to; None where none are wanted."""
+    """Simulate flights along lines; None if the number of flights is 0."""
     from ...core.assessment.flights import FlightPlan, FlownRoutes
     from ...core.assessment.route import route_points
 
@@ -98,7 +98,7 @@ def simulate(
     plan = FlightPlan(count, footprint, values.number(DRIFT) / 100, values.integer(SEED))
     points = route_points(lines, values.optional_number(IMAGE_DISTANCE) or footprint / 3)
     routes = FlownRoutes(database, localizer, conditions, plan)
-    feedback.setProgressText(tr("Flying along the route"))
+    feedback.setProgressText(tr("Simulating flights along the route"))
     for done, images in interruptible(routes.steps(points), feedback):
         check_canceled(feedback)
         feedback.setProgress(FLOWN_PERCENT + (DONE_PERCENT - FLOWN_PERCENT) * done / images)
@@ -106,7 +106,7 @@ def simulate(
 
 
 def numbers(route: AssessedRoute) -> dict[str, float]:
-    """Numbers of the flights; none where they tell none."""
+    """Return the result numbers of the flights, as far as there are any."""
     if route.flown is None:
         return {}
     found = {}
@@ -121,7 +121,7 @@ def numbers(route: AssessedRoute) -> dict[str, float]:
 
 
 def columns(flown: FlownRoute, n: int) -> dict[str, Any]:
-    """Columns of what flights came to at the image of that number."""
+    """Return the values of the flight columns at the image of that number."""
     radius = float(flown.radius[n])
     return {
         "flight_placed": float(flown.placed[n]),

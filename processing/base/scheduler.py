@@ -1,4 +1,4 @@
-"""SCHEDULER: tasks that Dask's workers do, through a process beside QGIS that has QGIS's own Python and packages."""
+"""SCHEDULER: Dask workers do tasks, through a process beside QGIS with QGIS's Python and packages."""
 
 from __future__ import annotations
 
@@ -43,85 +43,84 @@ _EVENTS = {
     "failed": FAILED,
     "broke": {"reason": str},
 }
-"""What cluster/service.py reports."""
+"""Events of cluster/service.py."""
 
 _LOCAL = re.compile(r"local:(\d{1,4})")
 _REMOTE = re.compile(r"(tcp|tls|ucx|ws|wss)://[^\s:/]+:\d+/?")
 
 
 def scheduler() -> QgsProcessingParameterDefinition:
-    """Who does the work."""
     return with_help(
         QgsProcessingParameterString(SCHEDULER, tr("Scheduler"), optional=True),
         tr(
-            "Has the work done by many processes: local:4 starts four on this machine, tcp://ADDRESS:PORT uses the "
-            "workers of a Dask scheduler, which read the same files by the same paths. If left out, QGIS does it "
-            "itself."
+            "Processes that do the work. local:4 starts four processes on this computer. tcp://ADDRESS:PORT uses the "
+            "workers of a Dask scheduler, which must read the same files under the same paths. If not set, QGIS does "
+            "the work."
         ),
         advanced=True,
     )
 
 
 def require_scheduler(values: Values, others: Sequence[str] = ()) -> None:
-    """Raises ParameterError where SCHEDULER can't be what is meant, ComponentError where packages are missing.
+    """Raises ParameterError for an invalid SCHEDULER, ComponentError if packages are missing.
 
     Args:
-        others: Keys of what only QGIS can do.
+        values: Values of the algorithm.
+        others: Keys that only QGIS can process.
     """
     if not values.has(SCHEDULER):
         return
     given = [key for key in others if values.has(key)]
     if given:
-        raise ParameterError(
-            "{keys} can't be used together with SCHEDULER; leave them or SCHEDULER out.", keys=", ".join(given)
-        )
+        titles = ", ".join(f"“{values.title(key)}”" for key in given)
+        raise ParameterError("“Scheduler” cannot be used together with {keys}. Leave one of them empty.", keys=titles)
     _workers(values.text(SCHEDULER))
     is_local = _LOCAL.fullmatch(values.text(SCHEDULER).strip())
     require([DASK, CRYPTOGRAPHY] if is_local else [DASK])
 
 
 class Workers:
-    """Those of SCHEDULER: a ``core.database.tasks.Runner``."""
+    """The workers of SCHEDULER: a ``core.database.tasks.Runner``."""
 
     def __init__(self, process: QProcess, folder: str, feedback: QgsProcessingFeedback) -> None:
-        """Nothing is asked yet.
+        """Prepare to send tasks.
 
         Args:
-            process: Was started.
-            folder: Of files that go to and fro.
-            feedback: Takes what the process reports.
+            process: A started process.
+            folder: Folder of exchanged files.
+            feedback: Shows the reports of the process.
         """
         self.reports = EventProcess(process, _EVENTS)
         self._process, self._folder, self._feedback = process, folder, feedback
         self._events = self.reports.read(feedback)
 
     def __call__(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[tuple[int, Any]]:
-        """Yields the number of a call and what it gave, as they are done.
+        """Yield the number and the result of each call when it is done.
 
         Raises:
-            SemRefError: A task or the process reports a failure, or the process ends without a word.
+            SemRefError: A task or the process fails, or the process ends.
             Canceled: The user canceled.
         """
         return self._run(task, calls, shared, False)
 
     def in_order(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[Any]:
-        """Yields what calls gave, in their order; raises as ``__call__`` does."""
+        """Yield the results of calls in their order; raises as ``__call__`` does."""
         return (result for _, result in self._run(task, calls, shared, True))
 
     def answers(
         self, task: str, job: object, pieces: Sequence[Any], database: ReferenceDatabase, at_once: int = 1
     ) -> Iterator[Any]:
-        """Yields what workers found of each piece of a job, in their order.
+        """Yield the results of all pieces of a job in their order.
 
         Args:
-            task: One of ``cluster.task_names``.
-            job: What is the same for all pieces.
+            task: A name of ``cluster.task_names``.
+            job: What all pieces share.
             pieces: What differs.
-            database: By which pieces were planned: workers that read another one refuse.
-            at_once: Pieces of one task.
+            database: Database of the plan: workers refuse another one.
+            at_once: Pieces in one task.
 
         Raises:
-            SemRefError: As of ``__call__``.
+            SemRefError: See ``__call__``.
             Canceled: The user canceled.
         """
         from ...storage.file_states import fingerprint
@@ -132,7 +131,7 @@ class Workers:
             yield from from_bytes(found)
 
     def wait(self) -> None:
-        """Until there are workers; raises as ``__call__`` does."""
+        """Wait for the workers; raises as ``__call__`` does."""
         while self._next()["event"] != "ready":
             pass
 
@@ -151,7 +150,7 @@ class Workers:
                     given += 1
                 self._tell(file)
             elif event["event"] == "result":
-                # Only a file of this run's own folder is read and removed, whatever the process reports.
+                # Only files in the folder of this run are read and removed, whatever the process reports.
                 file = os.path.join(self._folder, f"result_{event['number']}")
                 result = read(file)
                 os.unlink(file)
@@ -162,7 +161,7 @@ class Workers:
         self._process.waitForBytesWritten(_WRITTEN_WITHIN_MS)
 
     def _next(self) -> dict[str, Any]:
-        """The next event; one that is for the user is shown before."""
+        """Return the next event; show messages for the user first."""
         for event in self._events:
             check_canceled(self._feedback)
             if event["event"] == "info":
@@ -171,18 +170,18 @@ class Workers:
                 raise SemRefError(failure(event))
             elif event["event"] == "broke":
                 raise SemRefError(
-                    "The process that does the work ended ({reason}); start it again.",
+                    "The process of the workers ended ({reason}). Run the algorithm again.",
                     reason=event["reason"].rstrip("."),
                 )
             else:
                 return event
         raise SemRefError(
-            "The process that does the work ended ({reason}); start it again.",
+            "The process of the workers ended ({reason}). Run the algorithm again.",
             reason=self.reports.reason or self._process.errorString(),
         )
 
     def close(self) -> None:
-        """End the process: it clears up what it began, and who asked waits less than a second."""
+        """End the process, which cleans up; this takes less than a second."""
         self._events.close()
         self.reports.end(_ASKED_TO_END_MS)
 
@@ -191,15 +190,16 @@ class Workers:
 def workers(
     values: Values, feedback: QgsProcessingFeedback, files: Mapping[str, tuple[int, float]], labels: str = ""
 ) -> Iterator[Workers | None]:
-    """Those of SCHEDULER; None where it is not given.
+    """Yield the workers of SCHEDULER; None if it is not set.
 
     Args:
-        feedback: Takes what the process reports.
-        files: That workers read, with their ``storage.file_states.state`` before they were read here.
+        values: Values of the algorithm.
+        feedback: Shows the reports of the process.
+        files: Files that workers read, with their ``storage.file_states.state`` before they were read here.
         labels: The label map, for tasks of ``core.database.tasks``.
 
     Raises:
-        SemRefError: There are no workers, or a file changed meanwhile.
+        SemRefError: There are no workers, or a file was changed.
         Canceled: The user canceled.
     """
     from ...storage.file_states import require_unchanged
@@ -215,35 +215,39 @@ def workers(
         Path(order).write_text(json.dumps(content), encoding="utf-8")
         process.start(_python(), [str(_PROGRAM), order])
         if not process.waitForStarted():
-            raise SemRefError("Workers can't be started here ({reason}).", reason=process.errorString())
+            raise SemRefError(
+                "The process of the workers cannot be started ({reason}). Leave “Scheduler” empty, so that QGIS does "
+                "the work.",
+                reason=process.errorString(),
+            )
         with closing(Workers(process, folder, feedback)) as run:
             run.wait()
             require_unchanged(files)
             yield run
-            # Workers open them each at its time.
+            # Each worker opens them at another time.
             require_unchanged(files)
 
 
 def with_progress(
     found: Iterator[Any], count: int, feedback: QgsProcessingFeedback, first: float, last: float
 ) -> Iterator[Any]:
-    """The same ``count`` answers, with progress from ``first`` to ``last`` percent."""
+    """Yield the same ``count`` answers and show progress from ``first`` to ``last`` percent."""
     for n, one in enumerate(found, start=1):
         feedback.setProgress(first + (last - first) * n / count)
         yield one
 
 
 def _workers(text: str) -> dict[str, Any]:
-    """SCHEDULER as ``cluster/service.py`` has it."""
+    """Parse SCHEDULER for ``cluster/service.py``."""
     text = text.strip()
     local = _LOCAL.fullmatch(text)
     if local and int(local[1]):
         return {"scheduler": None, "local": int(local[1])}
     if not _REMOTE.fullmatch(text):
         raise ParameterError(
-            "{key} is “{text}”; give local: and a number of processes, such as local:4, or the address of a "
-            "scheduler, such as tcp://10.0.0.5:8786.",
-            key=SCHEDULER,
+            "“{key}” is “{text}”, which is not a scheduler. Enter local: and a number of processes (local:4), or the "
+            "address of a Dask scheduler (tcp://10.0.0.5:8786).",
+            key=tr("Scheduler"),
             text=text,
         )
     return {"scheduler": text, "local": None}
@@ -255,7 +259,7 @@ def _python() -> str:
 
 
 def _environment() -> QProcessEnvironment:
-    """QGIS's own, and its packages: those that SemRef installed lie in its profile."""
+    """Return QGIS's environment with its Python path, which includes the packages that SemRef installed."""
     environment = python_environment()
     environment.insert("PYTHONPATH", os.pathsep.join(path for path in sys.path if os.path.isdir(path)))
     for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):

@@ -1,4 +1,4 @@
-"""What a network sees in an image, as outputs: label map, polygons, how sure it is, and of each class."""
+"""The outputs of a segmentation: label map, polygons, confidence, and probabilities of each class."""
 
 from __future__ import annotations
 
@@ -29,19 +29,19 @@ if TYPE_CHECKING:
 FIELDS = (("class", "integer"), ("class_name", "text"), ("area", "real"))
 
 TOLERANCE_PX = 1.5
-"""Straightens the stairs of pixels: those of a slanting line are at most 0.71 pixels off it."""
+"""Tolerance that straightens pixel edges: those of a slanting line are at most 0.71 pixels off it."""
 
 _CHECK_EVERY = 1000
 
 
 @dataclass(frozen=True)
 class SeenGrid:
-    """Where the pixels lie.
+    """The grid of the pixels.
 
     Attributes:
         shape_hw: (height, width) in pixels.
         geotransform: GDAL's six numbers; None without a georeference.
-        crs_wkt: WKT of the CRS; empty for none.
+        crs_wkt: WKT of the CRS; empty without one.
     """
 
     shape_hw: tuple[int, int]
@@ -50,9 +50,9 @@ class SeenGrid:
 
 
 class SegmentedFiles:
-    """The files of one run, open within a ``with``; ``label_map`` is where the first of them is written.
+    """The files of one run, open within a ``with``; ``label_map`` is the path of the label map while it is written.
 
-    Rows are written through as they come, so that memory does not grow with the image's height.
+    Rows are written when they are finished, so memory does not grow with the height of the image.
     """
 
     def __init__(
@@ -63,13 +63,14 @@ class SegmentedFiles:
         keys: tuple[str, str, str],
         wanted: Certainty,
     ) -> None:
-        """Nothing is written yet.
+        """Prepare to write.
 
         Args:
-            grid: Where the pixels lie.
-            model: Whose classes they are.
-            keys: Of the label map, the confidence and the probabilities.
-            wanted: Which of the latter two.
+            outputs: Outputs of the run.
+            grid: Grid of the pixels.
+            model: Model with the classes.
+            keys: Keys of the label map, the confidence and the probabilities.
+            wanted: Which of the latter two are written.
         """
         self._outputs, self._grid, self._model, self._keys, self._wanted = outputs, grid, model, keys, wanted
         self._files = ExitStack()
@@ -86,7 +87,7 @@ class SegmentedFiles:
         return self._files.__exit__(*error)  # type: ignore[arg-type]
 
     def write(self, rows: Iterable[SegmentedRows]) -> None:
-        """Writes all rows, from the first to the last. Raises LabelMapError where the disk is full."""
+        """Write all rows, from the first to the last. Raises LabelMapError if the disk is full."""
         from ...storage.label_map_file import whole_tile_rows
 
         for first, bands in whole_tile_rows(_stacked(rows)):
@@ -107,7 +108,7 @@ class SegmentedFiles:
             confidence = self._percents(files, self._keys[1], [tr("Confidence")], 1)
             self._writers.append(lambda first, bands: confidence.write_rows(first, bands[1:2]))
         if self._wanted.of_each:
-            # Shown first: the first class that is one.
+            # The style shows the first class that is not “unlabeled”.
             shown = next((n for n, value in enumerate(classes.values, start=1) if value != UNLABELED), 1)
             each = self._percents(files, self._keys[2], list(classes.names), shown)
             self._writers.append(lambda first, bands: each.write_rows(first, bands[-len(classes.names) :]))
@@ -122,7 +123,8 @@ class SegmentedFiles:
 
 
 def _stacked(rows: Iterable[SegmentedRows]) -> Iterator[tuple[int, np.ndarray]]:
-    """(first row, (bands, rows, W) uint8): labels, then how sure of them, then of each class, as far as wanted."""
+    """Yield (first row, (bands, rows, W) uint8): labels, their confidence, and probabilities of each class, as
+    selected."""
     import numpy as np
 
     for piece in rows:
@@ -141,10 +143,10 @@ def write_polygons(
     table: ClassTable,
     feedback: QgsProcessingFeedback,
 ) -> None:
-    """Writes the polygons of the label map in ``path`` where they are wanted, by MINIMUM_AREA and TOLERANCE.
+    """Write the polygons of the label map in ``path``, if selected, by MINIMUM_AREA and TOLERANCE.
 
     Raises:
-        LabelMapError: They can't be made.
+        LabelMapError: They cannot be made.
         Canceled: The user canceled.
     """
     if not outputs.wants(key):
@@ -157,7 +159,9 @@ def write_polygons(
     transform = open_raster(path).GetGeoTransform(can_return_null=True) or (0.0, 1.0, 0.0, 0.0, 0.0, -1.0)
     tolerance = values.optional_number("TOLERANCE", TOLERANCE_PX * abs(transform[1]))
     if tolerance and not can_simplify():
-        feedback.pushWarning(tr("Borders keep the pixels’ edges: straightening them takes shapely 2.1 with GEOS 3.12."))
+        feedback.pushWarning(
+            tr("The polygons keep the edges of the pixels, because simplification needs Shapely 2.1 with GEOS 3.12.")
+        )
     polygons = LabelPolygons(path, values.optional_number("MINIMUM_AREA", 0.0), tolerance)
     try:
         for what, share in interruptible(polygons.steps(lambda: not feedback.isCanceled()), feedback):

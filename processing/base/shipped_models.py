@@ -1,4 +1,4 @@
-"""Ready-made models (.model3) that stand beside the algorithms, in their groups and in the user's language."""
+"""The models (.model3) of the plugin, in the groups of the algorithms and in the user's language."""
 
 from __future__ import annotations
 
@@ -24,7 +24,12 @@ MODELS = Path(__file__).resolve().parents[2] / "models"
 
 @dataclass(frozen=True)
 class ModelTexts:
-    """What a model says of itself. helps, names: by parameter; names of those that the algorithms call otherwise"""
+    """Texts of a model.
+
+    Attributes:
+        helps: Help by parameter.
+        names: Titles by parameter, where they differ from those of the algorithms.
+    """
 
     title: str
     group: str
@@ -34,7 +39,7 @@ class ModelTexts:
 
 
 def model_texts(name: str) -> ModelTexts:
-    """The texts of a model, in the user's language; the model files have the English ones."""
+    """Return the texts of a model in the user's language; the model files contain the English ones."""
     return {
         "annotationtodatabase": _annotation_to_database,
         "orthophototodisagreements": _orthophoto_to_disagreements,
@@ -44,17 +49,20 @@ def model_texts(name: str) -> ModelTexts:
 
 def _annotation_to_database() -> ModelTexts:
     return ModelTexts(
-        tr("Annotation to reference database"),
+        tr("Land-cover layer to reference database"),
         REFERENCE_DATABASE,
         tr(
-            "From land-cover polygons to a reference database in one run: “Rasterize annotation”, then “Build "
-            "reference database”. Give a class table, or name the reference classes."
+            "Makes a reference database from a land-cover layer in one run, with “Rasterize land-cover layer” and "
+            "“Build reference database”. Select a class table, or enter the reference classes."
         ),
         {
-            "PIXEL_SIZE": tr("Edge length of a pixel in meters. The smallest landmark should cover some 50 pixels."),
+            "PIXEL_SIZE": tr(
+                "Edge length of a pixel, for example 1. The smallest landmark should cover about 50 pixels."
+            ),
             "REFERENCE_CLASSES": tr(
-                "Classes whose regions are landmarks: names or values separated by “;”, for example "
-                "building;bare_land;water. If left out, the classes with the role “reference” in the map’s class table."
+                "Classes that are landmarks: names or values separated by “;”, for example "
+                "building;bare_land;water. If not set, the classes with the role “reference” in the class table of "
+                "the map are used."
             ),
         },
     )
@@ -65,35 +73,34 @@ def _orthophoto_to_disagreements() -> ModelTexts:
         tr("Orthophoto to disagreements"),
         ANNOTATION,
         tr(
-            "Where does a new orthophoto contradict the annotation? “Segment image”, then “Compare label maps”: the "
-            "disagreements as polygons, the largest first, to go through in the dock’s tab “Correct”. When the "
-            "annotation is mended, “Corrected annotation to database” brings the reference database up to date."
+            "Finds where a new orthophoto contradicts the label map, with “Segment image” and “Compare label maps”. "
+            "The disagreements are polygons, the largest first. Check them in the tab “Correct” of the dock, then run "
+            "“Corrected land-cover layer to reference database”."
         ),
         {
-            "IMAGE": tr("It must be in the CRS of the label map; its pixels may be of another size."),
-            "MODEL": tr("A segmentation network with the classes of the label map, which are matched by name."),
-            "LABELS": tr("The label map that the reference database was built from."),
-            "MINIMUM_AREA": tr("Smaller disagreements are left out."),
+            "IMAGE": tr("Photo or orthophoto in the CRS of the label map. Its pixel size may differ."),
+            "MODEL": tr("Segmentation model with the classes of the label map, matched by name."),
+            "LABELS": tr("Label map that the reference database was built from."),
+            "MINIMUM_AREA": tr("Disagreements smaller than this area are left out."),
         },
     )
 
 
 def _correction_to_database() -> ModelTexts:
     return ModelTexts(
-        tr("Corrected annotation to database"),
+        tr("Corrected land-cover layer to reference database"),
         REFERENCE_DATABASE,
         tr(
-            "From a corrected annotation to an updated reference database: “Rasterize annotation” with the pixels, "
-            "the extent and the CRS of the old label map, then “Update reference database”. Only what the "
-            "corrections reach is made anew."
+            "Updates a reference database after its land-cover layer was corrected. “Rasterize land-cover layer” uses "
+            "the pixels, extent and CRS of the old label map; “Update reference database” computes only what changed."
         ),
         {
-            "CLASS_TABLE": tr("The one that the old label map was made with."),
-            "LABELS": tr("The label map that the reference database was built from."),
+            "CLASS_TABLE": tr("Class table of the old label map."),
+            "LABELS": tr("Label map that the reference database was built from."),
             "CHANGED": tr(
-                "Polygons that hold everything that was changed, such as the places that were corrected: only the "
-                "blocks of 512 × 512 pixels that they touch are looked at, and changes elsewhere are missed until an "
-                "update without this. If left out, the whole map is compared with the database, which takes longer."
+                "Polygons that contain all changes. Only blocks of 512 × 512 pixels that these polygons touch are "
+                "compared, so changes outside are missed. If not set, the whole map is compared with the database, "
+                "which takes longer."
             ),
         },
         {"LABELS": tr("Old label map")},
@@ -101,14 +108,14 @@ def _correction_to_database() -> ModelTexts:
 
 
 class ShippedModel(QgsProcessingModelAlgorithm):
-    """A model of the folder ``models``; read it with ``load``."""
+    """A model of the folder ``models``, read by ``load``."""
 
     def __init__(self) -> None:
         super().__init__()
         self._path = ""
 
     def load(self, path: str) -> bool:
-        """Whether the file could be read: only where the algorithms in it are registered."""
+        """Read the file; return whether this succeeded, which needs its algorithms to be registered."""
         self._path = path
         if not self.fromFile(path):
             return False
@@ -129,14 +136,14 @@ class ShippedModel(QgsProcessingModelAlgorithm):
         self.loadVariant(model)
 
     def _parameters_of_steps(self) -> dict[str, QgsProcessingParameterDefinition]:
-        """The algorithms' parameters that the model hands its own on to, by the name of its own."""
+        """Return the algorithms' parameters that get a parameter of the model, by the name of the latter."""
         found: dict[str, QgsProcessingParameterDefinition] = {}
         registry = QgsApplication.processingRegistry()
         for child in self.childAlgorithms().values():
             algorithm = registry.algorithmById(child.algorithmId())
             for key, sources in child.parameterSources().items():
                 definition = algorithm and algorithm.parameterDefinition(key)
-                # Only what the model hands on from its own parameters names one.
+                # Only a parameter of the model has a name.
                 for name in (one.parameterName() for one in sources if definition):
                     if name:
                         found.setdefault(name, definition)
@@ -145,19 +152,19 @@ class ShippedModel(QgsProcessingModelAlgorithm):
     # --- QgsProcessingAlgorithm ---
 
     def createInstance(self) -> ShippedModel:
-        # QGIS's own copies know the name only, not the title.
+        # QGIS copies only the name of a model, not its title.
         made = ShippedModel()
         made.load(self._path)
         return made
 
     def canExecute(self) -> tuple[bool, str]:
-        # QGIS asks whether the steps are there, not whether they can do their work.
+        # QGIS checks whether the steps exist, not whether they can run.
         find = QgsApplication.processingRegistry().algorithmById
         answers = (find(child.algorithmId()).canExecute() for child in self.childAlgorithms().values())
         return next((answer for answer in (super().canExecute(), *answers) if not answer[0]), (True, ""))
 
     def postProcessAlgorithm(self, context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> dict[str, Any]:
-        # QGIS calls layers by their outputs' names, which are part of their keys and so in English.
+        # QGIS names layers after the outputs, which are part of their keys and therefore in English.
         names = {name for child in self.childAlgorithms().values() for name in child.modelOutputs()}
         for destination, details in context.layersToLoadOnCompletion().items():
             if details.name in names:
@@ -190,7 +197,7 @@ class ShippedModel(QgsProcessingModelAlgorithm):
 
 
 def shipped_models() -> list[ShippedModel]:
-    """Those that can be read."""
+    """Return the models that can be read."""
     models = []
     for path in sorted(MODELS.glob("*.model3")):
         model = ShippedModel()

@@ -1,4 +1,4 @@
-"""How long a run still takes, told to whoever watches it: one mechanism for all algorithms and for the dock."""
+"""The remaining time of a run, for all algorithms and the dock."""
 
 from __future__ import annotations
 
@@ -10,23 +10,23 @@ from qgis.PyQt.QtCore import QDateTime, QLocale
 from ..translation import tr
 
 _AFTER_S, _AFTER_PERCENT = 3.0, 2.0
-"""Before that an estimate would be a guess."""
+"""Seconds and percent before which no estimate is shown."""
 
 _MINUTE_S, _HOUR_S = 60, 3600
 _ROUND_S = 5
 
 _WORTH_S = 20.0
-"""Whoever has waited for less need not be told in words: the bar does."""
+"""Seconds below which the progress bar is enough."""
 
 _TOLD_AGAIN = 0.5
-"""The end is told again when so much of the time that was told is left, or half as much again: dialogs write every
-text into their log, and an hour takes a line for each time that it halves."""
+"""The estimate is shown again if it has halved, or grown by half since it was shown: dialogs write each text into their
+log."""
 
 
 class TimeLeftFeedback(QgsProcessingMultiStepFeedback):
-    """Passes everything on, and says in the text of the progress how long it still takes and until when.
+    """Passes everything on, and adds the remaining time and the end time to the progress text.
 
-    Feedback with a true attribute ``shows_time_left`` does so by itself and is told nothing.
+    Feedback with a true attribute ``shows_time_left`` does this itself.
     """
 
     def __init__(self, feedback: QgsProcessingFeedback) -> None:
@@ -38,7 +38,7 @@ class TimeLeftFeedback(QgsProcessingMultiStepFeedback):
         self._told_s: float | None = None
 
     def isCanceled(self) -> bool:
-        # The one who watches may have canceled before this was there.
+        # The user may have canceled before this object existed.
         return self._feedback.isCanceled()
 
     def setProgressText(self, text: str) -> None:
@@ -60,7 +60,7 @@ class TimeLeftFeedback(QgsProcessingMultiStepFeedback):
         return self._told_s is None or not _TOLD_AGAIN < left_s / self._told_s < 1 + _TOLD_AGAIN
 
     def _show(self, left_s: float | None) -> None:
-        """What is being done, and the end where it is known."""
+        """Show what is being done and, if known, the end time."""
         texts = [self._what] if self._what else []
         if left_s is not None:
             self._told_s = left_s
@@ -71,13 +71,13 @@ class TimeLeftFeedback(QgsProcessingMultiStepFeedback):
 
 
 def remaining_text(elapsed_s: float, percent: float) -> str:
-    """“about 2 min left”; empty while it is too early to tell, and at the end."""
+    """Return “about 2 min left”; empty while it is too early for an estimate, and at the end."""
     left = _left_s(elapsed_s, percent)
     return "" if left is None else _words(left)
 
 
 def _words(left: float) -> str:
-    """Seconds, rounded as much as such a guess deserves."""
+    """Return rounded seconds."""
     if left >= _HOUR_S:
         return tr("about {hours:.1f} h left").format(hours=left / _HOUR_S)
     if left >= _MINUTE_S:
@@ -86,7 +86,7 @@ def _words(left: float) -> str:
 
 
 def _left_s(elapsed_s: float, percent: float) -> float | None:
-    """If it goes on as fast as it did; None while it is too early to tell, and at the end."""
+    """Return seconds at the speed so far; None while it is too early for an estimate, and at the end."""
     if elapsed_s < _AFTER_S or not _AFTER_PERCENT <= percent < 100:
         return None
     return elapsed_s * (100 - percent) / percent

@@ -1,4 +1,4 @@
-"""The process that trains: a Python with torch, started beside QGIS, which tells by lines of JSON what it does."""
+"""The training process: a Python with torch beside QGIS that reports its progress as lines of JSON."""
 
 from __future__ import annotations
 
@@ -25,27 +25,29 @@ _EVENTS = {
     "failed": FAILED,
     "broke": {"reason": str, "text": str},
 }
-"""What training/ tells."""
+"""Events of training/."""
 
 _QGIS_OWN = ("PYTHONHOME", "PYTHONPATH", "PYTHONSTARTUP")
-"""Variables by which QGIS leads its own Python, and another one astray."""
+"""Variables that lead QGIS's own Python, and would mislead another one."""
 
 
 def require_training(python: str, feedback: QgsProcessingFeedback) -> dict:
-    """Asks a Python whether it can train; returns what it says (torch, device). Raises TrainingError."""
+    """Start a Python and return what it reports (torch, device). Raises TrainingError if it cannot train."""
     answer: dict = {}
     for event in training_events(python, [], feedback):
         answer = event if event["event"] == "ready" else answer
     if not answer:
-        raise TrainingError("{python} is no Python that can train; choose another one.", python=python)
+        raise TrainingError(
+            "{python} is not a Python with torch. Select another Python of a training environment.", python=python
+        )
     return answer
 
 
 def training_events(python: str, arguments: list[str], feedback: QgsProcessingFeedback) -> Iterator[dict]:
-    """Runs the training and yields what it tells; a cancel ends it at once, and all that it started.
+    """Run the training and yield its events; a cancel ends it and all its processes at once.
 
     Raises:
-        TrainingError: It can't be started, says that it can't go on, or ends without a word.
+        TrainingError: It cannot be started, reports an error, or ends without a message.
         Canceled: The user canceled.
     """
     process = QProcess()
@@ -56,7 +58,7 @@ def training_events(python: str, arguments: list[str], feedback: QgsProcessingFe
     process.start(python, [str(PROGRAM), *arguments])
     if not process.waitForStarted():
         raise TrainingError(
-            "{python} can't be started ({reason}); choose another Python to train with.",
+            "{python} cannot be started ({reason}). Select another Python of a training environment.",
             python=python,
             reason=process.errorString(),
         )
@@ -70,7 +72,7 @@ def training_events(python: str, arguments: list[str], feedback: QgsProcessingFe
         reports.end()
     if process.exitStatus() == QProcess.ExitStatus.CrashExit or process.exitCode() != 0:
         raise TrainingError(
-            "The training ended without a word ({reason}); see whether the memory is used up, or choose another "
+            "The training ended without a message ({reason}). Check whether the memory is full, or select another "
             "Python than {python}.",
             python=python,
             reason=reports.reason or process.errorString(),
@@ -83,23 +85,22 @@ def _require_no_failure(event: dict, feedback: QgsProcessingFeedback) -> None:
     if event["event"] == "broke":
         feedback.pushDebugInfo(event["text"])
         raise TrainingError(
-            "An error stopped the training: {reason}; please report what stands in the log.",
+            "An error stopped the training: {reason}. Please report it with the messages of the log.",
             reason=event["reason"].rstrip("."),
         )
 
 
 class TrainingProgress:
-    """Shows what a training tells, from ``first`` to ``last`` % of the progress."""
+    """Shows the events of a training, from ``first`` to ``last`` % of the progress."""
 
     def __init__(self, feedback: QgsProcessingFeedback, first: float, last: float) -> None:
         self._feedback, self._first, self._last = feedback, first, last
         self._resumed_at = 0.0
 
     def show(self, event: dict) -> None:
-        """Shows one event."""
         share = event.get("share")
         if event["event"] == "resumed":
-            # What an earlier run did says nothing of the time that this one takes.
+            # The share of an earlier run does not affect the remaining time of this one.
             self._resumed_at = min(max(share, 0.0), 0.99)
         if event["event"] in ("resumed", "step", "epoch", "exporting"):
             share = (share - self._resumed_at) / (1 - self._resumed_at)
@@ -109,13 +110,15 @@ class TrainingProgress:
             show(event)
 
     def _begun(self, event: dict) -> None:
-        text = tr("Training {weights} weights on {device}: {training} tiles to learn from, {validation} set aside")
+        text = tr(
+            "Training {weights} weights on {device}: {training} tiles for training, {validation} tiles for validation"
+        )
         weights = f"{event['weights']:,}"
         known = {key: event[key] for key in ("device", "training", "validation")}
         self._feedback.pushInfo(text.format(weights=weights, **known))
 
     def _resumed(self, event: dict) -> None:
-        self._feedback.pushInfo(tr("Going on after epoch {epoch} of a canceled run.").format(epoch=event["epoch"]))
+        self._feedback.pushInfo(tr("Continuing after epoch {epoch} of a canceled run.").format(epoch=event["epoch"]))
 
     def _step(self, event: dict) -> None:
         text = tr("Epoch {epoch}, loss {loss:.3f}")

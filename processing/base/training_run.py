@@ -1,4 +1,4 @@
-"""The folder of a training beside its model: what was cut, and how far it is, so that it can be gone on with."""
+"""The folder of a training beside its model: its tiles and its state, so that it can be continued."""
 
 from __future__ import annotations
 
@@ -17,58 +17,52 @@ from ...training.job import CHECKPOINT, JOB, Job, read_job
 from ..translation import tr
 from .algorithm import Canceled
 
-_KEYS = {
-    "base_model": "BASE_MODEL",
-    "encoder": "NETWORK",
-    "learn_unlabeled": "UNLABELED",
-    "fingerprint": "IMAGE, LABELS, …",
-}
-"""What the user calls the settings by which two runs differ."""
-
-
 _RUNNING: set[Path] = set()
 """Models that are being trained now."""
 
 _SETTING = "semref/trainings/"
 _PROOF = "made_by_semref"
-"""A file in the folder that holds the secret."""
+"""File in the folder with the secret."""
 
 
 class CanceledKeeping(Canceled):
-    """The user canceled; what was trained so far is kept."""
+    """The user canceled; the state of the training is stored."""
 
     def __init__(self, folder: Path) -> None:
         super().__init__()
         self.folder = folder
 
     def message(self) -> str:
-        """What the user is told, in their language."""
-        text = tr("Canceled; what was trained is kept in {folder}: run it again with the same output to go on.")
+        """Return the message for the user."""
+        text = tr(
+            "Canceled. The state of the training is saved in {folder}. Run it again with the same output to continue."
+        )
         return text.format(folder=self.folder)
 
 
 class TrainingRun:
-    """A folder ``MODEL.training-…`` beside a model; ``close`` removes it unless there is something to go on with.
+    """A folder ``MODEL.training-…`` beside a model; ``close`` removes it unless the training can be continued.
 
-    The user's settings keep its name and a secret that is also in the folder: a folder that SemRef did not make is
+    The user's settings contain its name and a secret that is also in the folder: a folder that SemRef did not make is
     neither used nor removed, whatever its name and its files.
     """
 
     def __init__(self, model: str, resume: bool) -> None:
-        """Makes the folder, or finds an earlier run that can be gone on with.
+        """Make the folder, or find an earlier run to continue.
 
         Args:
             model: Path of the model.
-            resume: Whether an earlier run is gone on with; otherwise it is removed.
+            resume: Whether an earlier run is continued; otherwise it is removed.
 
         Raises:
             ParameterError: Another training of this model runs in this QGIS.
-            OSError: The folder can't be made.
+            OSError: The folder cannot be made.
         """
         self._model = path = Path(model).absolute()
         if path in _RUNNING:
             raise ParameterError(
-                "{path} is being trained already; wait for that training, cancel it, or choose another file.", path=path
+                "Another training of {path} is running. Wait for it, cancel it, or select another output file.",
+                path=path,
             )
         self._setting = _SETTING + hashlib.sha256(os.fsencode(path)).hexdigest()
         self._prefix = f"{path.stem}.training-"
@@ -97,17 +91,17 @@ class TrainingRun:
 
     @property
     def labels(self) -> Path:
-        """Where labels are burnt on the image's pixels."""
+        """File of the labels on the image's pixels."""
         return self.folder / "labels.tif"
 
     @property
     def tiles(self) -> Path:
-        """The tiles, once all are cut."""
+        """Folder of the tiles, once all are cut."""
         return self.folder / "tiles"
 
     @property
     def new_tiles(self) -> Path:
-        """Where tiles are being cut."""
+        """Folder of the tiles while they are cut."""
         return self.folder / "new_tiles"
 
     @property
@@ -116,14 +110,14 @@ class TrainingRun:
         return self.tiles.is_dir()
 
     def keep_tiles(self) -> None:
-        """Says that all tiles are cut."""
+        """Mark the tiles as complete."""
         self.new_tiles.replace(self.tiles)
 
     def begin(self, job: Job) -> Job:
-        """Keeps what is to be trained.
+        """Store what is to be trained.
 
         Returns:
-            The job; of an earlier run it has what is told of its ground.
+            The job; with the description of the ground of an earlier run.
 
         Raises:
             ParameterError: The earlier run has other settings.
@@ -134,38 +128,44 @@ class TrainingRun:
         return job
 
     def _same(self, job: Job) -> Job:
-        """The earlier run, which must have the same settings."""
+        """Return the earlier run, which must have the same settings."""
         try:
             earlier = read_job(self.folder / JOB)
             differing = job.differences(earlier)
         except ValueError:
             differing = [JOB]
         if differing:
-            settings = tuple(_KEYS.get(name, name) for name in differing)
+            titles = {
+                "base_model": tr("Base model"),
+                "encoder": tr("Network"),
+                "learn_unlabeled": tr("Ground without a label"),
+                "fingerprint": tr("input layers, extent, mask or resolution"),
+            }
+            settings = tuple(titles.get(name, name) for name in differing)
             raise ParameterError(
-                "{folder} holds a canceled training with another {settings}; give the same again, choose another "
-                "OUTPUT, or turn RESUME off to begin anew.",
+                "{folder} contains a canceled training with different settings: {settings}. Use the same settings, "
+                "select another output, or turn off “Continue a canceled run”.",
                 folder=self.folder,
                 settings=settings,
             )
         return earlier
 
     def clear(self) -> None:
-        """Removes the folder, if SemRef made it."""
+        """Remove the folder, if SemRef made it."""
         if self._is_ours:
-            # What is in use stays: a model that is done is not lost for it.
+            # Files in use stay, so that a finished model is not lost.
             shutil.rmtree(self.folder, ignore_errors=True)
             QgsSettings().remove(self._setting)
 
     def close(self) -> None:
-        """Removes the folder unless there is something to go on with."""
+        """Remove the folder unless the training can be continued."""
         _RUNNING.discard(self._model)
         if not self.can_go_on:
             self.clear()
 
 
 def stamp(path: str) -> list:
-    """[path, bytes, time of the last change] by which a file is known again; what is no file by its name alone."""
+    """Return [path, bytes, time of the last change] of a file; only the path if there is no file."""
     try:
         found = os.stat(path)
     except OSError:

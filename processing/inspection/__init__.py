@@ -1,1 +1,1 @@
-"""What core sees in an image and in a window of a database, for whoever shows it."""
+"""What the dock shows of an image and of a window of a database."""

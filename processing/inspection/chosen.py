@@ -1,4 +1,4 @@
-"""What is wrong with what the user chose, before anything is localized; for background threads."""
+"""Checks of the selected images and database before a localization; for background threads."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ from dataclasses import dataclass
 from ...core.errors import DatabaseInUseError
 
 LOOKED_AT = 5
-"""Images whose colors are counted, at most, where their names do not say that they are photos."""
+"""Largest number of images whose colors are counted, if their names are not those of photos."""
 
 TIMES_READ = 12
-"""Photos whose times are read, at most: evenly among all of them, in the order of their names."""
+"""Largest number of photos whose times are read, spread evenly over all photos in order of name."""
 
 LONGEST_PAUSE_S = 600.0
-"""Between two photos of a flight, for each image from one looked at to the next."""
+"""Longest pause between two photos of a flight, for each image between them."""
 
 LEAST_OF_FLIGHT = 3
-"""Images that make a flight worth the name."""
+"""Smallest number of images of a flight."""
 
 
 @dataclass(frozen=True)
@@ -26,6 +26,7 @@ class ChosenImages:
     """Images in files and folders.
 
     Attributes:
+        count: Number of images.
         has_photos: Whether some are photos, by their names or their colors.
         flight: ``count`` if they look like the photos of one flight; otherwise 0.
     """
@@ -36,10 +37,10 @@ class ChosenImages:
 
 
 def count_images(paths: Sequence[str]) -> ChosenImages:
-    """Count the images and look whether they are photos.
+    """Count the images and check whether they are photos.
 
     Raises:
-        LabelMapError: A folder has no images, or can't be read.
+        LabelMapError: A folder has no images, or cannot be read.
     """
     from ...storage.label_images import has_photo_colors
     from ...storage.rasters import image_files
@@ -51,10 +52,9 @@ def count_images(paths: Sequence[str]) -> ChosenImages:
 
 
 def looks_like_flight(files: Sequence[str]) -> int:
-    """How many images there are, if they look like those of one flight; else 0.
+    """Return the number of images if they look like those of one flight, otherwise 0. For background threads.
 
-    Photos tell when they were taken; they do when names and times have one order and no pause is long. For background
-    threads.
+    They do if they have times in the order of their names, without a long pause.
     """
     from ...core.labels.photo_camera import photo_camera
     from ..base.flight_images import by_name
@@ -71,13 +71,13 @@ def looks_like_flight(files: Sequence[str]) -> int:
 
 
 def require_database(path: str) -> None:
-    """Open a reference database and check that its tables are there.
+    """Open a reference database and check that it has its tables.
 
     Raises:
         DatabaseError: It is missing or damaged, or another kind of file.
     """
     from ...storage.database.connection import snapshot
 
-    # Another program will be done with it soon.
+    # Another program will release it soon.
     with contextlib.suppress(DatabaseInUseError), snapshot(path):
         pass

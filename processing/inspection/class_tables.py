@@ -1,4 +1,4 @@
-"""Class tables as a window shows them: rows of texts, read from and written to files, and what is wrong with them."""
+"""Class tables for an editor: rows of texts, read from and written to files, and their errors."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from ..translation import tr
 
 @dataclass(frozen=True)
 class ClassRow:
-    """A class as a person edits it: texts as they are typed, nothing checked.
+    """A class as the user edits it: unchecked texts.
 
     Attributes:
-        value: Of its pixels.
+        value: Class value.
         color: ``#rrggbb``.
-        order: Its draw order; empty for none.
-        hsv: Its least and greatest color of label images, as the file has them.
+        order: Draw order; may be empty.
+        hsv: Lowest and highest color of label images, as in the file.
     """
 
     value: str
@@ -32,29 +32,29 @@ class ClassRow:
 
 
 def read_rows(path: str) -> list[ClassRow]:
-    """The classes of a file; none without one. Raises ClassTableError."""
+    """Return the classes of a file; empty without a file. Raises ClassTableError."""
     from ...storage.text_tables import read_class_table
 
     return _rows(read_class_table(path).to_csv()) if path else []
 
 
 def preset_titles() -> list[str]:
-    """Of the nomenclatures that ship."""
+    """Return the titles of the nomenclatures in the plugin."""
     return list(PRESETS)
 
 
 def preset_rows(number: int) -> list[ClassRow]:
-    """The classes of one of them, by its place in ``preset_titles``."""
+    """Return the classes of a nomenclature, by its index in ``preset_titles``."""
     return read_rows(list(PRESETS.values())[number])
 
 
 def is_shipped(path: str) -> bool:
-    """Whether a file is one of the plugin's own, which an update would replace."""
+    """Return whether a file is part of the plugin, so that an update would replace it."""
     return os.path.dirname(os.path.realpath(path)) == os.path.realpath(CLASS_TABLES)
 
 
 def new_row(values: Iterable[str]) -> ClassRow:
-    """A class more, with the first value that is free."""
+    """Return a new class with the first free value."""
     from ...core.labels.class_colors import default_color
     from ...core.labels.class_table import MAXIMUM_VALUE
 
@@ -64,7 +64,7 @@ def new_row(values: Iterable[str]) -> ClassRow:
 
 
 def require_table(rows: Sequence[ClassRow]) -> str:
-    """The CSV text of a table of these classes. Raises ClassTableError when they make none."""
+    """Return the CSV text of a table of these classes. Raises ClassTableError if they are invalid."""
     from ...core.labels.class_table import BACKGROUND, REFERENCE, ClassTable, class_table_from_csv
 
     text = io.StringIO(ClassTable(()).to_csv())
@@ -72,14 +72,14 @@ def require_table(rows: Sequence[ClassRow]) -> str:
     writer = csv.writer(text, lineterminator="\n")
     for row in rows:
         role = REFERENCE if row.is_landmark else BACKGROUND
-        # A file has a class a line.
+        # A file has one class per line.
         cells = (row.value, row.name, row.color, role, row.order, *row.hsv)
         writer.writerow([" ".join(cell.split()) for cell in cells])
     return class_table_from_csv(text.getvalue(), tr("Class table")).to_csv()
 
 
 def save_rows(rows: Sequence[ClassRow], path: str) -> None:
-    """Writes a class table. Raises ClassTableError, or ParameterError where it can't be written."""
+    """Write a class table. Raises ClassTableError, or ParameterError if it cannot be written."""
     from ...storage.atomic_output import written_beside
 
     text = require_table(rows)
@@ -88,7 +88,7 @@ def save_rows(rows: Sequence[ClassRow], path: str) -> None:
 
 
 def _rows(text: str) -> list[ClassRow]:
-    """The rows of a table's own CSV."""
+    """Return the rows in the CSV text of a table."""
     from ...core.labels.class_table import REFERENCE
 
     return [

@@ -1,4 +1,4 @@
-"""What a corrected annotation is rasterized with, so that it fits the reference database that it was made into."""
+"""Plan of an update: how a corrected land-cover layer is rasterized on the pixels of its reference database."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ from ..compat import is_null
 from ..layers.reference_systems import database_crs, transformed_box
 
 _MARGIN_PX = 2
-"""Around changes: their bounds are rounded to whole pixels, in another CRS as well."""
+"""Margin around changes, because their bounds are rounded to whole pixels, also in another CRS."""
 
 
 class LayerGround(NamedTuple):
-    """What a layer shows: its name, its extent, and what that is in."""
+    """The ground of a layer: its name, its extent, and the CRS of the extent."""
 
     name: str
     extent: QgsRectangle
@@ -39,7 +39,7 @@ class LayerGround(NamedTuple):
 
 
 class DrawnFeature(NamedTuple):
-    """What of a feature decides on what is rasterized: a hash of it, and where it is."""
+    """What determines the pixels of a feature: a hash, and its bounds."""
 
     digest: int
     bounds: QgsRectangle
@@ -50,9 +50,10 @@ class RasterizePlan(NamedTuple):
 
     Attributes:
         grid: CLASS_TABLE, PIXEL_SIZE, EXTENT and TARGET_CRS of semref:rasterizeannotation for the map of the database.
-        drawn: The features of the annotation by their ids, in their order; None where each of them decides on ground
-            far from it, as on ground without a polygon in a map of one class.
-        checksums: Of the database that is to be updated, as it states them.
+        drawn: Features of the layer by id, in their order; None if each feature affects distant ground, as with a
+            single
+            class, where ground without a polygon is class “other”.
+        checksums: Checksums that the database to update states.
     """
 
     grid: dict[str, Any]
@@ -71,15 +72,16 @@ def plan_rasterizing(
     """Read what an update of a database needs.
 
     Args:
-        grounds: What must lie on its map: the annotation, the places that were corrected.
-        folder: Where the database's class table is written.
-        context: How the project transforms coordinates.
-        source: A snapshot of the annotation.
-        fields: Indices of the fields that tell class and priority.
+        path: The database.
+        grounds: Layers that must overlap its map: the land-cover layer, the corrected places.
+        folder: Where the class table of the database is written.
+        context: Coordinate transforms of the project.
+        source: A snapshot of the land-cover layer.
+        fields: Indices of the fields of class and priority.
 
     Raises:
-        DatabaseError: It can't be read.
-        ParameterError: A layer lies elsewhere: it belongs to another map.
+        DatabaseError: It cannot be read.
+        ParameterError: A layer is elsewhere, so it belongs to another map.
     """
     checksums = stated_checksums(path)
     database = read_database(path)
@@ -87,7 +89,7 @@ def plan_rasterizing(
     for ground in grounds:
         if not _meets(ground, extent, crs, context):
             raise ParameterError(
-                "“{layer}” lies outside the map of {name}; choose the annotation and the places that belong to this "
+                "“{layer}” does not overlap the map of {name}. Select the land-cover layer and the places of this "
                 "database.",
                 layer=ground.name,
                 name=os.path.basename(path),
@@ -116,7 +118,7 @@ def _drawn(source: QgsVectorLayerFeatureSource, fields: Sequence[int]) -> dict[i
 
 
 def changed_bounds(before: Mapping[int, DrawnFeature], now: Mapping[int, DrawnFeature]) -> list[QgsRectangle]:
-    """Old and new bounds of features that are not what they were, or lie in another order: the last is on top."""
+    """Return old and new bounds of features that were changed, or moved in the order (the last is on top)."""
     places = {feature: n for n, feature in enumerate(before)}
     same = [feature for feature, drawn in now.items() if feature in before and before[feature].digest == drawn.digest]
     kept = {same[n] for n in _longest_rising([places[feature] for feature in same])}
@@ -124,7 +126,7 @@ def changed_bounds(before: Mapping[int, DrawnFeature], now: Mapping[int, DrawnFe
 
 
 def _longest_rising(numbers: Sequence[int]) -> set[int]:
-    """Places of numbers, as many as can be, of which each is larger than the one before."""
+    """Return the indices of a longest increasing subsequence."""
     ends: list[int] = []
     places: list[int] = []
     before = []
@@ -145,13 +147,13 @@ def part_to_rasterize(
     crs: QgsCoordinateReferenceSystem,
     context: QgsCoordinateTransformContext,
 ) -> QgsReferencedRectangle | None:
-    """The part of a label map around all changes; None where it can't be told or is outside.
+    """Return the part of a label map around all changes; None if it is outside or cannot be transformed.
 
     Args:
-        grid: As of ``RasterizePlan``.
-        changed: As of ``changed_bounds``, one at least.
-        crs: That they are in.
-        context: How the project transforms coordinates.
+        grid: As in ``RasterizePlan``.
+        changed: One or more of ``changed_bounds``.
+        crs: CRS of the bounds.
+        context: Coordinate transforms of the project.
     """
     whole, pixel = grid["EXTENT"], grid["PIXEL_SIZE"]
     try:

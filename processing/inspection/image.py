@@ -1,4 +1,4 @@
-"""What is seen in one image: its labels, its landmarks, and the star of those that make its topology vector."""
+"""One image for the dock: its labels, its landmarks, and the landmarks of its topology vector."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ if TYPE_CHECKING:
     from ..base.photo_labels import PhotoLabelReader
 
 RUNNERS_UP = 4
-"""Windows told after the best one of the published method."""
+"""Number of windows after the best one of the published method."""
 
 
 @dataclass(frozen=True)
 class ImageQuery:
-    """An image, and what localizing it has told already.
+    """An image, and what is known from its localization.
 
     Attributes:
         image: Path.
-        labels: Path of the label image that was made of a photo; empty where there is none.
-        model: Path of the network for photos; empty where ``image`` is a label image.
-        pixel_size_m: Ground sampling distance; None where it is not known.
-        by_vector: Whether the image was matched with a window by the published method.
+        labels: Path of the label image of a photo; empty without one.
+        model: Path of the network for photos; empty if ``image`` is a label image.
+        pixel_size_m: Ground sampling distance; None if unknown.
+        by_vector: Whether the published method matched the image with a window.
     """
 
     image: str
@@ -41,15 +41,15 @@ class ImageQuery:
 
 @dataclass(frozen=True)
 class InspectedImage:
-    """What is seen in an image; positions in its own pixel coordinates (column, row).
+    """What an image shows; positions in its pixel coordinates (column, row).
 
     Attributes:
         labels_hw: (H, W) uint8 class values.
-        landmarks: Of the whole image.
+        landmarks: Landmarks of the whole image.
         star_xy: (K, 2) float64, landmarks of the topology vector, in the vector's order.
         square: (column, row, edge) of the part that the vector describes.
         vector: (3·X,) float32; None with fewer than three landmarks.
-        runners_up: Nearest vector first; none but for the published method.
+        runners_up: Next windows of the published method, nearest vector first; otherwise empty.
     """
 
     labels_hw: np.ndarray
@@ -61,19 +61,19 @@ class InspectedImage:
 
 
 class ImageInspector:
-    """Describes images as a database describes its windows; for one thread at a time.
+    """Describes images like the windows of a database; for one thread at a time.
 
-    A network is loaded only for photos whose label images are gone, as of results that were saved, and then kept.
+    A network is loaded only for photos without label images, as in saved results, and stays loaded.
     """
 
     def __init__(self) -> None:
         self._network: tuple[tuple, PhotoLabelReader | None] = ((), None)
 
     def inspect(self, query: ImageQuery, database: ReferenceDatabase) -> InspectedImage:
-        """Reads an image and describes it.
+        """Read an image and describe it.
 
         Raises:
-            SemRefError: The image, or the model, can't be used.
+            SemRefError: The image or the model cannot be used.
         """
         from ...core.landmarks.landmarks import extract_landmarks
         from ...core.localizer.localizer import describe_image
@@ -110,8 +110,10 @@ class ImageInspector:
 
 
 def _smallest_px2(query: ImageQuery, database: ReferenceDatabase, size: int) -> float:
-    """Smallest area of a landmark: the database's on the ground if the image's pixel size is known, else the same
-    share of the image as of a window."""
+    """Return the smallest area of a landmark.
+
+    It is the database's on the ground if the pixel size is known, otherwise the same share of the image as of a window.
+    """
     from ...core.constellation.hypotheses import SMALLEST_OBJECT_PX
 
     parameters = database.parameters
@@ -128,16 +130,17 @@ def _runners_up(labels_hw: np.ndarray, database: ReferenceDatabase) -> tuple[Loo
 
 
 def photo_rgba(path: str, longest_px: int) -> np.ndarray:
-    """A photo's colors as a network sees them.
+    """Return the colors of a photo as a network gets them.
 
     Args:
-        longest_px: A photo whose longer side has more pixels is reduced.
+        path: Path of the photo.
+        longest_px: Photos with a longer side are reduced.
 
     Returns:
-        (H, W, 4) uint8 red, green, blue and opacity, which is 0 or 255.
+        (H, W, 4) uint8 red, green, blue and opacity (0 or 255).
 
     Raises:
-        ImageError: The photo can't be read.
+        ImageError: The photo cannot be read.
     """
     import numpy as np
 

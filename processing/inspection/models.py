@@ -1,4 +1,4 @@
-"""The models that are at hand: those of the user's folder, and the one that ships."""
+"""Available models: those in the user's folder, and the one in the plugin."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ if TYPE_CHECKING:
 SHIPPED = Path(__file__).resolve().parents[2] / "models"
 
 MOST_LISTED = 200
-"""Models of a folder that are listed: reading them takes time, and nobody chooses from more."""
+"""Largest number of listed models of a folder, because reading them takes time."""
 
 _SETTING = "semref/models_folder"
 
 
 def models_folder() -> Path:
-    """Where the user keeps models; one of the profile's unless another was chosen. It may not be there."""
+    """Return the user's folder of models, by default in the profile. It may not exist."""
     chosen = QgsSettings().value(_SETTING, "", type=str)
     return Path(chosen) if chosen else Path(QgsApplication.qgisSettingsDirPath()) / "semref" / "models"
 
 
 def new_model_file(name: str) -> str:
-    """A file of the user's folder of models, which is made, that does not exist yet; ``name`` without suffix."""
+    """Return a new file name in the user's folder of models, which is made; ``name`` without suffix."""
     folder = models_folder()
     folder.mkdir(parents=True, exist_ok=True)
     numbered = (f"{name}_{number}" if number > 1 else name for number in count(1))
@@ -35,24 +35,24 @@ def new_model_file(name: str) -> str:
 
 
 def choose_models_folder(path: str) -> None:
-    """Keeps where the user's models are; nothing for the profile's."""
+    """Store the user's folder of models; empty for the profile's."""
     QgsSettings().setValue(_SETTING, path)
 
 
 def listed_models(folder: Path) -> list[ModelCard]:
-    """The cards of the models in a folder and in those just below it, by name, then of the one that ships."""
+    """Return the cards of the models in a folder and its subfolders, by name, then of the plugin's."""
     from ...core.segmentation.model_card import read_card
 
     return [read_card(str(path)) for path in model_files(folder)]
 
 
 def base_model(chosen: str, here: set[str], class_names: Callable[[], set[str]]) -> str:
-    """A model that “Train model” can go on from: the chosen one, else the folder's only one that fits; empty for none.
+    """Return a base model for “Train model”: the selected one, or the folder's only one that fits; empty without one.
 
     Args:
         chosen: Path of the dock's model; may be empty.
-        here: Names of the ground: a model of it has seen what is set aside to tell how good the new one is.
-        class_names: Gives the classes that it has to know, in small letters; asked where there is a model.
+        here: Names of the ground: its models have been trained on the ground that is set aside to test the new one.
+        class_names: Returns the classes that it must have, in small letters; called only if there is a model.
     """
     from ...core.segmentation.model_card import read_card
 
@@ -66,9 +66,9 @@ def base_model(chosen: str, here: set[str], class_names: Callable[[], set[str]])
 
 
 def resolve_model(path: str) -> str:
-    """A model's path; for one that ships with another installation of the plugin, the path in this one.
+    """Return a model's path; for the model of another installation of the plugin, the path in this one.
 
-    A project keeps where its model lay: in another profile, or on another machine, the plugin lies elsewhere.
+    A project stores the path of its model, but in another profile or computer the plugin has another path.
     """
     model = Path(path)
     here = SHIPPED / model.name
@@ -77,10 +77,10 @@ def resolve_model(path: str) -> str:
 
 
 def model_files(folder: Path) -> list[Path]:
-    """The models in a folder and in those just below it, by name, then the one that ships."""
-    # Not Path.is_dir, which raises where the folder may not be looked at.
+    """Return the models in a folder and its subfolders, by name, then the plugin's."""
+    # Not Path.is_dir, which raises without permission.
     own = sorted({*folder.glob("*.onnx"), *folder.glob("*/*.onnx")}) if os.path.isdir(folder) else []
     found = (*own[:MOST_LISTED], *sorted(SHIPPED.glob("*.onnx")))
-    # Each file once: a folder may be a link to the one that it lies in. The shortest path is it.
+    # List each file once, with its shortest path: a folder may contain a link to itself.
     by_file = {os.path.realpath(path): path for path in sorted(found, key=lambda path: len(path.parts), reverse=True)}
     return [path for path in found if by_file[os.path.realpath(path)] is path]

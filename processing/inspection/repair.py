@@ -1,4 +1,4 @@
-"""A repaired annotation brought into the layer that it was made of, as one step that can be undone."""
+"""Transfer of a repaired land-cover layer into the original layer, as one step that can be undone."""
 
 from __future__ import annotations
 
@@ -29,17 +29,17 @@ REPAIRABLE = (
     kinds.SLIVER,
     kinds.SAME_CLASS_NEIGHBORS,
 )
-"""Kinds of findings that *Repair annotation* repairs."""
+"""Kinds of findings that *Repair land-cover layer* repairs."""
 
 _LEFT_AS_THEY_ARE = (kinds.NO_CLASS, kinds.UNKNOWN_CLASS, kinds.OUTSIDE_CRS)
-"""*Repair annotation* leaves such features out; in the user's own layer they stay, to be corrected."""
+"""*Repair land-cover layer* leaves such features out; in the user's layer they stay, to be corrected."""
 
 _DECIMALS, _DECIMALS_OF_DEGREES = 3, 8
-"""Geometries that agree so far are the same one: reprojecting there and back moves them by less."""
+"""Decimals of equal geometries: reprojection there and back moves them by less."""
 
 
 class Repaired(NamedTuple):
-    """What a repair did to a layer: numbers of features."""
+    """Numbers of features that a repair changed in a layer."""
 
     changed: int
     added: int
@@ -53,22 +53,23 @@ def apply_repair(
     context: QgsCoordinateTransformContext,
     title: str,
 ) -> Repaired:
-    """Give an annotation the geometries of its repaired copy; features that were in order keep theirs.
+    """Give a land-cover layer the geometries of its repaired copy; unchanged features keep theirs.
 
     Nothing is saved: the layer is in edit mode afterwards, with one step to undo.
 
     Args:
-        repaired: OUTPUT of *Repair annotation*, with the fields of ``layer``.
+        layer: The land-cover layer.
+        repaired: OUTPUT of *Repair land-cover layer*, with the fields of ``layer``.
         changes: CHANGES of the same run.
-        context: How the project transforms coordinates.
-        title: What the step is called.
+        context: Coordinate transforms of the project.
+        title: Title of the step.
 
     Raises:
-        ParameterError: The layer can't be edited.
+        ParameterError: The layer cannot be edited.
     """
     if not layer.isEditable() and not layer.startEditing():
         raise ParameterError(
-            "The layer {layer} can't be edited; save it as a GeoPackage and choose that as the annotation.",
+            "The layer {layer} cannot be edited. Save it as a GeoPackage and select that as the land-cover layer.",
             layer=layer.name(),
         )
     kept = {change["feature_id"] for change in changes.getFeatures() if change["kind"] in _LEFT_AS_THEY_ARE}
@@ -97,7 +98,7 @@ def _pieces(layer: QgsVectorLayer, repaired: QgsVectorLayer, context: QgsCoordin
 
 
 def _apply(layer: QgsVectorLayer, pieces: list[_Piece], kept: set[int]) -> Repaired:
-    """Changes, adds and removes as few features as possible."""
+    """Change, add and remove as few features as possible."""
     decimals = _DECIMALS_OF_DEGREES if layer.crs().isGeographic() else _DECIMALS
     by_shape, by_attributes = defaultdict(list), defaultdict(list)
     for number, piece in enumerate(pieces):
@@ -124,7 +125,7 @@ def _apply(layer: QgsVectorLayer, pieces: list[_Piece], kept: set[int]) -> Repai
         feature = QgsFeature(layer.fields())
         feature.setAttributes(piece.attributes)
         for index in layer.primaryKeyAttributes():
-            # The layer numbers it.
+            # The layer assigns the number.
             feature.setAttribute(index, None)
         feature.setGeometry(piece.geometry)
         layer.addFeature(feature)
@@ -136,14 +137,14 @@ def _key(attributes: list) -> tuple[str, ...]:
 
 
 def _shape(geometry: QgsGeometry, decimals: int) -> str:
-    """The same text for one shape, wherever its rings begin."""
+    """Return the same text for one shape, wherever its rings begin."""
     shape = QgsGeometry(geometry)
     shape.normalize()
     return shape.asWkt(decimals)
 
 
 def _largest_overlap(feature: QgsFeature, pieces: list[_Piece], numbers: list[int]) -> int:
-    """Which of the pieces, by its place in ``numbers``."""
+    """Return the index in ``numbers`` of the piece with the largest overlap."""
     box = feature.geometry().boundingBox()
     overlaps = [box.intersect(pieces[number].geometry.boundingBox()).area() for number in numbers]
     return overlaps.index(max(overlaps))

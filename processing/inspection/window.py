@@ -1,4 +1,4 @@
-"""One window of a database: its vector ray by ray, what looks like it elsewhere, and an image compared with it."""
+"""One window of a database: the rays of its vector, similar windows, and the comparison with an image."""
 
 from __future__ import annotations
 
@@ -18,11 +18,12 @@ class Ray:
     """One landmark of a topology vector.
 
     Attributes:
+        class_name: Name of its class.
         color: '#rrggbb' of its class.
         length: Distance from the center over the largest distance, 0–1.
         step: Angle to the next landmark over the largest angle, 0–1.
-        turn: Radians clockwise from the first, farthest landmark.
-        angle_deg: To the next landmark, degrees.
+        turn: Angle clockwise from the first, farthest landmark, radians.
+        angle_deg: Angle to the next landmark, degrees.
     """
 
     class_name: str
@@ -35,7 +36,7 @@ class Ray:
 
 @dataclass(frozen=True)
 class LookAlike:
-    """A window with a similar vector; ``distance`` of it, ``center_xy`` in map coordinates, ``size`` in map units."""
+    """A window with a similar vector: ``distance`` of the vectors, ``center_xy`` and ``size`` in map units."""
 
     index: int
     name: str
@@ -46,18 +47,18 @@ class LookAlike:
 
 @dataclass(frozen=True)
 class InspectedWindow:
-    """A window, as it is shown.
+    """A window for display.
 
     Attributes:
-        index: Among the database's windows.
+        index: Index in the database's windows.
         name: First column and row.
         center_xy: Map coordinates.
-        size: Edge, map units.
-        landmark_count: Of all that lie in it.
+        size: Edge length, map units.
+        landmark_count: Number of landmarks in it.
         vector: (3·X,) float32; None with fewer than three landmarks.
-        rays: Of its vector, the farthest landmark first.
+        rays: Rays of its vector, the farthest landmark first.
         ends_xy: Map coordinates of the rays' landmarks.
-        look_alikes: Nearest vector first.
+        look_alikes: Similar windows, the nearest vector first.
     """
 
     index: int
@@ -72,20 +73,20 @@ class InspectedWindow:
 
     @property
     def distances(self) -> tuple[float, ...]:
-        """Of the rays' landmarks from the center, map units."""
+        """Distances of the rays' landmarks from the center, map units."""
         x, y = self.center_xy
         return tuple(hypot(end_x - x, end_y - y) for end_x, end_y in self.ends_xy)
 
 
 @dataclass(frozen=True)
 class Comparison:
-    """An image's vector beside a window's.
+    """The comparison of an image's vector with a window's.
 
     Attributes:
-        distance: Of the two vectors.
-        confidence: That the published method gives for it.
-        rays: Of the image's vector.
-        apart: By how much the elements of each of the window's rays differ at most.
+        distance: Distance of the vectors.
+        confidence: Confidence of the published method for this distance.
+        rays: Rays of the image's vector.
+        apart: Largest difference of the elements of each ray of the window.
     """
 
     distance: float
@@ -95,13 +96,13 @@ class Comparison:
 
 
 def find_window(database: ReferenceDatabase, name: str) -> int | None:
-    """Index of the window of this name, None where there is none."""
+    """Return the index of the window with this name; None without one."""
     found = np.flatnonzero(database.windows.names == name)
     return int(found[0]) if len(found) else None
 
 
 def window_at_point(database: ReferenceDatabase, x: float, y: float) -> int | None:
-    """Index of the smallest window around map (x, y), of several the one with the nearest center; None without one."""
+    """Return the index of the smallest window around map (x, y), then with the nearest center; None without one."""
     from ...core.database.look_alikes import window_at
 
     index = window_at(database.windows, x, y)
@@ -109,7 +110,7 @@ def window_at_point(database: ReferenceDatabase, x: float, y: float) -> int | No
 
 
 def inspect_window(database: ReferenceDatabase, index: int) -> InspectedWindow:
-    """Describes one window of a database."""
+    """Describe one window of a database."""
     from ...core.database.look_alikes import describe_window
 
     windows, found = database.windows, describe_window(database, index)
@@ -131,13 +132,13 @@ def inspect_window(database: ReferenceDatabase, index: int) -> InspectedWindow:
 
 
 def look_alike(database: ReferenceDatabase, index: int, distance: float) -> LookAlike:
-    """Describe a window whose vector differs by ``distance`` from the one that is shown."""
+    """Describe a window with a vector that differs by ``distance`` from the displayed one."""
     windows = database.windows
     return LookAlike(index, str(windows.names[index]), distance, _center(database, index), float(windows.sizes[index]))
 
 
 def compare(window: InspectedWindow, vector: np.ndarray, table: ClassTable) -> Comparison | None:
-    """Compares an image's vector with a window's; None where one of them has none, or they differ in length."""
+    """Compare an image's vector with a window's; None if one is missing, or they differ in length."""
     from ...core.windows.topology_vector import vector_confidence, vector_distances
 
     if window.vector is None or len(vector) != len(window.vector):
@@ -150,7 +151,7 @@ def compare(window: InspectedWindow, vector: np.ndarray, table: ClassTable) -> C
 
 
 def rays_of(vector: np.ndarray, table: ClassTable) -> tuple[Ray, ...]:
-    """The rays of a (3·X,) vector. The steps are known but for their largest: they sum up to a whole turn."""
+    """Return the rays of a (3·X,) vector. Its steps are relative to the largest one: together they are a whole turn."""
     from ...core.database.look_alikes import vector_rows
 
     classes = table.references

@@ -1,1 +1,1 @@
-"""What is said in the user's language: sentences, numbers, columns, findings."""
+"""Texts in the user's language: sentences, numbers, values of columns, findings."""

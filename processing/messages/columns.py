@@ -1,4 +1,4 @@
-"""Words in the user's language for what is a key in the columns of layers."""
+"""Words in the user's language for the keys in columns of layers."""
 
 from __future__ import annotations
 
@@ -11,27 +11,27 @@ from .sentences import worded
 
 
 def status_words() -> dict[str, str]:
-    """Words for each key of ``status``, of images that could not be read as well."""
-    return {**{status.key: worded(status.title) for status in Status}, "error": tr("could not be read")}
+    """Return the words for each key of ``status``, also of images that cannot be read."""
+    return {**{status.key: worded(status.title) for status in Status}, "error": tr("cannot be read")}
 
 
 def method_words() -> dict[str, str]:
-    """Words for each key of ``method``."""
+    """Return the words for each key of ``method``."""
     return {method.key: worded(method.title) for method in Method}
 
 
 def source_words() -> dict[str, str]:
-    """Words for each key of ``source`` of a flight."""
-    return {"own": tr("fix of its own"), "flight": tr("the flight")}
+    """Return the words for each key of ``source`` of a flight."""
+    return {"own": tr("own position"), "flight": tr("flight")}
 
 
 def trial_words() -> dict[str, str]:
-    """Words for each key of ``kind`` of a trial."""
+    """Return the words for each key of ``kind`` of a trial."""
     return {"map": tr("image of the map"), "mirrored": tr("mirrored image")}
 
 
 def verdict_words() -> dict[str, str]:
-    """Words for each key of ``verdict``, from the worst to the best."""
+    """Return the words for each key of ``verdict``, from the worst to the best."""
     return {
         "hardly_ever": tr("hardly ever"),
         "sometimes": tr("sometimes"),
@@ -42,7 +42,7 @@ def verdict_words() -> dict[str, str]:
 
 
 def column_words(names: Collection[str]) -> dict[str, dict[str, str]]:
-    """Words by key, of each column of a layer that holds keys; ``names``: of its columns."""
+    """Return the words by key of each column with keys; ``names``: columns of a layer."""
     words = {
         "status": status_words(),
         "method": method_words(),

@@ -1,4 +1,4 @@
-"""Numbers as the user's locale writes them: the one place for reports, map tips, sentences and the dock."""
+"""Numbers in the user's locale, for reports, map tips, sentences and the dock."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from typing import Any
 try:
     from qgis.PyQt.QtCore import QLocale
 except ImportError:
-    # Pages of reports are put together without QGIS, too: then as Python writes numbers.
+    # Reports are also made without QGIS, with numbers as in Python.
     QLocale = None
 
 
 def shown(number: float, spec: str = "") -> str:
-    """A number as ``format(number, spec)`` has it, with the separators of the user's locale.
+    """Format a number as ``format(number, spec)`` does, with the separators of the user's locale.
 
     >>> shown(14130, ",")  # in German
     '14.130'
@@ -29,25 +29,24 @@ def shown(number: float, spec: str = "") -> str:
 
 
 def count(number: int) -> str:
-    """How many of something there are, in groups of three digits."""
+    """Format a count in groups of three digits."""
     return shown(number, ",")
 
 
 class Local(float):
-    """A number that templates show by the user's locale: ``"{length:.1f} km".format(length=Local(length))``."""
+    """A number that templates show in the user's locale: ``"{length:.1f} km".format(length=Local(length))``."""
 
     def __format__(self, spec: str) -> str:
-        """As ``shown``; with a fixed number of decimals in groups of three digits, as counts have them."""
+        """Format as ``shown`` does; a fixed number of decimals also groups three digits."""
         decimals = spec.startswith(".") and spec.endswith("f")
         return shown(float(self), f",{spec}" if decimals else spec)
 
 
 class LocalTemplate(str):
-    """A template of a sentence that shows its numbers by the user's locale."""
+    """A template of a sentence that shows its numbers in the user's locale."""
 
     def format(self, *args: Any, **values: Any) -> str:
-        """As ``str.format``."""
-        # Python gives a text without values back as it is, and QGIS takes nothing but plain ones into columns.
+        # Without values str.format returns this object itself, and QGIS takes only plain strings into columns.
         return str(super().format(*args, **{name: _local(value) for name, value in values.items()}))
 
 
@@ -56,7 +55,7 @@ def _local(value: Any) -> Any:
 
 
 class _Whole(int):
-    """A whole number in a template; without a format it has no groups, as it may be the number of a feature."""
+    """A whole number in a template; without a format it has no groups, because it may be a feature id."""
 
     def __format__(self, spec: str) -> str:
         return shown(int(self), spec)

@@ -1,4 +1,4 @@
-"""What an error or a result says, in the user's language."""
+"""Errors and results as sentences in the user's language."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from .numbers import LocalTemplate
 
 
 def worded(said: SemRefError | Sentence) -> str:
-    """One sentence in the user's language, with its numbers as the user's locale writes them.
+    """Return a sentence in the user's language, with its numbers in the user's locale.
 
     Args:
         said: An error, or the sentence of a result.

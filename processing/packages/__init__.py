@@ -1,1 +1,1 @@
-"""Python packages that QGIS does not bring: which, what for, and how to get them."""
+"""Python packages that QGIS does not contain, and their installation."""

@@ -1,7 +1,7 @@
-"""Python packages that QGIS doesn't bring everywhere: which, what for, where SemRef keeps its own, what to type.
+"""Python packages that some QGIS lack: their purpose, SemRef's own installation, and commands to install them.
 
-SemRef installs into the user profile: one folder for each package and version of Python and numpy, which binaries
-depend on. These folders come last on Python's path: what QGIS or the system has counts first.
+SemRef installs into the user profile: one folder for each package and version of Python and numpy, because binaries
+depend on them. These folders are last on Python's path, so packages of QGIS or the system are used first.
 """
 
 from __future__ import annotations
@@ -33,42 +33,42 @@ class Package:
     module: str
     pip_name: str
     newest_part: str = ""
-    """A module in it that versions too old for SemRef lack."""
+    """A module in it that too old versions lack."""
     limits: str = ""
-    """Versions that tests passed with (tools/test_newest.sh), and so the ones that pip may take."""
+    """Versions that passed the tests (tools/test_newest.sh) and that pip may install."""
     limits_before_numpy_2: str = ""
-    """The same with numpy 1, where it differs."""
+    """Versions for numpy 1, where they differ."""
     other_names: tuple[str, ...] = ()
-    """Names under which the same module is packaged, too."""
+    """Other names of packages with this module."""
     comes_with: tuple[str, ...] = ()
-    """Other packages that it needs and QGIS may lack, by pip's names; they lie in its folder."""
+    """Other packages that it needs and QGIS may lack, by pip's names; they are in its folder."""
 
     @property
     def folder(self) -> Path:
-        """Where SemRef installs it for the running Python and numpy."""
+        """Folder of SemRef's installation for the running Python and numpy."""
         return components_folder() / self.pip_name
 
     @property
     def needed_module(self) -> str:
-        """A module that is there when the package is there and new enough."""
+        """A module that exists if the package is installed and new enough."""
         return f"{self.module}.{self.newest_part}" if self.newest_part else self.module
 
     def requirement(self, numpy_version: str) -> str:
-        """What pip is asked for where it may choose, such as ``opencv-python-headless>=4.5,<4.12``."""
+        """Return pip's requirement of a range of versions, such as ``opencv-python-headless>=4.5,<4.12``."""
         return self.pip_name + self.tested(numpy_version)
 
     def tested(self, numpy_version: str) -> str:
-        """The versions that tests passed with, such as ``>=4.5,<4.12``."""
+        """Return the tested versions, such as ``>=4.5,<4.12``."""
         return (_numpy_1(numpy_version) and self.limits_before_numpy_2) or self.limits
 
     def asked(self, numpy_version: str) -> list[str]:
-        """What pip is asked for where it may choose: the package, and what comes with it."""
+        """Return pip's requirements of a range of versions: the package and what comes with it."""
         pinned = (line.partition(" --hash")[0] for line in self.pinned(numpy_version))
         others = [re.sub(r"==\S+", "", line) for line in pinned if not line.startswith(f"{self.pip_name}==")]
         return [self.requirement(numpy_version), *dict.fromkeys(others)]
 
     def pinned(self, numpy_version: str) -> list[str]:
-        """The versions that are installed from the index, with the hashes of their wheels: lines for pip."""
+        """Return the versions to install from the index, with the hashes of their wheels: lines for pip."""
         file = Path(__file__).parent / f"wheels_numpy{1 if _numpy_1(numpy_version) else 2}.txt"
         lines = file.read_text(encoding="ascii").splitlines()
         starts = tuple(f"{name}==" for name in (self.pip_name, *self.comes_with))
@@ -95,7 +95,7 @@ OPENCV = Package(
     module="cv2",
     pip_name="opencv-python-headless",
     limits=">=4.10,<5.1",
-    # 4.12 asks for numpy 2.
+    # 4.12 needs numpy 2.
     limits_before_numpy_2=">=4.5,<4.12",
     other_names=("opencv-python", "opencv-contrib-python", "opencv-contrib-python-headless", "opencv"),
 )
@@ -109,7 +109,7 @@ SHAPELY = Package(
     limits=">=2.0.5,<2.3",
     limits_before_numpy_2=">=2,<2.3",
 )
-# Its wheels ask pip for flatbuffers, protobuf, sympy, … too; a network is read and run without them.
+# Its wheels require flatbuffers, protobuf, sympy, …, but a network is read and run without them.
 ONNXRUNTIME = Package(
     title="ONNX Runtime",
     module="onnxruntime",
@@ -151,18 +151,18 @@ PACKAGES = (OPENCV, PILLOW, SHAPELY, ONNXRUNTIME, DASK, CRYPTOGRAPHY)
 NEEDED = (OPENCV, PILLOW)
 """Nothing works without them."""
 OPTIONAL = (DASK, CRYPTOGRAPHY)
-"""Not suggested: nothing but SCHEDULER needs them."""
+"""Not suggested, because only SCHEDULER needs them."""
 
 
 def purpose(package: Package) -> str:
-    """What the package is for, in the user's language."""
+    """Return the purpose of the package in the user's language."""
     return {
         OPENCV: tr("Everything: label maps, databases, localization"),
-        PILLOW: tr("Everything: images, and what cameras write into photos"),
-        SHAPELY: tr("Checking and repairing annotations"),
+        PILLOW: tr("Everything: images and their metadata (EXIF)"),
+        SHAPELY: tr("Checking and repairing land-cover layers"),
         ONNXRUNTIME: tr("Segmenting photos with a network"),
-        DASK: tr("Building databases and label maps by many processes or machines"),
-        CRYPTOGRAPHY: tr("Dask on this machine: keeps other users out of its processes"),
+        DASK: tr("Running algorithms on several processes or computers"),
+        CRYPTOGRAPHY: tr("Dask on this computer: protects its processes from other users"),
     }[package]
 
 
@@ -172,7 +172,7 @@ def is_missing(package: Package) -> bool:
 
 
 def is_too_old(package: Package) -> bool:
-    """Whether the package is there in a version that SemRef can't use."""
+    """Return whether the installed version is too old for SemRef."""
     spec = importlib.util.find_spec(package.module)
     if spec is None or not package.newest_part:
         return False
@@ -181,16 +181,16 @@ def is_too_old(package: Package) -> bool:
 
 
 def installed_version(package: Package) -> str:
-    """Such as ``4.11.0.86``; empty where it is missing or does not tell, as some systems' packages do not."""
+    """Return a version such as ``4.11.0.86``; empty if it is missing or unknown, as in some systems' packages."""
     names = (package.pip_name, *package.other_names)
     found = (entry.version for name in names for entry in importlib.metadata.distributions(name=name))
     version = next(found, "") or str(getattr(sys.modules.get(package.module), "__version__", ""))
-    # What a build does not know about itself, as Debian's Shapely.
+    # Some builds, as Debian's Shapely, do not contain their version.
     return "" if "unknown" in version else version
 
 
 def is_tested(version: str, limits: str) -> bool:
-    """Whether a version lies within limits such as ``>=4.5,<4.12``."""
+    """Return whether a version is within limits such as ``>=4.5,<4.12``."""
     lowest, highest = (_numbers(limit.lstrip("<>=")) for limit in limits.split(","))
     return lowest <= _numbers(version) < highest
 
@@ -200,13 +200,13 @@ def _numbers(version: str) -> tuple[int, ...]:
 
 
 def origin(package: Package) -> str:
-    """The file that Python imports; empty where there is none, as after its removal from the disk."""
+    """Return the file that Python imports; empty without one, for example after its removal."""
     found = importlib.util.find_spec(package.module)
     return "" if found is None else found.origin or ""
 
 
 def is_own(package: Package) -> bool:
-    """Whether Python imports a package that SemRef installed."""
+    """Return whether Python imports a package that SemRef installed."""
     return origin(package).startswith(str(components_root()))
 
 
@@ -218,23 +218,23 @@ def missing(packages: Iterable[Package] = PACKAGES) -> list[Package]:
 
 
 def components_root() -> Path:
-    """Holds the packages that SemRef installed, for all versions of Python and numpy that this profile has seen."""
+    """Return the folder of all packages that SemRef installed, for all versions of Python and numpy of this profile."""
     return Path(QgsApplication.qgisSettingsDirPath()) / "python" / "semref_components"
 
 
 def components_key(python_version: tuple, numpy_version: str) -> str:
-    """Such as ``cp311-numpy1.24``."""
+    """Return a name such as ``cp311-numpy1.24``."""
     return f"cp{python_version[0]}{python_version[1]}-numpy{'.'.join(numpy_version.split('.')[:2])}"
 
 
 def components_folder() -> Path:
-    """Holds a folder for each package that SemRef installed for the running Python and numpy."""
+    """Return the folder of the packages that SemRef installed for the running Python and numpy."""
     return components_root() / components_key(sys.version_info, numpy_version())
 
 
 def add_components_to_path() -> None:
-    """Appends what SemRef installed to Python's path, the newest first; nothing where nothing is installed."""
-    # One that is being installed begins with a dot.
+    """Append SemRef's installed packages to Python's path, the newest first."""
+    # The folder of a running installation starts with a dot.
     folders = [folder for folder in components_folder().glob("[!.]*") if folder.is_dir()]
     newest_first = sorted(folders, key=lambda folder: folder.stat().st_mtime, reverse=True)
     sys.path.extend(folder for folder in map(str, newest_first) if folder not in sys.path)
@@ -242,7 +242,7 @@ def add_components_to_path() -> None:
 
 
 def remove_components() -> None:
-    """Removes all that SemRef installed, for other versions of Python and numpy too; raises ComponentError."""
+    """Remove everything that SemRef installed, also for other versions of Python and numpy. Raises ComponentError."""
     root = components_root()
     if not root.exists():
         return
@@ -250,7 +250,7 @@ def remove_components() -> None:
         shutil.rmtree(root)
     except OSError as error:
         raise ComponentError(
-            "{name} can’t be removed, probably because it is in use; restart QGIS and remove it again.",
+            "{name} cannot be removed, probably because it is in use. Restart QGIS and remove it again.",
             name=error.filename or root,
         ) from error
     sys.path[:] = [entry for entry in sys.path if not entry.startswith(str(root))]
@@ -261,31 +261,30 @@ def remove_components() -> None:
 
 
 def require(packages: Iterable[Package]) -> None:
-    """Raises ComponentError, which says how to install them, where packages are missing."""
+    """Raises ComponentError with instructions if packages are missing."""
     lacking = missing(packages)
     if not lacking:
         return
     if qgis.utils.iface is not None:
-        # Short, and without the < of a command: QGIS shows it as HTML. The options have the command as well.
+        # Short and without the < of a command, because QGIS shows it as HTML. The options show the command, too.
         raise ComponentError(
             "SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef.",
             packages=", ".join(package.title for package in lacking),
         )
     raise ComponentError(
-        "SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or by typing "
-        "{commands}.",
+        "SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or run {commands}.",
         packages=", ".join(package.pip_name for package in lacking),
         commands=f"“{install_command(lacking)}”",
     )
 
 
 def install_command(packages: list[Package]) -> str:
-    """A command for pip that installs packages without SemRef."""
-    # Without dependencies: pip must not replace QGIS's numpy.
+    """Return the pip command that installs packages without SemRef."""
+    # Without dependencies, because pip must not replace QGIS's numpy.
     asked = (name for package in packages for name in package.asked(numpy_version()))
     requirements = ("'" + text + "'" if '"' in text else f'"{text}"' for text in asked)
     python = os.path.join(sys.prefix, "bin", "python3")
-    # pip refuses to install beside the distribution's packages unless it is told to; --user leaves those alone.
+    # pip refuses to install beside the distribution's packages without this option; --user leaves those unchanged.
     managed = os.path.isfile(os.path.join(sysconfig.get_path("stdlib"), "EXTERNALLY-MANAGED"))
     options = ["--user", "--break-system-packages"] if managed and sys.prefix == sys.base_prefix else []
     program = python if os.path.isfile(python) else "python3"
@@ -293,9 +292,9 @@ def install_command(packages: list[Package]) -> str:
 
 
 def how_to_get_pip() -> str:
-    """What to do where QGIS's Python has no pip, as the end of a sentence."""
+    """Return how to install pip for QGIS's Python, as the end of a sentence."""
     if os.name == "nt":
-        return tr("add the package python3-pip with OSGeo4W’s setup")
-    # Debian and Ubuntu have no ensurepip.
+        return tr("add the package python3-pip in the OSGeo4W setup")
+    # Debian and Ubuntu lack ensurepip.
     command = "sudo apt install python3-pip" if shutil.which("apt") else "python3 -m ensurepip --user"
     return tr("install it with “{command}”").format(command=command)

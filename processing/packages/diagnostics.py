@@ -1,4 +1,4 @@
-"""What a report of a fault needs to say about a QGIS: versions, packages, settings, the last messages."""
+"""Diagnostics for a bug report: versions, packages, settings, and the last messages."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from .training_environment import PYTHON_SETTING, is_environment_ready
 
 
 def diagnostics(lines: Sequence[str] = ()) -> str:
-    """Return versions, settings and the last messages, in English, to be pasted into an issue.
+    """Return versions, settings and the last messages, in English, to paste into an issue.
 
     Args:
-        lines: Of the log, the newest last.
+        lines: Lines of the log, the newest last.
     """
-    # Loaded by storage, which reads files; this module has nothing else to do with it.
+    # Loaded by storage; this module does not need it.
     gdal = getattr(sys.modules.get("osgeo.gdal"), "__version__", "not loaded yet")
     devices = ", ".join(device.title for device in available_devices())
     theme = QgsSettings().value("UI/UITheme", "default", type=str)
@@ -45,7 +45,7 @@ def diagnostics(lines: Sequence[str] = ()) -> str:
 
 
 def without_home(text: str, home: str) -> str:
-    """Write ~ instead of the user's home folder, whichever slashes a path has."""
+    """Replace the user's home folder by ~, with any kind of slashes."""
     names = re.split(r"[/\\]+", home.rstrip("/\\"))
     pattern = r"[/\\]+".join(map(re.escape, names))
     return re.sub(rf"(?<![\w.~-]){pattern}(?![\w-])", "~", text, flags=re.IGNORECASE) if any(names) else text

@@ -1,7 +1,7 @@
-"""Installing Python packages with pip: a generator yields each command and is sent what came of it.
+"""Installation of Python packages with pip: a generator yields each command and receives its answer.
 
-Nothing here runs anything: whoever drives it (ui's ComponentInstaller) runs the commands as processes and closes the
-generator on a cancel. Each package is installed beside its place and moved there when it can be imported.
+This module runs no command: the caller (ui's ComponentInstaller) runs them as processes and closes the generator on a
+cancel. Each package is installed in a temporary folder and moved to its place when it can be imported.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ from .components import (
 
 @dataclass(frozen=True)
 class Command:
-    """A program to run in ``folder``, with environment variables beside QGIS's own."""
+    """A program to run in ``folder``, with environment variables in addition to QGIS's own."""
 
     title: str
     program: str
@@ -50,7 +50,7 @@ class Command:
 
 @dataclass(frozen=True)
 class Answer:
-    """What came of a command: its exit status (-1 when it could not be started or crashed), all it printed."""
+    """Result of a command: exit status (−1 if it could not be started or crashed) and all output."""
 
     status: int
     output: str
@@ -60,10 +60,10 @@ Commands = Generator[Command, Answer, None]
 
 
 def installing(packages: list[Package], wheels: str = "") -> Commands:
-    """Installs packages one after the other, from the package index or from a folder of wheels.
+    """Install packages one after the other, from the package index or from a folder of wheels.
 
     Raises:
-        ComponentError: At the end, with the reason for each package that could not be installed; nothing of it stays.
+        ComponentError: At the end, with the reason for each package that was not installed.
     """
     python = yield from _find_python(packages)
     reasons: list[Sentence] = []
@@ -72,7 +72,7 @@ def installing(packages: list[Package], wheels: str = "") -> Commands:
             yield from _install_one(python, package, wheels)
         except SemRefError as error:
             if error.sentence in reasons:
-                # The same for two packages, as without a network: the others would have to wait for it, too.
+                # The same reason twice, as without a network: the other packages would fail, too.
                 break
             reasons.append(error.sentence)
     if reasons:
@@ -91,20 +91,20 @@ print(json.dumps({"build": build, "pip": importlib.util.find_spec("pip") is not 
 
 
 def running_build() -> list[str]:
-    """What tells QGIS's Python from others: version with date and compiler of its build, ending of its binaries."""
+    """Return what identifies QGIS's Python: version with date and compiler of its build, and suffix of its binaries."""
     return [sys.version, sysconfig.get_config_var("EXT_SUFFIX")]
 
 
 def _find_python(packages: list[Package]) -> Generator[Command, Answer, str]:
-    """The path of QGIS's own Python, if it has pip.
+    """Return the path of QGIS's own Python with pip.
 
-    Another build of the same version – of pyenv or conda, first on PATH – would take wheels that QGIS can't load.
+    Another build of the same version, such as pyenv or conda, would install wheels that QGIS cannot load.
     """
     version = sys.version_info[:2]
     candidates = python_candidates(sys.executable or "", sys.prefix, version, os.name == "nt")
     without_pip = ""
     for path in filter(os.path.isfile, candidates):
-        answer = yield Command(tr("Looking for QGIS’s Python…"), path, ["-c", _ASK], os.path.dirname(path))
+        answer = yield Command(tr("Searching for the Python of QGIS…"), path, ["-c", _ASK], os.path.dirname(path))
         found = _answer_of(answer)
         if found.get("build") != running_build():
             continue
@@ -113,12 +113,12 @@ def _find_python(packages: list[Package]) -> Generator[Command, Answer, str]:
         without_pip = without_pip or path
     if without_pip:
         raise ComponentError(
-            "{python}, the Python of QGIS, has no pip; {how_to_get_pip}.",
+            "{python}, the Python of QGIS, has no pip. To continue, {how_to_get_pip}.",
             python=without_pip,
             how_to_get_pip=how_to_get_pip(),
         )
     raise ComponentError(
-        "No Python {version} like QGIS’s was found (looked for {paths}); use “{command}” instead.",
+        "The Python {version} of QGIS was not found (searched: {paths}). Run “{command}” instead.",
         version=f"{version[0]}.{version[1]}",
         paths=", ".join(candidates),
         command=install_command(packages),
@@ -126,7 +126,7 @@ def _find_python(packages: list[Package]) -> Generator[Command, Answer, str]:
 
 
 def _answer_of(answer: Answer) -> dict[str, object]:
-    """What _ASK printed; nothing when it did not."""
+    """Return the output of _ASK; empty if it failed."""
     lines = answer.output.strip().splitlines()
     try:
         found = json.loads(lines[-1]) if answer.status == 0 and lines else {}
@@ -136,13 +136,13 @@ def _answer_of(answer: Answer) -> dict[str, object]:
 
 
 def python_candidates(executable: str, prefix: str, version: tuple, windows: bool) -> list[str]:
-    """Where QGIS's Python may lie, likeliest first.
+    """Return possible paths of QGIS's Python, the most likely first.
 
     Args:
-        executable: sys.executable, which may be QGIS itself, or what comes first on PATH.
-        prefix: sys.prefix: where the running Python lies.
+        executable: sys.executable, which may be QGIS itself, or the first on PATH.
+        prefix: sys.prefix, the folder of the running Python.
         version: Its first two numbers.
-        windows: Whether it runs there.
+        windows: Whether it runs on Windows.
     """
     if windows:
         return [os.path.join(prefix, "python.exe"), os.path.join(prefix, "python3.exe")]
@@ -160,14 +160,15 @@ def python_candidates(executable: str, prefix: str, version: tuple, windows: boo
 def _install_one(python: str, package: Package, wheels: str) -> Commands:
     found = origin(package)
     if found and not is_own(package):
-        # Elsewhere it comes before SemRef's on Python's path.
+        # Elsewhere it is before SemRef's on Python's path.
         if is_too_old(package):
             raise ComponentError(
-                "{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.",
+                "QGIS finds {path} first, which is too old for SemRef. Update or remove it.",
                 path=found,
             )
         raise ComponentError(
-            "QGIS finds {path} first, which SemRef did not install; replace it by {package} where it came from.",
+            "QGIS finds {path} first, which SemRef did not install. Replace it by {package} in the same way as it was "
+            "installed.",
             path=found,
             package=package.pip_name,
         )
@@ -177,7 +178,7 @@ def _install_one(python: str, package: Package, wheels: str) -> Commands:
     except OSError as error:
         name = error.filename or package.folder
         raise ComponentError(
-            "{package} can’t be installed: {reason}: {name}.",
+            "{package} cannot be installed: {reason}: {name}.",
             package=package.pip_name,
             reason=reason_of(error),
             name=name,
@@ -205,7 +206,7 @@ def _fill(python: str, package: Package, folder: str, wheels: str) -> Commands:
     pip = yield Command(title, python, pip_arguments(asked, folder, wheels), str(temporary), variables)
     if pip.status != 0:
         raise ComponentError(why_pip_failed(requirement, pip.output, wheels))
-    # As from the next start on: what SemRef installed before comes behind it.
+    # The path of the next start: earlier installations of SemRef come after it.
     own = [entry for entry in sys.path if entry.startswith(str(components_root()))]
     path = json.dumps([*(entry for entry in sys.path if entry not in own), folder, *own])
     title = tr("Checking {package}…").format(package=package.pip_name)
@@ -213,7 +214,7 @@ def _fill(python: str, package: Package, folder: str, wheels: str) -> Commands:
     check = yield Command(title, python, arguments, str(temporary), {"PYTHONDONTWRITEBYTECODE": "1"})
     if check.status != 0:
         raise ComponentError(
-            "{package} was installed, but can’t be used with numpy {numpy}: {reason}; it was removed again.",
+            "{package} was installed, but does not work with numpy {numpy}: {reason}. It was removed again.",
             package=requirement,
             numpy=numpy_version(),
             reason=last_line(check.output),
@@ -222,39 +223,38 @@ def _fill(python: str, package: Package, folder: str, wheels: str) -> Commands:
 
 _PIP_VARIABLES = {
     "PYTHONIOENCODING": "utf-8",
-    # What a user's settings may say about other installations does not go with a folder of its own.
+    # User settings for other installations do not apply to a folder of its own.
     "PIP_USER": "0",
     "PIP_REQUIRE_VIRTUALENV": "0",
 }
 
 
 def pip_variables(temporary: str) -> dict[str, str]:
-    """The environment of pip; ``temporary``: the folder in which it unpacks."""
+    """Return the environment of pip; ``temporary``: its folder for unpacking."""
     variables = {**_PIP_VARIABLES, **dict.fromkeys(("TMPDIR", "TEMP", "TMP"), temporary)}
     proxy = proxy_url(QgsNetworkAccessManager.instance().fallbackProxy())
     if proxy:
-        # In the environment: other users see command lines, and it may hold a password.
+        # In the environment, because it may contain a password and other users can see command lines.
         variables["PIP_PROXY"] = proxy
     return variables
 
 
 def _with_hashes(package: Package, temporary: Path) -> list[str]:
-    """What pip is asked for from an index: versions and hashes that came with SemRef, so that another wheel under the
-    same name is refused, whoever put it there."""
+    """Return pip's requirements with SemRef's versions and hashes, so that changed wheels are refused."""
     file = temporary / "wheels.txt"
     file.write_text("\n".join(package.pinned(numpy_version())) + "\n", encoding="ascii")
     return ["--require-hashes", "--requirement", str(file)]
 
 
 def pip_arguments(asked: list[str], folder: str, wheels: str) -> list[str]:
-    """pip's command line; its index is the user's. Without dependencies: numpy must stay QGIS's."""
+    """Return pip's command line with the user's index. Without dependencies, because numpy must be QGIS's."""
     options = ["--no-deps", "--only-binary=:all:", "--no-input", "--disable-pip-version-check", "--progress-bar=off"]
     offline = ["--no-index", "--find-links", wheels] if wheels else []
     return ["-m", "pip", "install", *options, "--target", folder, *offline, *asked]
 
 
 def proxy_url(proxy: QNetworkProxy) -> str:
-    """Such as ``http://host:3128``, with user and password where they are set; nothing without a proxy."""
+    """Return ``http://host:3128``, with user and password if they are set; empty without a proxy."""
     schemes = {
         QNetworkProxy.ProxyType.HttpProxy: "http",
         QNetworkProxy.ProxyType.HttpCachingProxy: "http",
@@ -276,51 +276,57 @@ _NETWORK_TROUBLE = re.compile("NewConnectionError|ConnectTimeout|ReadTimeout|Nam
 
 
 def why_pip_failed(requirement: str, output: str, wheels: str) -> Sentence:
-    """One sentence for the user from what pip printed."""
+    """Return one sentence about pip's output."""
     python = f"{sys.version_info[0]}.{sys.version_info[1]}"
     if "SOCKS support" in output:
-        return Sentence("pip can’t use the SOCKS proxy of QGIS’s network settings; set an HTTP proxy there or none.")
+        return Sentence(
+            "pip cannot use the SOCKS proxy of QGIS. Set an HTTP proxy or no proxy under Settings ▸ Options ▸ Network."
+        )
     if "ProxyError" in output or "Proxy Authentication Required" in output:
-        return Sentence("The proxy can’t be used; check it under Settings ▸ Options ▸ Network, or install from wheels.")
+        return Sentence(
+            "The proxy cannot be used. Check it under Settings ▸ Options ▸ Network, or install from a folder of wheels."
+        )
     if "CERTIFICATE_VERIFY_FAILED" in output:
         return Sentence(
-            "The package index’s certificate is not trusted; ask your network’s administrator how pip is set up here, "
+            "The certificate of the package index is not trusted. Ask your network administrator how pip is set up, "
             "or install from a folder of wheels."
         )
     if "DO NOT MATCH THE HASHES" in output or "--require-hashes mode" in output:
         return Sentence(
-            "The package index gave another file for {package} than the one that SemRef was tested with; nothing was "
+            "The package index sent a different file for {package} than the one tested with SemRef. Nothing was "
             "installed. Use the public index, or install from a folder of wheels that you trust.",
             package=requirement,
         )
     if "No space left" in output or "Errno 28" in output:
-        return Sentence("The disk is full: {folder} needs about 500 MB.", folder=components_folder())
+        return Sentence("The disk is full: {folder} needs about 500 MB. Free some space.", folder=components_folder())
     if _NETWORK_TROUBLE.search(output):
         return Sentence(
-            "The package index can’t be reached; check the network and Settings ▸ Options ▸ Network, or install from "
+            "The package index cannot be reached. Check the network and Settings ▸ Options ▸ Network, or install from "
             "a folder of wheels."
         )
     if "No matching distribution" in output and wheels:
         return Sentence(
-            "{folder} has no wheel of {package} for Python {python} on this system.",
+            "{folder} contains no wheel of {package} for Python {python} on this system.",
             folder=wheels,
             package=requirement,
             python=python,
         )
     if "No matching distribution" in output:
         return Sentence(
-            "The package index has no {package} for Python {python} on this system.", package=requirement, python=python
+            "The package index contains no {package} for Python {python} on this system.",
+            package=requirement,
+            python=python,
         )
     return Sentence("pip could not install {package}: {reason}.", package=requirement, reason=last_error(output))
 
 
 def last_error(output: str) -> str:
-    """What pip calls an error last, as part of a sentence."""
+    """Return pip's last error, as part of a sentence."""
     errors = "\n".join(line for line in output.splitlines() if line.startswith("ERROR:"))
     return last_line(errors or output).replace("ERROR: ", "")
 
 
 def last_line(output: str) -> str:
-    """The last line that says something, as part of a sentence."""
+    """Return the last line with text, as part of a sentence."""
     lines = [line.strip() for line in output.splitlines() if line.strip()]
-    return lines[-1].rstrip(".") if lines else tr("it ended without a word")
+    return lines[-1].rstrip(".") if lines else tr("no message")

@@ -110,9 +110,9 @@ def test_the_page_keeps_which_python_trains(page):
 
 def test_what_goes_wrong_with_the_environment_is_shown_and_can_be_tried_again(page, iface, plugin):
     installer = plugin._entry._training_installer
-    installer.began.emit("Making an environment for training…")
-    assert page.training.state.text() == "Making an environment for training…"
-    installer.failed.emit("The environment for training could not be filled: no network.")
+    installer.began.emit("Making the training environment…")
+    assert page.training.state.text() == "Making the training environment…"
+    installer.failed.emit("The packages of the training environment could not be installed: no network.")
     assert "no network" in page.training.state.text() and page.training.make.isEnabled()
     assert "no network" in iface.bar.currentItem().text()
 

@@ -69,9 +69,9 @@ def test_the_list_has_the_words_of_each_kind_and_nothing_of_a_file_is_taken_for_
     provider.changeAttributeValues({first: {0: "outside_crs", 1: "<b>far</b> away"}, second: {0: "kind_of_tomorrow"}})
     tab.layer.setLayer(None)
     tab.layer.setLayer(issues)
-    assert [tab.places.item(row, 1).text() for row in range(2)] == ["outside the CRS’s area", "kind of tomorrow"]
+    assert [tab.places.item(row, 1).text() for row in range(2)] == ["outside the area of the CRS", "kind of tomorrow"]
     tab.places.selectRow(0)
-    assert tab.text.text() == "outside the CRS’s area · <b>far</b> away · 550000, 5420000"
+    assert tab.text.text() == "outside the area of the CRS · <b>far</b> away · 550000, 5420000"
     assert tab.text.textFormat() == Qt.TextFormat.PlainText
 
 

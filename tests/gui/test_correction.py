@@ -161,7 +161,7 @@ def test_an_annotation_of_elsewhere_is_refused_and_nothing_is_written(dock, ifac
     box.annotation.setLayer(other)
     press(dock, box)
     wait_until(lambda: messages(iface), "the refusal")
-    assert "“another country” lies outside the map of area.gpkg" in messages(iface)[0]
+    assert "“another country” does not overlap the map of area.gpkg" in messages(iface)[0]
     assert Path(database).read_bytes() == before and not box.undo.isVisibleTo(dock.content.correct)
 
 

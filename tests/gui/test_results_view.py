@@ -124,7 +124,7 @@ def test_a_fix_that_something_speaks_against_has_no_check_mark(dock, iface, foun
     table = found.results.table
     fix = table.selected()
     assert fix.status == "fix"
-    reason = "By its GPS this photo was taken 42 km from the ground of the database."
+    reason = "The GPS position of this photo is 42 km from the ground of the database."
     table.show_findings([fix, replace(fix, reason=reason, **doubt)])
     as_wide_as(dock, iface, width)
     marks = [QgsApplication.getThemeIcon(name) for name in ("/mIconSuccess.svg", "/mIconWarning.svg")]

@@ -115,7 +115,7 @@ def test_the_report_states_the_assumptions(assessed):
 def test_a_footprint_beyond_what_is_searched_is_warned_of(run_algorithm, database, tmp_path, feedback):
     parameters = {"DATABASE": database, "TRIALS": 20, "SPACING": 250, "OUTPUT": str(tmp_path / "map.gpkg")}
     run_algorithm(ASSESS, {**parameters, "FOOTPRINT": "700"}, feedback)
-    assert "not looked for without a known pixel size" in feedback.textLog()
+    assert "not searched without a known pixel size" in feedback.textLog()
 
 
 @pytest.mark.parametrize(

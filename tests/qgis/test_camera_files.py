@@ -62,7 +62,7 @@ def test_what_dji_states_of_its_lens_straightens_the_image(tmp_path):
     # On a label image of half the size.
     way = camera.leveling((30, 40))
     assert way.bent is not None and way.nadir is None and way.shape_hw > (30, 40)
-    told = "focal length 30 px, height 40.0 m, lens straightened by up to 16.7 % of the width"
+    told = "focal length 30 px, height 40.0 m, lens distortion up to 16.7 % of the width corrected"
     assert camera_read(camera, (30, 40)) == told
 
 
@@ -103,7 +103,7 @@ def test_original_drone_photos_are_read_and_state_no_lens(real_data):
     (camera,) = read_cameras([str(path)], "")
     assert camera.distortion is None
     said = camera_read(camera, (2250, 4000))
-    assert said == "focal length 2310 px, height 39.8 m, yaw 45.0°, roll 0.0°, pitch 0.1°"
+    assert said == "focal length 2310 px, height 39.8 m, heading 45.0°, roll 0.0°, pitch 0.1°"
 
 
 # --- CSV ---
@@ -173,13 +173,13 @@ def test_without_focal_length_the_image_is_not_leveled_with_a_note(tmp_path):
     photo(tmp_path / "IMG_1.jpg", DJI, FocalLengthIn35mmFilm="0")
     (camera,) = read_cameras([label_image(tmp_path)], "")
     assert camera.leveling((30, 40)) is None
-    assert camera_remark(camera, (30, 40)) == "IMG_1.jpg tells no focal length, so the image is taken as it is."
+    assert camera_remark(camera, (30, 40)) == "Not leveled, because IMG_1.jpg contains no focal length."
 
 
 def test_a_focal_length_does_not_serve_an_image_of_another_shape(tmp_path):
     photo(tmp_path / "IMG_1.jpg", DJI, FocalLengthIn35mmFilm="24")
     (camera,) = read_cameras([label_image(tmp_path, width=30)], "")
-    assert camera.leveling((30, 30)) is None and "shape is not that of IMG_1.jpg" in camera_remark(camera, (30, 30))
+    assert camera.leveling((30, 30)) is None and "the shape that IMG_1.jpg gives" in camera_remark(camera, (30, 30))
 
 
 def test_a_photo_with_an_orientation_tag_gives_no_attitude(tmp_path):

@@ -119,7 +119,7 @@ def test_the_report_counts_by_kind_and_class_and_lists_the_largest(check, tmp_pa
     layer = write_layer(tmp_path / "a.gpkg", features)
     results = check(layer, CLASS_TABLE=classes_csv, REPORT=str(tmp_path / "report.html"))
     text = Path(results["REPORT"]).read_text(encoding="utf-8")
-    assert "a: 3 features" in text and "claim the same 40.00 m²" in text
+    assert "a: 3 features" in text and "overlap by 40.00 m²" in text
     bad = '</td><td class="number bad">1</td>'
     for cells in (f"<td>overlap{bad}", f"<td>no class{bad}"):
         assert cells in text

@@ -108,7 +108,7 @@ def test_a_layer_without_known_tags_is_refused_with_its_columns(run_algorithm, t
 def test_an_extract_that_is_cut_short_is_refused(run_algorithm, tmp_path, extract):
     cut = tmp_path / "cut.osm"
     cut.write_text(EXTRACT[: EXTRACT.index('<way id="13"')], encoding="utf-8")
-    with pytest.raises(QgsProcessingException, match="can't be read to its end"):
+    with pytest.raises(QgsProcessingException, match="cannot be read completely"):
         run_algorithm(CLASSIFY, {"INPUT": str(cut), "OUTPUT": str(tmp_path / "cover.gpkg")})
     assert not (tmp_path / "cover.gpkg").exists()
 

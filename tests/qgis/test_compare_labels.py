@@ -183,14 +183,14 @@ def test_a_models_bias_is_measured_and_written_into_its_copy(compare, shifted, t
     assert found["spread"] < 0.2 and found["sun"] == 150
     assert {**read_metadata(model.read_bytes()), "class_bias": texts["class_bias"]} == texts
     assert "building" in (tmp_path / "r.html").read_text(encoding="utf-8").split("Class offsets")[1]
-    assert "building: shown +1.0" in feedback.textLog()
+    assert "building: class offset +1.0" in feedback.textLog()
 
 
 def test_a_bias_that_is_not_in_meters_goes_into_no_model(compare, tmp_path):
     paths = [write_raster(tmp_path / f"{name}.png", LABELS, transform=None) for name in "ab"]
     model = write_model(tmp_path / "network.onnx")
-    with pytest.raises(QgsProcessingException, match="no metric CRS"):
+    with pytest.raises(QgsProcessingException, match="CRS of the maps has no meters"):
         compare(*paths, MODEL=str(model), MODEL_OUTPUT=str(tmp_path / "copy.onnx"))
-    with pytest.raises(QgsProcessingException, match="give the network as MODEL"):
+    with pytest.raises(QgsProcessingException, match="Select the model as well"):
         compare(*paths, MODEL_OUTPUT=str(tmp_path / "copy.onnx"))
     assert not (tmp_path / "copy.onnx").exists()

@@ -372,7 +372,7 @@ def test_a_layer_of_a_file_as_output_is_refused_with_the_reason(run_algorithm, g
     for writer in ("localize", "build", "rasterize"):
         annotation(given)
         algorithm, parameters, key = writers(given)[writer]
-        with pytest.raises(QgsProcessingException, match="names a layer of a file; choose a file") as caught:
+        with pytest.raises(QgsProcessingException, match="is a layer of a file. Select a file") as caught:
             run_algorithm(algorithm, {**parameters, key: output.format(area)})
         assert "disk" not in str(caught.value)
     assert area.read_bytes() == before

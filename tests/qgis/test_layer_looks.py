@@ -207,7 +207,7 @@ def test_every_kind_of_position_is_drawn_by_one_rule(qgis_app, style, values, ru
 def test_keys_have_labels_in_the_attribute_table(positions):
     index = positions.fields().lookupField("status")
     words = positions.editorWidgetSetup(index).config()["map"]
-    assert {"No match": "no_match"} in words and {"could not be read": "error"} in words
+    assert {"No match": "no_match"} in words and {"cannot be read": "error"} in words
 
 
 def test_squares_let_the_base_map_through_and_the_route_does_not(qgis_app):
@@ -243,7 +243,7 @@ def test_a_layer_has_a_title_a_history_and_the_license_of_its_source(annotation,
     run_algorithm("semref:checkannotation", {"INPUT": annotation, "CLASS_FIELD": "class", "ISSUES": output})
     told = QgsVectorLayer(output, "issues", "ogr").metadata()
     assert told.title() == "Issues"
-    assert told.abstract().startswith("One feature a finding")
+    assert told.abstract().startswith("One feature for each finding")
     assert told.rights() == ["My annotation (CC BY 4.0, © a surveyor)"]
     (line,) = told.history()
     assert 'processing.run("semref:checkannotation"' in line and "'CLASS_FIELD':'class'" in line

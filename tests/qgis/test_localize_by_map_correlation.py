@@ -93,4 +93,4 @@ def test_automatic_reports_that_without_overview_only_the_constellation_is_used(
     found = localize(LABELS[300 : 300 + SIZE, 400 : 400 + SIZE].copy(), METHOD=0, DATABASE=database_without_overview)
     assert found["status"] == "fix" and found["method"] == "constellation"
     said = feedback.textLog()
-    assert "Automatic uses the constellation alone, without map correlation: " in said and "overview" in said
+    assert "“Automatic” uses only the constellation of landmarks, not map correlation: " in said and "overview" in said

@@ -152,7 +152,7 @@ def test_the_track_goes_through_its_images(found):
 def test_the_report_lists_images_times_and_reasons(found):
     page = Path(found[1]["REPORT"]).read_text(encoding="utf-8")
     assert "Localization of a flight" in page and page.count("<ellipse") >= found[1]["FIX_COUNT"]
-    assert "image10.png" in page and "told by the table" in page and "2025-05-09 10:00:10" in page
+    assert "image10.png" in page and "from the odometry table" in page and "2025-05-09 10:00:10" in page
 
 
 def test_what_can_not_be_read_is_a_row_with_its_reason_and_the_flight_goes_on(localize, flight, tmp_path, feedback):

@@ -119,5 +119,5 @@ def test_a_fix_that_can_not_be_reached_is_marked_and_stays_a_fix(localize, feedb
     rows, polygons, results = localize(flight, TIMES, MAXIMUM_SPEED=25)
     assert [bool(row["jump"]) for row in rows] == [False, False, True, False]
     assert [row["status"] for row in rows] == ["fix"] * 4 and results["FIX_COUNT"] == len(polygons) == 4
-    assert "25 map units per second" in rows[2]["reason"] and "25 map units" not in rows[1]["reason"]
-    assert "1 of 4 fixes with a time are jumps." in feedback.textLog()
+    assert "25 m/s" in rows[2]["reason"] and "25 map units" not in rows[1]["reason"]
+    assert "1 of 4 positions with a time are jumps." in feedback.textLog()

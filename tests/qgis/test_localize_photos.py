@@ -94,8 +94,8 @@ def test_height_and_lens_of_a_photo_set_its_scale_for_the_network(run_algorithm,
     table.write_text("image,focal_length_px,height\na.png,100,100\n", encoding="utf-8")
     parameters = {"DATABASE": str(folder / "area.gpkg"), "MODEL": str(model), "IMAGES": [str(photo)]}
     run_algorithm(algorithm, {**parameters, "ATTITUDE": str(table), "OUTPUT": str(tmp_path / "p.gpkg")}, feedback)
-    assert "a.png: a pixel shows 100 cm of the ground" in feedback.textLog()
-    assert "sees the photo at 50 cm a pixel" in feedback.textLog()
+    assert "a.png: the ground sampling distance is 100 cm" in feedback.textLog()
+    assert "uses the photo at 50 cm" in feedback.textLog()
 
 
 def test_photos_without_a_model_get_a_warning(localize, tmp_path, feedback):

@@ -56,7 +56,7 @@ def outside(tmp_path):
 )
 def test_positions_that_name_an_image_elsewhere_get_nobody_to_open_it(georeference, host, outside, feedback, name):
     assert georeference(name.format(url=host.url, outside=outside)) == 0
-    assert "which is not in their own folder; select the image" in feedback.textLog()
+    assert "which is not in the folder of the layer. Select the image" in feedback.textLog()
     assert host.asked == []
 
 

@@ -193,7 +193,8 @@ def test_a_text_with_a_character_0_is_refused(run_algorithm, tmp_path, given):
     with pytest.raises(QgsProcessingException) as refused:
         run_algorithm("semref:decodecolorlabels", {key: str(tmp_path / path) for key, path in paths.items()})
     text = str(refused.value).splitlines()[-1]
-    assert text.startswith(f"{next(iter(given))} is “") and "character of value 0" in text
+    titles = {"CLASS_TABLE": "Class table", "OUTPUT": "Label map", "INPUT": "Color label image"}
+    assert text.startswith(f"“{titles[next(iter(given))]}” is “") and "null character" in text
 
 
 def test_a_list_of_images_with_a_character_0_is_refused(run_algorithm, tmp_path, qgis_app):
@@ -202,7 +203,7 @@ def test_a_list_of_images_with_a_character_0_is_refused(run_algorithm, tmp_path,
     algorithm = QgsApplication.processingRegistry().algorithmById("semref:localizeimages").create()
     parameters = {"DATABASE": str(tmp_path / "area.gpkg"), "IMAGES": ["a.png", "b\0.png"], "OUTPUT": "memory:"}
     possible, reason = algorithm.checkParameterValues(parameters, QgsProcessingContext())
-    assert not possible and reason.startswith("IMAGES is “b\\x00.png”")
+    assert not possible and reason.startswith("“Images” is “b\\x00.png”")
 
 
 @pytest.mark.parametrize("text", ["/folder/area.gpkg", "1,5", "x", "0x10", "1_000"])
@@ -213,7 +214,7 @@ def test_a_text_that_is_no_number_is_refused_even_for_optional_numbers(qgis_app,
     algorithm = QgsApplication.processingRegistry().algorithmById("semref:localizeimages").create()
     parameters = {"DATABASE": str(tmp_path / "a.gpkg"), "IMAGES": ["a.png"], "OUTPUT": "memory:", "SCALE_MINIMUM": text}
     possible, reason = algorithm.checkParameterValues(parameters, QgsProcessingContext())
-    assert not possible and reason == f"SCALE_MINIMUM is {text}, which is no number; give one."
+    assert not possible and reason == f"“Minimum scale” is {text}, which is not a number. Enter a number."
     for number in ("1.5", " 2", "1e-1", ".5", "2."):
         possible, reason = algorithm.checkParameterValues(
             {**parameters, "SCALE_MINIMUM": number}, QgsProcessingContext()

@@ -217,7 +217,7 @@ def test_a_layer_without_room_for_its_style_is_an_error(run_algorithm, given, mo
     before = write_older(target)
     parameters = {"INPUT": str(given / "annotation.gpkg"), "CLASS_FIELD": "class", "ISSUES": str(target)}
     monkeypatch.setattr(QgsVectorLayer, "saveStyleToDatabase", lambda *_: "")
-    with pytest.raises(QgsProcessingException, match="ISSUES can"):
+    with pytest.raises(QgsProcessingException, match="Issues can"):
         run_algorithm(CHECK, parameters)
     assert target.read_bytes() == before
 
@@ -233,7 +233,7 @@ def test_a_layer_without_room_for_its_index_is_an_error(run_algorithm, given, mo
     assert outputs.lacks_spatial_index(str(without))
     before = target.read_bytes()
     monkeypatch.setattr(outputs, "lacks_spatial_index", lambda _: True)
-    with pytest.raises(QgsProcessingException, match="REFERENCES can"):
+    with pytest.raises(QgsProcessingException, match="Landmarks can"):
         run_algorithm(DESCRIBE, parameters)
     assert target.read_bytes() == before
 

@@ -16,7 +16,7 @@ from semref.storage.photo_position import photo_lon_lat
 SIZE = 160
 LABELS = scattered_objects(500, 600, 380, seed=7, background=0)
 NAMES = ["unlabeled", "water", "building", "bare_land"]
-SAID = "By its GPS this photo was taken"
+SAID = "The GPS position of this photo is"
 
 
 def exif(longitude: float, latitude: float, **more: str) -> dict[str, str]:

@@ -14,7 +14,7 @@ from qgis.core import (
 pytestmark = pytest.mark.newer
 
 GROUPS = {
-    "annotation": "Annotation",
+    "annotation": "Land cover",
     "referencedatabase": "Reference database",
     "localization": "Localization",
 }

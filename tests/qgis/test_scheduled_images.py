@@ -106,9 +106,9 @@ def test_workers_localize_photos_by_the_network_that_qgis_takes(run_algorithm, d
         require_same(one, other)
 
 
-@pytest.mark.parametrize("key", ["LABELS", "LAYER"])
-def test_what_only_qgis_can_do_is_refused_before_any_work(run_algorithm, database, folder, tmp_path, key):
+@pytest.mark.parametrize(("key", "title"), [("LABELS", "Folder for label images"), ("LAYER", "Layer to test")])
+def test_what_only_qgis_can_do_is_refused_before_any_work(run_algorithm, database, folder, tmp_path, key, title):
     given = str(tmp_path / "labels") if key == "LABELS" else str(folder / "image_0.png")
     asked = {"DATABASE": database, "IMAGES": str(folder), key: given, "SCHEDULER": "local:1"}
-    with pytest.raises(QgsProcessingException, match=f"{key} can't be used together with SCHEDULER"):
+    with pytest.raises(QgsProcessingException, match=f"together with “{title}”"):
         run_algorithm(LOCALIZE, {**asked, "OUTPUT": str(tmp_path / "positions.gpkg")})

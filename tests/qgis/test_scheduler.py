@@ -52,7 +52,9 @@ def test_errors_of_the_process_are_errors_of_the_algorithm(run_algorithm, label_
 @pytest.mark.parametrize("text", ["4", "local:", "local:0", "local:4x", "http://a:1", "tcp://", "tcp://host", "-h"])
 def test_what_is_no_scheduler_is_refused_before_any_work(run_algorithm, label_map, tmp_path, text):
     asked = {"LABELS": str(label_map), **SETTINGS, "SCHEDULER": text, "DATABASE": str(tmp_path / "a.gpkg")}
-    with pytest.raises(QgsProcessingException, match="SCHEDULER is “.*”; give local: and a number"):
+    with pytest.raises(
+        QgsProcessingException, match="“Scheduler” is “.*”, which is not a scheduler. Enter local: and a number"
+    ):
         run_algorithm(BUILD, asked)
 
 
@@ -97,6 +99,6 @@ def test_workers_segment_what_qgis_segments(run_algorithm, tmp_path):
     found = run_algorithm(SEGMENT, {**asked, "SCHEDULER": "local:1", "OUTPUT": str(tmp_path / "dask.tif")})
     assert (tmp_path / "dask.tif").read_bytes() == (tmp_path / "qgis.tif").read_bytes()
     assert found["CERTAINTY"] == pytest.approx(expected["CERTAINTY"])
-    with pytest.raises(QgsProcessingException, match="CONFIDENCE can't be used together with SCHEDULER"):
+    with pytest.raises(QgsProcessingException, match="cannot be used together with “Confidence”"):
         confidence = str(tmp_path / "confidence.tif")
         run_algorithm(SEGMENT, {**asked, "SCHEDULER": "local:1", "OUTPUT": "a.tif", "CONFIDENCE": confidence})

@@ -139,7 +139,7 @@ def test_map_tiles_are_drawn_in_the_extent_before_they_are_learned_from(train, t
     with tile_server() as source:
         tiles = QgsRasterLayer(source, "tiles", "wms")
         given = {"IMAGE": tiles, "EXTENT": f"{WEST},{WEST + 700},{NORTH - 600},{NORTH} [EPSG:32632]", **annotation}
-        with pytest.raises(QgsProcessingException, match="RESOLUTION"):
+        with pytest.raises(QgsProcessingException, match="no resolution of its own"):
             train(**given)
         train(training=f"shutil.copytree(folder, {str(kept)!r}); " + EPOCH, RESOLUTION=100, **given)
     job = json.loads((kept / "job.json").read_text())
@@ -152,7 +152,7 @@ def test_a_cancel_ends_the_process_at_once_and_keeps_what_was_trained(train, tmp
     pid = tmp_path / "pid"
     said = Said(cancel_at=50)
     waiting = f"open({str(pid)!r}, 'w').write(str(os.getpid())); {EPOCH}; time.sleep(60)"
-    with pytest.raises(QgsProcessingException, match=r"is kept in .*model\.training-"):
+    with pytest.raises(QgsProcessingException, match=r"is saved in .*model\.training-"):
         train(said, training=waiting)
     assert time.monotonic() - said.canceled_at < 5
     with pytest.raises(ProcessLookupError):
@@ -178,7 +178,7 @@ def test_a_cancel_ends_whatever_the_process_started(train, tmp_path):
     wrapper.write_text(f'#!/bin/sh\n"{tmp_path / "python_that_trains"}" "$@"\necho ended\n')
     wrapper.chmod(0o755)
     said = Said(cancel_at=50)
-    with pytest.raises(QgsProcessingException, match="is kept"):
+    with pytest.raises(QgsProcessingException, match="is saved"):
         train(said, training=f"{start}{wait}{EPOCH}; time.sleep(60)", PYTHON=str(wrapper))
     # Killed processes take a moment to go.
     while running := [path.name for path in pids if is_running(int(path.read_text()))]:
@@ -199,7 +199,7 @@ def test_a_second_training_of_the_same_model_does_not_touch_the_first(train, tmp
         def _look(self, progress):
             if progress >= 50 and not refused:
                 refused.append("")
-                with pytest.raises(QgsProcessingException, match="is being trained already") as caught:
+                with pytest.raises(QgsProcessingException, match="is running") as caught:
                     train(RESUME=False)
                 refused.append(str(caught.value))
 
@@ -210,16 +210,16 @@ def test_a_second_training_of_the_same_model_does_not_touch_the_first(train, tmp
 
 
 def test_a_canceled_run_of_other_settings_is_not_gone_on_with(train, tmp_path):
-    with pytest.raises(QgsProcessingException, match="is kept"):
+    with pytest.raises(QgsProcessingException, match="is saved"):
         train(Said(cancel_at=50), training=f"{EPOCH}; time.sleep(60)")
-    with pytest.raises(QgsProcessingException, match="turn RESUME off"):
+    with pytest.raises(QgsProcessingException, match="turn off “Continue"):
         train(NETWORK=1)
     train(NETWORK=1, RESUME=False)
     assert (tmp_path / "model.onnx").exists()
 
 
 def test_a_cancel_before_the_first_epoch_leaves_nothing(train, tmp_path):
-    with pytest.raises(QgsProcessingException, match="nothing was written"):
+    with pytest.raises(QgsProcessingException, match="Nothing was written"):
         train(Said(cancel_at=0.5))
     assert folders(tmp_path) == []
 
@@ -231,10 +231,10 @@ def test_a_cancel_before_the_first_epoch_leaves_nothing(train, tmp_path):
             'tell("failed", template="Only one class ({name}).", values={"name": "building"}, text=""); sys.exit(1)',
             r"Only one class \(building\)",
         ),
-        ('tell("broke", text="Traceback", reason="out of luck"); sys.exit(2)', "out of luck; please report"),
-        ('sys.stderr.write("no memory\\n"); sys.exit(3)', r"ended without a word \(no memory\)"),
-        ("os.kill(os.getpid(), 9)", "ended without a word"),
-        ("sys.exit(0)", "ended without a word .*result.json"),
+        ('tell("broke", text="Traceback", reason="out of luck"); sys.exit(2)', "out of luck. Please report"),
+        ('sys.stderr.write("no memory\\n"); sys.exit(3)', r"ended without a message \(no memory\)"),
+        ("os.kill(os.getpid(), 9)", "ended without a message"),
+        ("sys.exit(0)", "ended without a message .*result.json"),
         ('tell("failed", template="No {value}.", values={}); sys.exit(1)', "No {value}."),
     ],
     ids=["a sentence", "a bug", "a last word", "killed", "nothing", "a sentence without values"],
@@ -251,7 +251,7 @@ def test_a_python_without_torch_is_refused_before_anything_is_cut(train, tmp_pat
     lacking = f'tell("failed", template="{template}", values={values}, text=""); sys.exit(1)'
     with pytest.raises(QgsProcessingException, match="here lacks the Python package torch"):
         train(ready=lacking)
-    with pytest.raises(QgsProcessingException, match="no Python that can train"):
+    with pytest.raises(QgsProcessingException, match="not a Python with torch"):
         train(ready="print('hello')")
     assert folders(tmp_path) == []
 
@@ -259,8 +259,8 @@ def test_a_python_without_torch_is_refused_before_anything_is_cut(train, tmp_pat
 @pytest.mark.parametrize(
     ("parameters", "said"),
     [
-        ({"LABELS": None}, "either an annotation layer"),
-        ({"PYTHON": None}, "Training needs a Python of its own"),
+        ({"LABELS": None}, "either a land-cover layer"),
+        ({"PYTHON": None}, "Training needs a Python with torch"),
         ({"PYTHON": "/no/python"}, "/no/python"),
     ],
     ids=["no labels", "no Python", "no such Python"],
@@ -346,7 +346,7 @@ def test_files_of_the_user_in_a_folder_of_that_name_survive(train, tmp_path):
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text("mine")
     train()
-    with pytest.raises(QgsProcessingException, match="is kept"):
+    with pytest.raises(QgsProcessingException, match="is saved"):
         train(Said(cancel_at=50), training=f"{EPOCH}; time.sleep(60)")
     train()
     train(RESUME=False)
@@ -357,7 +357,7 @@ def test_files_of_the_user_in_a_folder_of_that_name_survive(train, tmp_path):
 
 @pytest.mark.parametrize("as_link", [False, True], ids=["folder", "link"])
 def test_a_folder_put_in_the_place_of_the_run_s_survives(train, tmp_path, as_link):
-    with pytest.raises(QgsProcessingException, match="is kept"):
+    with pytest.raises(QgsProcessingException, match="is saved"):
         train(Said(cancel_at=50), training=f"{EPOCH}; time.sleep(60)")
     (folder,) = folders(tmp_path)
     folder.rename(tmp_path / "moved")
@@ -389,11 +389,11 @@ def test_a_training_is_not_lost_where_its_model_can_t_be_moved_to_its_place(trai
 
 
 def test_a_run_with_an_unreadable_job_is_not_continued(train, tmp_path):
-    with pytest.raises(QgsProcessingException, match="is kept"):
+    with pytest.raises(QgsProcessingException, match="is saved"):
         train(Said(cancel_at=50), training=f"{EPOCH}; time.sleep(60)")
     (folder,) = folders(tmp_path)
     (folder / "job.json").write_text("{")
-    with pytest.raises(QgsProcessingException, match="job.json.*turn RESUME off"):
+    with pytest.raises(QgsProcessingException, match="job.json.*turn off “Continue"):
         train()
     train(RESUME=False)
     assert folders(tmp_path) == []

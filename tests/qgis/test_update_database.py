@@ -111,7 +111,7 @@ def assert_same_content(database, expected):
     np.testing.assert_array_equal(*overviews)
 
 
-@pytest.mark.parametrize("areas", [True, False], ids=["with the changed areas", "by comparing"])
+@pytest.mark.parametrize("areas", [True, False], ids=["with the changed areas", "to compare the whole map"])
 def test_the_result_is_the_rebuilds(update, folder, old, rebuilt, areas):
     before = Path(old).read_bytes()
     output = update(CHANGED=str(folder / "changed.gpkg")) if areas else update()
@@ -160,7 +160,7 @@ def test_index_extent_and_counts_are_right_afterwards(update, folder, rebuilt):
 def test_the_log_counts_the_changes(update, folder, old, feedback):
     output = update(feedback, CHANGED=str(folder / "changed.gpkg"))
     before, after = references(old), references(output)
-    told = f"{len(set(before) - set(after))} landmarks removed, {len(set(after) - set(before))} added."
+    told = f"{len(set(before) - set(after))} removed, {len(set(after) - set(before))} added."
     assert told in feedback.textLog()
 
 

@@ -95,7 +95,7 @@ def test_lists_are_separated_by_semicolons_without_empty_parts(read):
 def test_a_list_that_holds_no_numbers_is_refused_with_its_key(read):
     from semref.core.errors import ParameterError
 
-    with pytest.raises(ParameterError, match="text: “1;x” is not a list of numbers"):
+    with pytest.raises(ParameterError, match="“text” is “1;x”, which is not a list of numbers"):
         read(text="1;x").numbers("text")
 
 

@@ -76,7 +76,7 @@ class ModelMaker:
 
 
 def annotation_parameters() -> list:
-    """Add the parameters of a land-cover layer to rasterize."""
+    """Return the parameters of a land-cover layer that is rasterized."""
     from qgis.core import (
         QgsProcessing,
         QgsProcessingParameterFeatureSource,
@@ -86,7 +86,7 @@ def annotation_parameters() -> list:
     )
 
     return [
-        QgsProcessingParameterFeatureSource("INPUT", "Annotation layer", [QgsProcessing.TypeVectorPolygon]),
+        QgsProcessingParameterFeatureSource("INPUT", "Land-cover layer", [QgsProcessing.TypeVectorPolygon]),
         QgsProcessingParameterField("CLASS_FIELD", "Class field", parentLayerParameterName="INPUT", optional=True),
         QgsProcessingParameterString("CLASS", "All polygons are", optional=True),
         QgsProcessingParameterField(
@@ -118,8 +118,8 @@ def annotation_to_database():
             *annotation_parameters(),
             number("PIXEL_SIZE", "Pixel size (m)", number.Double, 1.0, minValue=0.001),
             QgsProcessingParameterString("REFERENCE_CLASSES", "Reference classes", optional=True),
-            number("WINDOW_SIZE", "Window size (map units)", number.Double, 1280.0, minValue=0.001),
-            number("STRIDE", "Stride (map units)", number.Double, 350.0, minValue=0.001),
+            number("WINDOW_SIZE", "Window size (m)", number.Double, 1280.0, minValue=0.001),
+            number("STRIDE", "Stride (m)", number.Double, 350.0, minValue=0.001),
             number("MINIMUM_AREA", "Minimum area (m²)", number.Double, 100.0, minValue=0.0),
             other_ground(),
         ],

@@ -92,15 +92,15 @@ def test_a_folder_without_images_is_named(refused, tmp_path):
 
 @pytest.mark.parametrize("images", ["", ";", []])
 def test_no_images_at_all_are_refused(refused, images):
-    assert "IMAGES" in refused(LOCALIZE, IMAGES=images)
+    assert "“Images”" in refused(LOCALIZE, IMAGES=images)
 
 
 @pytest.mark.parametrize("keys", [["EXTENT"], ["MASK"], ["EXTENT", "MASK"]])
 def test_a_part_of_no_layer_is_refused_by_name(refused, good, keys):
     parts = {"EXTENT": "0,10,0,10 [EPSG:32632]", "MASK": str(good / "annotation.gpkg")}
     sentence = refused(LOCALIZE, **{key: parts[key] for key in keys})
-    assert "LAYER" in sentence
-    assert [key for key in parts if key in sentence] == keys
+    assert "layer to test" in sentence
+    assert [key for key in parts if f"“{key.title()} of the test layer”" in sentence] == keys
 
 
 def test_scales_the_wrong_way_round_are_refused(refused):
@@ -108,4 +108,4 @@ def test_scales_the_wrong_way_round_are_refused(refused):
 
 
 def test_an_image_without_classes_of_its_own_needs_a_table(refused):
-    assert "CLASS_TABLE" in refused(DESCRIBE, CLASS_TABLE=None)
+    assert "class table" in refused(DESCRIBE, CLASS_TABLE=None)

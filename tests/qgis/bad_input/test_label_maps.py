@@ -68,7 +68,7 @@ def test_a_window_or_stride_that_is_no_length_is_refused_by_name(refused, key, v
 
 def test_a_map_without_reference_class_is_refused_with_its_classes(refused):
     sentence = refused(BUILD, REFERENCE_CLASSES="")
-    assert "REFERENCE_CLASSES" in sentence and "1 building" in sentence
+    assert "Reference classes" in sentence and "1 building" in sentence
 
 
 def test_an_unknown_reference_class_is_named_with_the_classes_there_are(refused):

@@ -166,7 +166,7 @@ def test_the_map_of_such_a_table_is_made_again_without_being_asked(rasterize, tm
 def test_ground_around_a_single_class_becomes_other_without_being_asked(rasterize, tmp_path, feedback):
     results = rasterize(write_layer(tmp_path / "a.gpkg", TWO))
     np.testing.assert_array_equal(read_pixels(results["OUTPUT"])[0], [1] * 4 + [2] * 8 + [1] * 4)
-    assert "ground without a polygon becomes class “other”" in feedback.textLog()
+    assert "Ground without a polygon becomes class “other”" in feedback.textLog()
 
 
 def test_changes_of_features_are_in_the_users_language(qgis_app, monkeypatch):

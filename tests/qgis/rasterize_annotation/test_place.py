@@ -49,7 +49,7 @@ def test_an_extent_beside_the_polygons_gives_an_empty_map_and_a_warning(rasteriz
     layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 10), "field")])
     results = rasterize(layer, EXTENT=f"{WEST + 100},{WEST + 110},{NORTH - 10},{NORTH} [EPSG:32632]")
     assert results["LABELED_FRACTION"] == 0
-    assert "No polygon lies in the extent" in feedback.textLog()
+    assert "no polygon is in the extent" in feedback.textLog()
 
 
 def test_degrees_become_the_utm_zone_of_the_middle_with_a_note(rasterize, tmp_path, feedback):
