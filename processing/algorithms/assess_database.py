@@ -52,12 +52,10 @@ class AssessDatabase(AssessAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Maps where images can be localized with a reference database, and where not. Each square of ground has "
-            "an expected success and error, the number of landmarks and similar windows, and the reason where "
-            "localization fails.\n\nImages of the database’s landmarks are simulated with the given errors and "
-            "localized. A regression extends the results to squares with few trials. Only the database is needed. The "
-            "result is too optimistic if the real errors are larger or the ground has changed. “Evaluate "
-            "localization” tests a database with a label map of another date."
+            "Maps where images can be localized with a reference database, from simulated images with the given "
+            "errors. Each square has an expected success and error, its numbers of landmarks and similar windows, and "
+            "the reason where localization fails.\n\nThe result is too optimistic if the real errors are larger or "
+            "the ground has changed. “Evaluate localization” tests with another label map."
         )
 
     def parameters(self) -> tuple[Declared, ...]:

@@ -98,12 +98,10 @@ class AssessRoute(AssessAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Estimates how well localization works along a planned route. It reports the expected success, error and "
-            "number of landmarks at each point, the longest gap without an expected position, and parallel lines with "
-            "more success.\n\nThe route is a line layer or a file: GPX (routes, otherwise tracks, otherwise "
-            "waypoints), KML, QGroundControl plan (.plan, also surveys) or waypoint list (.waypoints). Longitude and "
-            "latitude are transformed to the CRS of the database. Images are simulated with the given errors, as in "
-            "“Assess reference database”."
+            "Estimates the success and error of localization at points along a planned route, its longest gap, and "
+            "parallel lines with more success.\n\nThe route is a line layer or a file: GPX, KML, QGroundControl plan "
+            "(.plan, also surveys) or waypoint list (.waypoints). Images are simulated as in “Assess reference "
+            "database”."
         )
 
     def parameters(self) -> tuple[Declared, ...]:

@@ -58,11 +58,10 @@ class BuildDatabase(SemRefAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Builds a reference database from a label map. The database contains the landmarks of the map, and "
-            "windows that are described by the topology vectors of their landmarks.\n\nThe result is one GeoPackage "
-            "with windows, landmarks, a reduced map (overview), classes and parameters. The method is that of He & "
-            "Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks have no vector; the log shows "
-            "their number."
+            "Builds a reference database from a label map: its landmarks, and windows that are described by topology "
+            "vectors.\n\nThe GeoPackage contains windows, landmarks, a reduced map (overview), classes and "
+            "parameters. The method is that of He & Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three "
+            "landmarks have no vector."
         )
 
     def parameters(self) -> tuple[Declared, ...]:

@@ -49,11 +49,10 @@ class CheckAnnotation(AnnotationAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Finds errors in a land-cover layer before you make a label map of it. It finds invalid geometries, "
-            "undecided overlaps, duplicates, gaps, slivers, and missing or unknown classes. It also finds landmarks "
-            "that touch, are too small, or are lost, merged or split at a given pixel size.\n\nEach finding is a "
-            "feature with its kind, severity (error, warning, information), a message and the ids of the features. A "
-            "model can stop if the number of errors is not 0. “Repair land-cover layer” repairs most findings."
+            "Finds errors in a land-cover layer: invalid geometries, overlaps, duplicates, gaps, slivers, and missing "
+            "or unknown classes. It also finds landmarks that touch, are too small, or are lost, merged or split at a "
+            "pixel size.\n\nEach finding is a feature with a kind, a severity and a message. “Repair land-cover "
+            "layer” repairs most findings."
         )
 
     def parameters(self) -> tuple[Declared, ...]:

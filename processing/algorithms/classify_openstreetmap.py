@@ -58,10 +58,9 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
     def summary(self) -> str:
         return tr(
             "Converts polygons with OpenStreetMap tags to land cover: building, water, bare land, forest, cultivated "
-            "land, grass and built-up land. A priority decides which polygon is on top. Use the result in “Rasterize "
-            "land-cover layer” or “Land-cover layer to reference database”.\n\nThe input may be an extract (.osm, "
-            ".osm.pbf), a QuickOSM layer, a Geofabrik shapefile, or any layer with tags as columns or in one column. "
-            "A table of rules assigns classes to tags; you can select your own table."
+            "land, grass and built-up land. A priority decides which polygon is on top.\n\nThe input may be an "
+            "extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shapefile, or a layer with tags in columns. A "
+            "table of rules assigns classes to tags."
         )
 
     def parameters(self) -> tuple[Declared, ...]:

@@ -59,13 +59,10 @@ class CompareLabels(SemRefAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Compares a predicted label map with an annotated label map. The result is a confusion matrix, the IoU of "
-            "each class, the overall accuracy, and polygons where the maps disagree, the largest first.\n\nClasses "
-            "are matched by name, or by value if the maps share no names. Maps with different pixel sizes are "
-            "compared on the pixels of the annotated map. Pixels without annotation are not used; pixels without "
-            "prediction count as wrong.\n\nThe report also contains the class offset: the distance by which the model "
-            "shows each class off its true position. If you select the model, the offset is saved in a copy of it. "
-            "“Localize images” then corrects for it."
+            "Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall "
+            "accuracy, and polygons of the disagreements.\n\nClasses are matched by name, otherwise by value. Pixels "
+            "without prediction count as wrong. The class offset (the distance by which the model shows a class off "
+            "its position) can be saved in a copy of the model."
         )
 
     def parameters(self) -> tuple[Declared, ...]:

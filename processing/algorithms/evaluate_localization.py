@@ -90,12 +90,10 @@ class EvaluateLocalization(SemRefAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Tests a reference database with images of known position. The images are cut from a label map, rotated, "
-            "scaled, moved off the windows, given label errors, and localized with one or more methods.\n\nThe report "
-            "compares the methods: the two tables of He & Wu 2025, success by offset and errors, position errors, "
-            "false positions, and the reliability of the confidence. The same seed gives the same result. Use a label "
-            "map of another date than that of the database, with a map displacement of 0. A test on the map of the "
-            "database itself is too optimistic."
+            "Tests a reference database with images of known position. They are cut from a label map, rotated, "
+            "scaled, given label errors, and localized with one or more methods. The report compares the "
+            "methods.\n\nUse a label map of another date than that of the database, with a map displacement of 0. The "
+            "map of the database itself is too optimistic."
         )
 
     def parameters(self) -> tuple[Declared, ...]:

@@ -45,9 +45,9 @@ class ExportTrainingTiles(SemRefAlgorithm):
     def summary(self) -> str:
         return tr(
             "Cuts an image and its label map into tiles for training a segmentation network, with a class table, "
-            "statistics and a manifest.\n\nTraining and validation tiles are separated by location: whole blocks of "
-            "ground are set aside for validation, and no pixel is in both sets. Tiles without labels are left out. "
-            "Labels with other pixels are resampled to the image (nearest neighbor)."
+            "statistics and a manifest.\n\nWhole blocks of ground are set aside for validation, and no pixel is in "
+            "both sets. Tiles without labels are left out. Labels with other pixels are resampled to the image "
+            "(nearest neighbor)."
         )
 
     def parameters(self) -> tuple[Declared, ...]:

@@ -65,11 +65,10 @@ class LocalizeFlight(LocalizeAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Computes the track of a flight from all its images together. It combines the position of each image with "
-            "the motion between images. Images without a position of their own are placed too, and wrong positions "
-            "are outvoted.\n\nImages are ordered by time, or by name if a time is unknown. The motion is measured in "
-            "overlapping images, or read from an odometry table or a flight log. Without these the motion is "
-            "extrapolated and the error grows. An image that cannot be placed has a reason."
+            "Computes the track of a flight from the positions of its images and the motion between them. Images "
+            "without a position of their own are placed too, and wrong positions are outvoted.\n\nThe motion is "
+            "measured in overlapping images, or read from an odometry table or a flight log. Otherwise it is "
+            "extrapolated and the error grows."
         )
 
     def parameters(self) -> tuple[Declared, ...]:

@@ -52,10 +52,9 @@ class LocalizeImages(LocalizeAlgorithm):
     def summary(self) -> str:
         return tr(
             "Computes the positions of aerial images. The landmarks of each image are matched with a reference "
-            "database.\n\nEach image gives one row. A row without a position contains the reason. “Automatic” and "
-            "“Constellation” find images anywhere on the map and at any heading, and verify each position. “Published "
-            "method” finds only images that are centered on a window, and does not reject images of other areas. "
-            "Check its results."
+            "database.\n\nEach image gives one row; without a position it contains the reason. “Automatic” and "
+            "“Constellation” verify each position. “Published method” finds only images that are centered on a "
+            "window, and does not reject images of other areas."
         )
 
     def parameters(self) -> tuple[Declared, ...]:

@@ -36,9 +36,9 @@ class MakeClassTable(AnnotationAlgorithm):
     def summary(self) -> str:
         return tr(
             "Makes a class table for a land-cover layer, with a value, a color and a role for each class of the "
-            "layer.\n\nColors come from the categorized style of the layer, otherwise from the nomenclature, "
-            "otherwise from typical colors: blue for water, green for forest. Check the table before you use it. You "
-            "can edit it in all dialogs that ask for a class table, or in a spreadsheet."
+            "layer.\n\nColors come from the style of the layer, otherwise from the nomenclature, otherwise from "
+            "typical colors: blue for water, green for forest. Check the table before you use it; it can be edited in "
+            "SemRef or a spreadsheet."
         )
 
     def parameters(self) -> tuple[Declared, ...]:

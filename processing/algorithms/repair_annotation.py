@@ -42,11 +42,10 @@ class RepairAnnotation(AnnotationAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Repairs a land-cover layer. Geometries become valid, each overlap goes to one polygon, and touching "
-            "polygons of one class are merged. Small gaps and slivers go to the neighbor with the longest shared "
-            "border. The result has one polygon for each landmark.\n\nIn an overlap the polygon with the higher "
-            "priority is kept, otherwise the smaller polygon, otherwise the lower class value. Each polygon keeps the "
-            "attributes of the feature that covers most of it. A second repair changes nothing."
+            "Repairs a land-cover layer, so that each landmark is one polygon. Geometries become valid, touching "
+            "polygons of one class are merged, and small gaps and slivers go to a neighbor.\n\nIn an overlap the "
+            "polygon with the higher priority is kept, otherwise the smaller polygon. Each polygon keeps the "
+            "attributes of the feature that covers most of it."
         )
 
     def parameters(self) -> tuple[Declared, ...]:

@@ -66,9 +66,9 @@ class SegmentImage(SemRefAlgorithm):
     def summary(self) -> str:
         return tr(
             "Makes a label map from a photo or orthophoto with a segmentation model (ONNX).\n\nThe image is resampled "
-            "to the resolution of the model if both resolutions are known, and processed in overlapping tiles without "
-            "visible seams. The label map has the georeference of the image and the classes of the model.\n\nQGIS "
-            "draws map tiles and web maps at the resolution of the model, within the given extent."
+            "to the resolution of the model if both are known, and processed in overlapping tiles. The label map has "
+            "the georeference of the image and the classes of the model. QGIS draws map tiles and web maps within the "
+            "given extent."
         )
 
     def parameters(self) -> tuple[Declared, ...]:

@@ -83,10 +83,9 @@ class TrainModel(AnnotationAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Trains a segmentation model on an orthophoto and a land-cover layer or label map of the same ground. The "
-            "result is an ONNX file for “Segment image” and “Localize images”, and a report.\n\nPart of the ground is "
-            "set aside to test the model. Training needs the training environment: install it under Settings ▸ "
-            "Options ▸ SemRef, or select a Python with torch. To continue a canceled run, run it again with the same "
+            "Trains a segmentation model (ONNX) on an orthophoto and a land-cover layer or label map of the same "
+            "ground. Part of the ground is set aside to test the model.\n\nTraining needs the training environment: "
+            "install it under Settings ▸ Options ▸ SemRef. To continue a canceled run, run it again with the same "
             "output."
         )
 

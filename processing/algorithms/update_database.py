@@ -52,8 +52,8 @@ class UpdateDatabase(SemRefAlgorithm):
         return tr(
             "Updates a reference database after its label map was corrected. The result is the same as a new build, "
             "but only windows and landmarks near the changes are computed.\n\nAll settings come from the database. "
-            "Unchanged rows keep their fid; new landmarks are added at the end. The label map must have the same "
-            "pixels, CRS and classes as the old label map."
+            "Unchanged rows keep their fid. The label map must have the same pixels, CRS and classes as the old label "
+            "map."
         )
 
     def parameters(self) -> tuple[Declared, ...]:

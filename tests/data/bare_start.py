@@ -1,6 +1,6 @@
 """Run by tests/qgis/test_bare_start.py with bare/ on PYTHONPATH: starts the plugin, prints what went wrong as JSON.
 
-A module that cannot be imported is told with the chain of imports that led to it.
+A module that cannot be imported is listed with the chain of imports that led to it.
 """
 
 import importlib
@@ -39,7 +39,7 @@ def import_all():
 
 
 def refusals(algorithm):
-    """What QGIS is told by the toolbox, by a check of parameters and by a run; empty where it may run."""
+    """Return the messages of the toolbox, of a check of parameters and of a run; empty if it may run."""
     from qgis.core import (
         QgsProcessingContext,
         QgsProcessingException,
@@ -110,7 +110,7 @@ def started():
 
 def main():
     sys.excepthook = note
-    # Python puts the script's folder first; nothing of it may stand in for the plugin's or QGIS's.
+    # Python puts the script's folder first; nothing in it may replace modules of the plugin or QGIS.
     sys.path[:] = [*sys.path[1:], sys.path[0], str(ROOT / "tools")]
     os.environ["QGIS_CUSTOM_CONFIG_PATH"] = tempfile.mkdtemp()
     from qgis.core import QgsApplication

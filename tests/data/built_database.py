@@ -57,7 +57,7 @@ def columns_of(layer) -> str:
 
 
 def content(database) -> dict:
-    """All rows of the tables that the format defines; the time of building is none of them."""
+    """Return all rows of the tables of the format, without the time of building."""
     with contextlib.closing(sqlite3.connect(f"file:{database}?mode=ro", uri=True)) as connection:
         return {name: connection.execute(f'SELECT * FROM "{name}" ORDER BY fid').fetchall() for name in LAYERS}
 

@@ -115,12 +115,12 @@ def messages(iface) -> list[str]:
 
 
 def shown_outline(iface):
-    """Extent of the outline on the canvas in the canvas's CRS, None when there is none."""
+    """Return the extent of the outline on the canvas in the canvas's CRS; None without an outline."""
     from qgis.gui import QgsRubberBand
 
     bands = [item for item in iface.canvas.scene().items() if isinstance(item, QgsRubberBand)]
     extents = [band.asGeometry().boundingBox() for band in bands if band.numberOfVertices()]
-    # The heading's arrow and the error's circle lie inside the outline.
+    # The heading's arrow and the error's circle are inside the outline.
     return max(extents, key=lambda extent: extent.width()) if extents else None
 
 

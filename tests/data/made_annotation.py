@@ -11,7 +11,7 @@ WEST, SOUTH = 550_000.0, 5_220_000.0
 
 
 def feature(geometry, class_value: int = 1, priority: float = 0.0, feature_id: int = 0) -> AnnotatedFeature:
-    """A feature; ``geometry`` counts from WEST, SOUTH, None for none."""
+    """Return a feature; ``geometry`` counts from WEST, SOUTH; it may be None."""
     if geometry is None:
         return AnnotatedFeature(feature_id, None, class_value, priority)
     return AnnotatedFeature(feature_id, shapely.to_wkb(moved(geometry)), class_value, priority)

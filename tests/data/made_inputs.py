@@ -116,7 +116,7 @@ def read_pixels(path) -> np.ndarray:
 
 
 def scattered_objects(height: int, width: int, count: int, seed: int, background: int = 4) -> np.ndarray:
-    """(H, W) uint8 labels: ``count`` rectangles of classes 1 to 3, none touching another, on ``background``."""
+    """Return (H, W) uint8 labels: ``count`` separate rectangles of classes 1 to 3 on ``background``."""
     random = np.random.default_rng(seed)
     labels = np.full((height, width), background, np.uint8)
     placed = 0
@@ -131,7 +131,7 @@ def scattered_objects(height: int, width: int, count: int, seed: int, background
 
 
 def landmarks_in_the_west() -> np.ndarray:
-    """(500, 800) uint8 labels with 260 landmarks placed, and none from column 500 on."""
+    """Return (500, 800) uint8 labels with 260 landmarks, all left of column 500."""
     labels = scattered_objects(500, 800, 260, seed=11)
     labels[:, 500:] = 4
     return labels

@@ -60,6 +60,6 @@ def write_model(path: Path, network=None, *, size=("height", "width"), classes="
 
 
 def painted(labels_hw: np.ndarray, names=(None, *NAMES)) -> np.ndarray:
-    """(H, W, 3) uint8 photo of labels 1, 2, 3, with grey where there is none."""
+    """Return an (H, W, 3) uint8 photo of labels 1, 2, 3, with gray elsewhere."""
     palette = np.array([(90, 90, 90) if name is None else RGB[name] for name in names], np.uint8)
     return palette[labels_hw]

@@ -1,4 +1,4 @@
-"""A program that stands in for the Python that trains: it answers as the training does, and hands over a model."""
+"""A program that replaces the training environment: it answers as the training does, and writes a model."""
 
 from __future__ import annotations
 

@@ -33,7 +33,7 @@ class StandIn(metaclass=StandInType):
 
 
 def install(profile: str) -> None:
-    """Puts the modules into ``sys.modules``; ``profile`` is the folder that QGIS's settings would lie in."""
+    """Put the modules into ``sys.modules``; ``profile`` is the folder of QGIS's settings."""
     qt = {
         name: importlib.import_module(f"PyQt6.{name}")
         for name in ("QtCore", "QtGui", "QtWidgets", "QtNetwork", "QtXml")
@@ -55,7 +55,7 @@ def install(profile: str) -> None:
 
 
 def module_of(name: str, classes: dict[str, object]) -> types.ModuleType:
-    """A module with these names, and stand-ins for all others."""
+    """Return a module with these names, and replacements for all others."""
 
     def __getattr__(asked: str) -> object:
         if asked.startswith("__"):

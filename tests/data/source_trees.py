@@ -10,7 +10,7 @@ from pathlib import Path
 
 @functools.cache
 def tree_of(path: Path) -> ast.Module:
-    """The file's tree; whoever reads it must not change it."""
+    """Return the file's tree, which must not be changed."""
     return ast.parse(path.read_text(encoding="utf-8"))
 
 

@@ -77,7 +77,7 @@ class InterfaceStandIn:
         self.options_pages_shown.append(page)
 
     def newProject(self, promptToSaveFlag=False):
-        """As a user whose answer to the question whether to save is `lets_projects_go`."""
+        """The user's answer to the question whether to save is `lets_projects_go`."""
         if self.lets_projects_go:
             QgsProject.instance().clear()
         return self.lets_projects_go

@@ -1,4 +1,4 @@
-"""A server of map tiles on loopback whose ground is known everywhere: squares of three colors in EPSG:3857."""
+"""A server of map tiles on loopback with known ground everywhere: squares of three colors in EPSG:3857."""
 
 from __future__ import annotations
 

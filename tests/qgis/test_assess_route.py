@@ -216,7 +216,7 @@ def test_the_report_has_a_map_of_the_route_on_the_layers_that_were_given(assesse
     picture = QImage.fromData(base64.b64decode(re.search(r'href="data:image/jpeg;base64,([^"]+)"', text)[1]))
     height = float(re.search(r'viewBox="0 0 960 (\d+)" role="img" aria-label="Map of the route"', text)[1])
     assert (picture.width(), picture.height()) == (1920, 2 * height)
-    # The square lies across the route's middle, on the map.
+    # The square covers the middle of the route, on the map.
     middle, beside = (picture.pixelColor(x, picture.height() // 2 + 30) for x in (820, 1300))
     assert middle != beside and (middle.red(), middle.green()) != (255, 255)
 
@@ -258,7 +258,7 @@ def test_the_layer_brings_its_style(assessed):
 
 @pytest.mark.slow
 def test_a_stretch_beside_landmarks_is_hinted_there(run_algorithm, database, tmp_path, feedback):
-    # Northwards along the empty east: the landmarks lie to the left.
+    # Northwards along the empty east: the landmarks are to the left.
     layer = write_layer(tmp_path / "route.gpkg", [(line([(640, 400), (640, 100)]), "a")])
     parameters = {
         "DATABASE": database,

@@ -1,4 +1,4 @@
-"""The plugin starts in a QGIS that has none of the packages that SemRef asks for; a process hides them."""
+"""The plugin starts in a QGIS without the packages that SemRef needs; a process hides them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""semref:checkannotation: what is wrong with a layer is told as features, and agrees with what rasterizing does."""
+"""semref:checkannotation: errors of a layer become features, and agree with what rasterizing does."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ CHECK, RASTERIZE = "semref:checkannotation", "semref:rasterizeannotation"
 
 @pytest.fixture
 def check(run_algorithm, feedback, tmp_path):
-    """`check(layer, **parameters)` gives the results; the issues lie in tmp_path/issues.gpkg."""
+    """`check(layer, **parameters)` returns the results; the issues are in tmp_path/issues.gpkg."""
 
     def run(layer, **parameters):
         source = str(layer) if isinstance(layer, Path) else layer

@@ -1,4 +1,4 @@
-"""Polygons of one class, which is given by its name: no field tells it."""
+"""Polygons of one class, which is given by its name without a field."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ RASTERIZE = "semref:rasterizeannotation"
 
 @pytest.fixture
 def houses(tmp_path):
-    """A layer of 25 squares whose only field numbers them."""
+    """A layer of 25 squares with one field that numbers them."""
     features = [(square(70 * (n % 5), 70 * (n // 5) + 3 * n % 17, 12), n) for n in range(25)]
     return str(write_layer(tmp_path / "houses.gpkg", features, [("osm_id", "integer")]))
 

@@ -100,7 +100,7 @@ def test_polygons_that_cross_themselves_are_kept_for_repair(run_algorithm, tmp_p
 
 def test_a_layer_without_known_tags_is_refused_with_its_columns(run_algorithm, tmp_path):
     layer = layer_of("field=height:double", (3.5,))
-    with pytest.raises(QgsProcessingException, match="its columns are height"):
+    with pytest.raises(QgsProcessingException, match="Its columns are: height"):
         run_algorithm(CLASSIFY, {"INPUT": layer, "OUTPUT": str(tmp_path / "cover.gpkg")})
     assert not (tmp_path / "cover.gpkg").exists()
 

@@ -165,7 +165,7 @@ def test_a_photo_is_no_prediction(compare, tmp_path):
 
 @pytest.fixture
 def shifted(tmp_path):
-    """(annotated map, predicted map whose buildings lie 2 pixels right and 1 down), pixels of half a meter."""
+    """(annotated map, predicted map with buildings 2 pixels right and 1 down), pixels of half a meter."""
     rng = np.random.default_rng(5)
     true = scattered_objects(700, 1600, 900, seed=6)
     moved = displace(true, LabelNoise(class_shifts=((1, 2.0, 1.0),)), rng)

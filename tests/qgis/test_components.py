@@ -33,7 +33,7 @@ BROKEN = Package("Broken", "semref_broken", "semref-broken")
 
 
 def make_wheel(folder: Path, package: Package, code: str, pip_name: str = "") -> None:
-    """A wheel of one module; it asks for another numpy, which must not be heeded."""
+    """A wheel of one module; it requires another numpy, which must be ignored."""
     name = (pip_name or package.pip_name).replace("-", "_")
     information = f"{name}-1.0.dist-info"
     metadata = f"Metadata-Version: 2.1\nName: {pip_name or package.pip_name}\nVersion: 1.0\nRequires-Dist: numpy>=9\n"
@@ -70,7 +70,7 @@ def root(qgis_app, tmp_path, monkeypatch) -> Path:
 
 @pytest.fixture
 def installer(qgis_app):
-    """What was said is in `.ends`."""
+    """The messages are in `.ends`."""
     made = ComponentInstaller()
     made.ends = []
     made.installed.connect(lambda: made.ends.append("installed"))
@@ -91,7 +91,7 @@ def end_of(installer) -> str:
 
 
 def python_that_answers(folder: Path, script: str) -> str:
-    """A stand-in for QGIS's Python."""
+    """A program that replaces QGIS's Python."""
     path = folder / "python3"
     path.write_text(f"#!/bin/sh\n{script}\n")
     path.chmod(0o755)
@@ -99,7 +99,7 @@ def python_that_answers(folder: Path, script: str) -> str:
 
 
 def is_tidy(root: Path) -> bool:
-    """Whether no package and nothing half done lies there."""
+    """Return whether the folder contains no package and nothing incomplete."""
     return not root.exists() or [path for path in root.rglob("*") if path.name.startswith(".") or path.is_file()] == []
 
 

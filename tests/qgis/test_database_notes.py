@@ -1,4 +1,4 @@
-"""What a reference database tells about itself: what made it, of what, and under which licenses."""
+"""Metadata of a reference database: its history, its sources and their licenses."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def test_the_history_of_many_updates_keeps_the_first_line_and_the_newest_ones(qg
     for number in range(120):
         lines = history_after(lines)
         assert len(lines) == (number + 2 if number < 49 else 51)
-        # The lines are told apart by the number of their run.
+        # The number of their run distinguishes the lines.
         lines[-1] = f"update {number}"
     assert lines[:2] == ["built", "…"]
     assert lines[2:] == [f"update {number}" for number in range(71, 120)]

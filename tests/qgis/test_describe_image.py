@@ -1,4 +1,4 @@
-"""semref:describeimage: the landmarks lie on the objects of the image, and the vector is the one that is matched."""
+"""semref:describeimage: the landmarks are on the objects of the image, and the vector is the one that is matched."""
 
 from __future__ import annotations
 
@@ -97,7 +97,7 @@ def test_fewer_than_three_landmarks_give_no_vector_with_a_note(describe, tmp_pat
     found, vector, _ = describe(write_raster(tmp_path / "image.png", labels, transform=None))
     assert [(row["column"], row["row"]) for row in found] == [(15, 15), (45, 45)]
     assert vector["vector"] is None and vector["distance_ratios"] is None
-    assert "Fewer than three landmarks" in feedback.textLog()
+    assert "fewer than three landmarks" in feedback.textLog()
 
 
 def test_with_a_database_the_image_is_described_as_its_windows_are(describe, run_algorithm, tmp_path):

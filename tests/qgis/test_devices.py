@@ -1,4 +1,4 @@
-"""The device of the options: kept, heeded by algorithms, told with its pace, and never replaced without a word."""
+"""The device of the options: stored, used by algorithms, logged with its speed, and never replaced silently."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def test_device_and_speed_are_reported(segment, feedback):
     devices.choose_device("cpu")
     found = segment()
     assert found["DEVICE"] == "CPU" and found["TILES_PER_SECOND"] > 0
-    assert "6 tiles in" in feedback.textLog() and "a second on CPU" in feedback.textLog()
+    assert "6 tiles in" in feedback.textLog() and "per second) on CPU" in feedback.textLog()
 
 
 def test_a_missing_device_is_reported_in_log_and_result(segment, feedback, monkeypatch):

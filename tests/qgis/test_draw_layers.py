@@ -249,7 +249,7 @@ def test_outside_of_a_mask_a_layer_that_is_tried_has_no_labels(run_algorithm, da
     )
     positions = ogr.Open(result["OUTPUT"])
     (row,) = (feature.items() for feature in positions.GetLayer(0))
-    # The middle of what lies around the polygon.
+    # The middle of the area around the polygon.
     assert (row["x"], row["y"]) == pytest.approx((WEST + 500, NORTH - 540), abs=2)
     (made,) = (tmp_path / "labels").glob("*.tif")
     labels = read_pixels(made)

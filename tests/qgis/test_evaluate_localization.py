@@ -154,7 +154,7 @@ def refused(evaluate, **parameters):
 def test_a_map_in_another_crs_is_refused_with_both(evaluate, tmp_path):
     path = write_raster(tmp_path / "other.tif", LABELS, names=NAMES, crs=METRIC_CRS + 1)
     message = refused(evaluate, LABELS=str(path))
-    assert "EPSG:32633" in message and "EPSG:32632" in message and "warp" in message
+    assert "EPSG:32633" in message and "EPSG:32632" in message and "Warp" in message
 
 
 @pytest.mark.parametrize(
@@ -163,7 +163,7 @@ def test_a_map_in_another_crs_is_refused_with_both(evaluate, tmp_path):
         ({"SCALE": "1.2,0.8"}, "range of scale is 1.2 to 0.8"),
         ({"MISSED": "0,120"}, "range of missed is 0 to 120"),
         ({"OFFSET": "0,0.7"}, "range of offset is 0 to 0.7"),
-        ({"RAGGED": "a,b"}, "RAGGED"),
+        ({"RAGGED": "a,b"}, "Boundary jitter"),
         ({"MINIMUM_REFERENCES": 999}, "at least 999 landmarks"),
     ],
 )

@@ -153,7 +153,7 @@ def test_an_older_onboard_file_is_replaced_with_a_note(export, feedback):
 
 @pytest.mark.parametrize(
     ("content", "reason"),
-    [(b"measurements", "is another kind of file"), (b"PK\x03\x04 somebody's archive", "is no onboard file")],
+    [(b"measurements", "is another kind of file"), (b"PK\x03\x04 somebody's archive", "is not an onboard file")],
 )
 def test_any_other_file_is_not_replaced(export, tmp_path, content, reason):
     (tmp_path / "area.npz").write_bytes(content)

@@ -1,4 +1,4 @@
-"""semref:exporttrainingtiles: image and labels fit, training and validation lie apart, numbers in the manifest hold."""
+"""semref:exporttrainingtiles: image and labels fit, training and validation are separate, the manifest is correct."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ LABELS = scattered_objects(HEIGHT, WIDTH, 150, seed=5)
 
 
 def photo_of(labels: np.ndarray, kind=np.uint8, bands: int = 3) -> np.ndarray:
-    """(bands, H, W): a value in each band from which the label can be told, with the pixel's place mixed in."""
+    """(bands, H, W): a value in each band that determines the label, combined with the pixel's position."""
     place = np.add.outer(np.arange(labels.shape[0]), np.arange(labels.shape[1])) % 7
     factor = np.iinfo(kind).max // 300 + 1
     return np.stack([(labels * 20 + place + band) * factor for band in range(bands)]).astype(kind)

@@ -226,7 +226,7 @@ def die_at(count: int, work) -> bool:
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
 @pytest.mark.parametrize("with_older", [True, False])
 def test_a_kill_at_any_moment_leaves_each_output_whole_and_the_next_run_works(tmp_path, monkeypatch, with_older):
-    # Only a power cut would tell, and waiting for the disk takes most of the time.
+    # Only a power cut would show the difference, and waiting for the disk takes most of the time.
     monkeypatch.setattr(os, "fsync", lambda _: None)
     names = ("a.tif", "a.tif.aux.xml", "b.csv")
 
@@ -366,7 +366,7 @@ def test_a_database_to_which_the_user_added_a_layer_is_not_built_over(run_algori
 
 @pytest.mark.parametrize("output", ["{}|layername=windows", "{}|layerid=0", "{}|LayerName=new"])
 def test_a_layer_of_a_file_as_output_is_refused_with_the_reason(run_algorithm, given, output):
-    """It was said that the disk is full."""
+    """The message was that the disk is full."""
     area = given / "area.gpkg"
     before = area.read_bytes()
     for writer in ("localize", "build", "rasterize"):

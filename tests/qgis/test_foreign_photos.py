@@ -1,4 +1,4 @@
-"""Images of another continent on a map of buildings only: no position, and no two places that could be told apart."""
+"""Images of another continent on a map of buildings only: no position, and no two places to choose between."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""semref:georeferenceimages: images of fixes lie where they were taken, in every format, and the others are named."""
+"""semref:georeferenceimages: images get the place where they were taken in every format; the others are named."""
 
 from __future__ import annotations
 

@@ -57,7 +57,7 @@ def read(qgis_app):
 
 
 def spoil(path, *statements) -> None:
-    """Changes a database as its maker would have, without checksums that would tell."""
+    """Change a database as its maker could, without checksums that would show the change."""
     with contextlib.closing(sqlite3.connect(path)) as connection, connection:
         connection.execute("DELETE FROM parameters WHERE key = 'checksums'")
         # GDAL's triggers ask for its functions.

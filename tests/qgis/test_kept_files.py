@@ -1,4 +1,4 @@
-"""Files that earlier versions wrote open for ever: what tests/data/kept holds is never made anew."""
+"""Files of earlier versions open forever: tests/data/kept is never made again."""
 
 import gzip
 from pathlib import Path

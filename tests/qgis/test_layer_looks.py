@@ -251,7 +251,7 @@ def test_a_layer_has_a_title_a_history_and_the_license_of_its_source(annotation,
 
 @pytest.mark.parametrize("name", ["target", "zipcodes"])
 def test_a_name_that_reads_like_an_archive_is_one_as_any(annotation, run_algorithm, tmp_path, name, monkeypatch):
-    """QGIS looks for an archive where a dot stands before zip, tar or gz: outputs lie beside such names for a while."""
+    """QGIS looks for an archive at a dot before zip, tar or gz: outputs have such names for a while."""
     monkeypatch.setattr(tempfile, "_get_candidate_names", lambda: (f"gz{n}" for n in itertools.count()))
     out = str(tmp_path / f"{name}.gpkg")
     run_algorithm("semref:repairannotation", {"INPUT": annotation, "CLASS_FIELD": "class", "OUTPUT": out})

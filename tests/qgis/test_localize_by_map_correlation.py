@@ -79,7 +79,7 @@ def test_automatic_finds_it_where_landmarks_are_too_poor(localize):
 
 @pytest.fixture
 def database_without_overview(database, tmp_path):
-    """As a database whose overview is lost."""
+    """A database that lost its overview."""
     path = shutil.copy(database, tmp_path / "old.gpkg")
     with contextlib.closing(sqlite3.connect(path)) as connection, connection:
         connection.execute("DELETE FROM gpkg_contents WHERE table_name = 'overview'")

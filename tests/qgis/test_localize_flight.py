@@ -194,7 +194,7 @@ def test_headings_of_a_log_narrow_the_search(localize, flight, tmp_path):
 
 @pytest.mark.parametrize(
     ("text", "sentence"),
-    [("no log", "not a supported flight log"), (geo(["other.png"]), "tells nothing of these images")],
+    [("no log", "not a supported flight log"), (geo(["other.png"]), "contains no entry for these images")],
 )
 def test_what_is_no_log_of_this_flight_is_refused(localize, tmp_path, text, sentence):
     with pytest.raises(QgsProcessingException, match=sentence):

@@ -1,4 +1,4 @@
-"""semref:localizeimages: one row an image, with its position or with the reason why there is none."""
+"""semref:localizeimages: one row per image, with its position or the reason why it is missing."""
 
 from __future__ import annotations
 
@@ -171,7 +171,7 @@ def test_a_bad_image_gives_a_row_with_its_reason_and_does_not_stop_the_others(lo
 
 @pytest.fixture
 def three(tmp_path):
-    """A folder with three images and what else lies in folders."""
+    """A folder with three images and other files that folders contain."""
     folder = tmp_path / "flight"
     folder.mkdir()
     paths = [image(folder, name, window(40 * n, 40 * n)) for n, name in enumerate(["a.png", "b.tif", "c.png"])]

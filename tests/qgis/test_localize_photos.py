@@ -21,7 +21,7 @@ NAMES = ["unlabeled", "water", "Building", "bare_land"]
 """Other values than the model's channels, and another spelling."""
 LABELS = scattered_objects(500, 600, 380, seed=7, background=0)
 TO_MODEL = np.array([0, 2, 1, 3], np.uint8)
-"""Label of this map → color of made_models, whose first class is building."""
+"""Label of this map → color of made_models, where the first class is building."""
 
 
 CLASSES = ["ground", "building", "water", "bare_land"]
@@ -102,12 +102,14 @@ def test_photos_without_a_model_get_a_warning(localize, tmp_path, feedback):
     photo, plain = tmp_path / "a.jpg", write_raster(tmp_path / "a.png", photo_of(LABELS[:SIZE, :SIZE]), transform=None)
     gdal.Translate(str(photo), str(plain), format="JPEG")
     localize([photo], MODEL=None)
-    assert "These are photos: choose a model. Otherwise colors are taken for classes." in feedback.textLog()
+    assert (
+        "The images are photos, but no model is selected. Their colors are read as class colors." in feedback.textLog()
+    )
     label_image = write_raster(tmp_path / "b.png", LABELS[:SIZE, :SIZE], transform=None)
-    before = feedback.textLog().count("These are photos")
+    before = feedback.textLog().count("The images are photos")
     localize([label_image], MODEL=None)
     localize([photo])
-    assert feedback.textLog().count("These are photos") == before
+    assert feedback.textLog().count("The images are photos") == before
 
 
 def test_a_model_without_the_databases_classes_is_refused(localize, tmp_path):

@@ -77,7 +77,7 @@ def test_presets_are_class_tables_whose_colors_differ_and_that_have_landmarks(pr
 
 
 def test_a_layer_without_classes_or_an_unknown_reference_class_is_refused(made, tmp_path):
-    with pytest.raises(QgsProcessingException, match="REFERENCE_CLASSES"):
+    with pytest.raises(QgsProcessingException, match="Reference classes"):
         made(layer_of(tmp_path, "water"), REFERENCE_CLASSES="lava")
     (tmp_path / "empty").mkdir()
     with pytest.raises(QgsProcessingException, match="class"):

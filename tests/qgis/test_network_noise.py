@@ -17,7 +17,7 @@ NOISE = LabelNoise(missed=0.25, jitter=1.0)
 
 @pytest.fixture(scope="module")
 def report(run_algorithm, tmp_path_factory):
-    """Of a map whose landmarks were missed and got ragged edges."""
+    """A map with missed landmarks and boundary jitter."""
     folder = tmp_path_factory.mktemp("compared")
     labels = scattered_objects(900, 900, 450, seed=3)
     spoiled = spoil_labels(labels, NOISE, np.random.default_rng(2), (1, 2, 3), minimum_area_px=50)

@@ -133,7 +133,7 @@ def test_a_route_layer_off_the_earth_is_refused(qgis_app, tmp_path, place):
     (tmp_path / "odd.gpx").write_text(text, encoding="ascii")
     with pytest.raises(SemRefError) as refused:
         read_waypoint_file(str(tmp_path / "odd.gpx"))
-    assert "no latitude, longitude" in one_sentence(refused)
+    assert "not a valid latitude and longitude" in one_sentence(refused)
 
 
 @pytest.mark.parametrize("value", [float("nan"), float("inf"), "nan", "-inf"])

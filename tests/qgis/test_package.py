@@ -31,7 +31,7 @@ def make_package(repository: Path, target: Path) -> None:
 
 @pytest.fixture(scope="module")
 def qgis_process(package, tmp_path_factory):
-    """`qgis_process(*arguments)` runs it as a user whose fresh profile has the unpacked plugin, and gives its JSON."""
+    """`qgis_process(*arguments)` runs in a fresh profile with the unpacked plugin and returns its JSON."""
     # Debian 12's wrapper qgis_process passes on an option that its own qgis_process.bin does not know.
     program = shutil.which("qgis_process.bin") or shutil.which("qgis_process")
     if program is None:

@@ -1,4 +1,4 @@
-"""What photos say of where they were taken: told where that is far from the database's ground, and used for nothing."""
+"""GPS positions of photos: reported if they are far from the database's ground, and never used to localize."""
 
 from __future__ import annotations
 
@@ -128,7 +128,7 @@ def test_photos_taken_far_away_show_the_distance_with_their_reason(
     images.append(str(write_raster(tmp_path / "empty_silent.png", empty, transform=None)))
     given = {"DATABASE": database, "IMAGES": images, "METHOD": 2, "OUTPUT": str(tmp_path / "positions.gpkg")}
     results = run_algorithm(algorithm, given, feedback)
-    source = ogr.Open(results["OUTPUT"])  # a layer does not keep what it lies in
+    source = ogr.Open(results["OUTPUT"])  # a layer does not own its file
     rows = [feature.items() for feature in source.GetLayer(0)]
     reasons = {Path(row["image"]).stem: row["reason"] or "" for row in rows}
     status = {Path(row["image"]).stem: row["status"] for row in rows}

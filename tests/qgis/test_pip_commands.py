@@ -1,4 +1,4 @@
-"""What is asked of pip for missing packages, and what its failures are told as."""
+"""The commands for pip that install missing packages, and the messages about its failures."""
 
 from __future__ import annotations
 
@@ -97,7 +97,10 @@ def test_the_proxy_is_that_of_qgis(proxy, url):
         ("ERROR: Missing dependencies for SOCKS support.", "SOCKS proxy"),
         ("OSError: [Errno 28] No space left on device", "disk is full"),
         ("ERROR: No matching distribution found for a<2", "The package index contains no a<2"),
-        ("ERROR: THESE PACKAGES DO NOT MATCH THE HASHES FROM THE REQUIREMENTS FILE. …", "gave another file for a<2"),
+        (
+            "ERROR: THESE PACKAGES DO NOT MATCH THE HASHES FROM THE REQUIREMENTS FILE. …",
+            "sent a different file for a<2",
+        ),
         ("one\nERROR: something else.\n\n", "pip could not install a<2: something else."),
     ],
 )

@@ -121,7 +121,7 @@ def told_by(*command: str) -> str:
 
 @pytest.fixture(scope="module")
 def opened(written) -> dict:
-    """What a QGIS without the plugin tells of each layer, by file or source."""
+    """Metadata that a QGIS without the plugin shows of each layer, by file or source."""
     database = written / "database.gpkg"
     tables = [f"{database}|layername={name}" for name in ("windows", "references")]
     files = [str(written / f"{name}.gpkg") for name in VECTORS]

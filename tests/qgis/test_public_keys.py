@@ -53,7 +53,7 @@ def described(parameter) -> dict:
 
 
 def without_null(parameter: dict) -> dict:
-    """A file without a suffix of its own has none, NULL or nothing: it depends on the version of QGIS."""
+    """A file without a suffix has no default suffix, NULL or an empty one: it depends on the version of QGIS."""
     return {**parameter, "extension": parameter.get("extension") or ""}
 
 
@@ -81,7 +81,7 @@ def as_text(recorded: dict) -> str:
 
 def test_every_recorded_key_is_there_as_it_was(algorithms, repository):
     file = repository / "tests" / "data" / "public_keys.json"
-    # As JSON tells it; what it does not know are NULLs of Qt.
+    # As JSON; unknown values are NULLs of Qt.
     now = json.loads(json.dumps(recorded(algorithms), default=lambda null: None))
     if os.environ.get("SEMREF_RECORD"):
         file.write_text(as_text(now), encoding="utf-8")

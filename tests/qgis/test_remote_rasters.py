@@ -113,7 +113,7 @@ def test_a_photo_on_a_server_is_localized_as_one_on_the_disk(run_algorithm, mode
     for name in (str, served):
         given = {"DATABASE": database, "MODEL": model, "IMAGES": [name(file)], "METHOD": 2}
         found = run_algorithm("semref:localizeimages", {**given, "OUTPUT": str(tmp_path / f"{len(rows)}.gpkg")})
-        source = ogr.Open(found["OUTPUT"])  # a layer does not keep what it lies in
+        source = ogr.Open(found["OUTPUT"])  # a layer does not own its file
         rows += [feature.items() for feature in source.GetLayer(0)]
     near, far = rows
     assert near["status"] == far["status"] == "fix"

@@ -1,4 +1,4 @@
-"""From a new orthophoto to an updated database, as docs/how-to/build_and_update.md shows, with the models that ship."""
+"""From a new orthophoto to an updated database with the plugin's models, as in docs/how-to/build_and_update.md."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def folder(run_algorithm, tmp_path_factory):
 
 
 def forget_building(folder, extent):
-    """Writes wrong.gpkg, the annotation without the largest building that lies well inside the extent."""
+    """Write wrong.gpkg, the layer without the largest building well inside the extent."""
     gdal.VectorTranslate(str(folder / "wrong.gpkg"), str(folder / "landcover.shp"), geometryType="MULTIPOLYGON")
     source = ogr.Open(str(folder / "wrong.gpkg"), update=1)
     layer = source.GetLayer(0)
@@ -135,7 +135,7 @@ def test_what_the_annotation_lacks_is_found_and_the_correction_reaches_the_datab
     assert found[0]["annotated_class"] != BUILDING.name
     # The annotator draws the building, and marks the place as done.
     done = str(tmp_path / "done.gpkg")
-    # By name: the style and what the layer tells of itself lie in tables beside it.
+    # By name: the style and the metadata of the layer are in other tables of the file.
     chosen = {"layers": [layer.GetName()], "where": f"fid = {found[0].GetFID()}"}
     gdal.VectorTranslate(done, results["compare:Disagreements"], **chosen)
     results = apply(run_algorithm, folder, tmp_path, CHANGED=done)

@@ -103,7 +103,7 @@ def tables(path: str) -> dict:
 
 
 def canonical(cell):
-    """Styles and what layers tell of themselves, with their XML attributes in order and without what is new every time.
+    """Return styles and metadata of layers, with their XML attributes in order and without what differs each time.
 
     That is ids and keys of rules, which Qt and QGIS make up, and the call with its time and paths, which made a layer.
     """

@@ -29,7 +29,7 @@ def database(build_area):
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """Label images that are found, one without landmarks, one that is none, and one held at a tilt."""
+    """Label images that are found, one without landmarks, one that is not an image, and one of a tilted camera."""
     folder = tmp_path_factory.mktemp("images")
     for n, (row, column) in enumerate([(40, 60), (180, 320), (300, 200), (90, 400)]):
         write_raster(folder / f"image_{n}.png", LABELS[row : row + SIZE, column : column + SIZE], transform=None)
@@ -91,7 +91,7 @@ def test_workers_localize_photos_by_the_network_that_qgis_takes(run_algorithm, d
     model = write_model(tmp_path / "colors.onnx", metadata=metadata(resolution_m=1.0))
     for n, (row, column) in enumerate([(40, 60), (180, 320)]):
         pixels = np.moveaxis(painted(LABELS[row : row + SIZE, column : column + SIZE]), 2, 0)
-        # One whose pixels must be measured in degrees, one that tells none.
+        # One with pixels in degrees, one without a pixel size.
         place = {"transform": (9.5, 1e-5, 0, 47.2, 0, -7e-6), "crs": 4326} if n else {"transform": None}
         write_raster(tmp_path / f"photo_{n}.tif", pixels, **place)
     cameras = tmp_path / "cameras.csv"

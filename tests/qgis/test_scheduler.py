@@ -1,4 +1,4 @@
-"""SCHEDULER: what QGIS does itself, workers do alike; without Dask it is said what to install."""
+"""SCHEDULER: workers give the same results as QGIS; without Dask the message names its installation."""
 
 from __future__ import annotations
 

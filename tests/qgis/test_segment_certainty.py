@@ -1,4 +1,4 @@
-"""semref:segmentimage: what lies outside a mask, and how sure the network is, as rasters."""
+"""semref:segmentimage: the mask, and the confidence of the network as rasters."""
 
 from __future__ import annotations
 

@@ -168,7 +168,7 @@ def test_a_resampled_image_keeps_its_pixels_without_data(segment, tmp_path):
 
 def test_the_log_names_provider_and_classes(segment, tmp_path, feedback):
     segment(write_raster(tmp_path / "a.tif", PHOTO))
-    assert "building, water, bare_land; run by CPU, tiles of 64 × 64 pixels" in feedback.textLog()
+    assert "building, water, bare_land. Device: CPU, tiles of 64 × 64 pixels" in feedback.textLog()
 
 
 def test_a_label_map_never_replaces_its_photo(segment, tmp_path):

@@ -1,6 +1,6 @@
-"""semref:trainmodel: what it cuts and asks of the Python that trains, what it tells, and what it leaves behind.
+"""semref:trainmodel: its tiles, its job for the training environment, its messages and its files.
 
-A small program stands in for the training, which needs torch; tests/training has the real one.
+A small program replaces the training, which needs torch; tests/training has the real one.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ PHOTO = np.stack([LABELS * 20 + band for band in range(3)]).astype(np.uint8)
 
 
 class Said(QgsProcessingFeedback):
-    """Remembers what is told; cancels itself at a progress."""
+    """Records messages; cancels itself at a progress."""
 
     def __init__(self, cancel_at: float = 1000):
         super().__init__(False)
@@ -311,7 +311,7 @@ def test_only_classes_of_the_wanted_ground_count(train, tmp_path):
 @pytest.mark.parametrize("as_polygons", [False, True], ids=["label map", "polygons"])
 def test_a_single_class_among_the_pixels_is_refused_before_tiles_are_cut(train, tmp_path, as_polygons):
     if as_polygons:
-        # The corner of the water's box lies on the mask, its pixels don't.
+        # The corner of the water's box is on the mask, its pixels are not.
         water = polygon([(300, 600), (700, 600), (700, 100)])
         layer = write_layer(tmp_path / "drawn.gpkg", [(square(10, 300, 290), "building"), (water, "water")])
         mask = write_layer(tmp_path / "mask.gpkg", [(square(0, 0, 350), "x")])
@@ -417,7 +417,7 @@ def test_the_time_limit_counts_from_the_start_and_so_does_the_time_left(train, t
     left_s = 60 * json.loads(kept.read_text())["minutes"]
     assert 0.2 * 12 - 0.1 <= left_s <= 9
     passed = 100 * (1 - left_s / 12)
-    # Of the training's shares 0.2 and 0.5; before it, nothing that an end could be told from.
+    # The training's shares are 0.2 and 0.5; before, nothing allows an estimate of the end.
     assert max(percent for percent in percents if percent < passed - 1) <= 1
     assert percents[-2:] == pytest.approx([passed + 0.2 * (100 - passed), passed + 0.5 * (100 - passed)], abs=1)
 

@@ -15,7 +15,7 @@ from semref.processing.packages.install import Answer
 
 @pytest.fixture
 def folder(qgis_app, tmp_path, monkeypatch):
-    """Where the environment would lie; nothing is set in the options."""
+    """The environment would be there; nothing is set in the options."""
     QgsSettings().remove(training_environment.PYTHON_SETTING)
     made = tmp_path / "profile" / "semref_training"
     monkeypatch.setattr(training_environment, "environment_folder", lambda: made)
@@ -73,7 +73,11 @@ def test_without_graphics_cards_torch_comes_first_from_its_makers(folder):
 
 @pytest.mark.parametrize(
     ("failing", "said"),
-    [("venv", "python3-venv"), ("pip", "could not be filled: no matching distribution"), ("training", "can’t be used")],
+    [
+        ("venv", "python3-venv"),
+        ("pip", "could not be installed: no matching distribution"),
+        ("training", "does not work"),
+    ],
 )
 def test_a_failed_step_is_reported_and_leaves_nothing(folder, failing, said):
     well = making(folder)
@@ -103,6 +107,6 @@ def test_the_python_asked_for_comes_before_that_of_the_options(folder):
         training_environment.training_python()
     QgsSettings().setValue(training_environment.PYTHON_SETTING, sys.executable)
     assert training_environment.training_python() == sys.executable
-    with pytest.raises(ComponentError, match="/no/such is no program"):
+    with pytest.raises(ComponentError, match="/no/such is not executable"):
         training_environment.training_python("/no/such")
     QgsSettings().remove(training_environment.PYTHON_SETTING)

@@ -99,10 +99,10 @@ def references(database):
 
 
 def assert_same_content(database, expected):
-    # Of styles only whose they are: Qt writes their attributes in any order.
+    # Of styles only the owners: Qt writes their attributes in any order.
     for table in ("windows", "classes", "parameters", "layer_styles"):
         key, columns = ("id", "f_table_name") if table == "layer_styles" else ("fid", "*")
-        # Checksums are of rows and tiles as they lie in the file, which a rebuild may order otherwise.
+        # Checksums are of rows and tiles in the order of the file, which may differ after a rebuild.
         where = "WHERE key <> 'checksums'" if table == "parameters" else ""
         sql = f"SELECT {columns} FROM {table} {where} ORDER BY {key}"
         assert rows(database, sql) == rows(expected, sql), table

@@ -58,7 +58,7 @@ def good(run_algorithm, tmp_path_factory):
 
 @pytest.fixture
 def defaults(good, tmp_path):
-    """Parameters of each algorithm that work; outputs lie in tmp_path/out."""
+    """Valid parameters of each algorithm; outputs are in tmp_path/out."""
     (tmp_path / "out").mkdir()
     found = {
         RASTERIZE: {"INPUT": str(good / "annotation.gpkg"), "CLASS_FIELD": "class", "PIXEL_SIZE": 1},

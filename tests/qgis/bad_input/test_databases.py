@@ -1,4 +1,4 @@
-"""A database that is none, is cut short or edited into nonsense is refused."""
+"""A file that is not a database, or a damaged or edited one, is refused."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def edited(path):
         # The triggers of GeoPackage call functions that plain SQLite does not have.
         for (name,) in connection.execute("SELECT name FROM sqlite_master WHERE type = 'trigger'").fetchall():
             connection.execute(f'DROP TRIGGER "{name}"')
-        # As whoever changes a database on purpose would.
+        # Like someone who changes a database on purpose.
         connection.execute("DELETE FROM parameters WHERE key = 'checksums'")
         yield connection
         connection.commit()

@@ -1,4 +1,4 @@
-"""A bad image is told in its row, or refused where it is the only one."""
+"""A bad image is reported in its row, or refused if it is the only one."""
 
 from __future__ import annotations
 

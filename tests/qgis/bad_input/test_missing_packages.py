@@ -1,4 +1,4 @@
-"""Missing or old Python packages are told with how to install them."""
+"""Missing or old Python packages are reported with their installation."""
 
 from __future__ import annotations
 

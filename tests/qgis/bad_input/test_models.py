@@ -1,4 +1,4 @@
-"""A bad model, and a photo that it can’t read, are told in one sentence."""
+"""A bad model, and a photo that it cannot read, are reported in a short message."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Label maps of other make give the same database, and what is odd is said."""
+"""Label maps of other programs give the same database, and oddities are logged."""
 
 from __future__ import annotations
 

@@ -55,7 +55,8 @@ def build_parameters(label_map, target, **more) -> dict:
 
 
 def groups(project) -> list:
-    """(name of the group, names of its layers) from top to bottom; a layer outside of groups stands alone."""
+    """Return (name of the group, names of its layers) from top to bottom; a layer outside of groups is listed
+    separately."""
     return [(n.name(), [c.name() for c in n.children()]) for n in project.layerTreeRoot().children()]
 
 

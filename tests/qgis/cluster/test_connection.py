@@ -1,4 +1,4 @@
-"""What is no scheduler is told in one sentence, soon, whatever listens there instead."""
+"""A wrong scheduler address is reported soon in a short message, whatever listens there instead."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ pytest.importorskip("distributed", reason="Dask is not here (tools/requirements-
 
 @pytest.fixture
 def server():
-    """`server(words)`: the address of one that says these words to whoever comes; None: it hangs up at once."""
+    """`server(words)`: the address of a server that answers these words; with None it hangs up at once."""
     opened = []
 
     def serve(listener, words):
@@ -56,7 +56,7 @@ def hasty(connection, monkeypatch):
 
 
 def told(connection, address):
-    """Code and reason of what is said."""
+    """Return code and reason of the message."""
     with pytest.raises(SemRefError) as caught:
         connection.require_scheduler(address)
     values = dict(caught.value.sentence.values)

@@ -103,7 +103,7 @@ def test_a_scheduler_and_workers_that_have_nothing_of_semref_build_it_too(run_al
 
 @pytest.fixture(scope="module")
 def annotation(tmp_path_factory):
-    """Overlapping polygons with priorities, several parts and none, on several strips."""
+    """Overlapping polygons with priorities, features with several parts or without any, on several strips."""
     rng, features = np.random.default_rng(5), []
     for n in range(700):
         x, y = WEST + rng.uniform(0, 4700), NORTH - rng.uniform(0, 8200)

@@ -20,7 +20,7 @@ from rasterized import (
 
 @pytest.fixture
 def rasterize(run_algorithm, feedback, tmp_path):
-    """`rasterize(layer, **parameters)` gives the results; the label map lies in tmp_path/labels.tif."""
+    """`rasterize(layer, **parameters)` returns the results; the label map is in tmp_path/labels.tif."""
 
     def run(layer, **parameters):
         source = str(layer) if isinstance(layer, Path) else layer

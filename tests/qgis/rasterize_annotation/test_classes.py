@@ -105,7 +105,7 @@ NAMES = ["Grünland", "reka č", "šuma"]
 
 
 def shapefile_in(encoding: str, folder: Path, cpg: str = "", code_page: int = 0) -> Path:
-    """A shapefile with NAMES as classes whose DBF really is in ``encoding``, told by .cpg file or code-page byte."""
+    """A shapefile with NAMES as classes and a DBF in ``encoding``, which a .cpg file or the code-page byte states."""
     features = [(square(10 * n, 0, 10), f"name_{n}" + " " * 20) for n in range(len(NAMES))]
     layer = write_layer(folder / "a.shp", features, geometry=ogr.wkbPolygon)
     table = (folder / "a.dbf").read_bytes()
@@ -175,6 +175,6 @@ def test_changes_of_features_are_in_the_users_language(qgis_app, monkeypatch):
     monkeypatch.setattr(annotation, "tr", lambda text: f"«{text}»")
     numbers = {field.name: 2 for field in fields(annotation.AnnotationCounts) if field.type == "int"}
     said = annotation.AnnotationCounts(**numbers).sentences()
-    # Parts that were repaired, and features of several parts, are told beside others.
+    # Repaired parts and features of several parts are counted with the others.
     assert len(said) == len(numbers) - 2
     assert all(sentence.startswith("«") and "«2 features»" in sentence for _, sentence in said)

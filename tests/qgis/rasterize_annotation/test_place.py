@@ -1,4 +1,4 @@
-"""Where the label map lies, and the file that it is."""
+"""Extent, pixels and format of the label map."""
 
 from __future__ import annotations
 
