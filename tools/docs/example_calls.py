@@ -97,7 +97,7 @@ EXAMPLES: dict[str, dict] = {
 """Parameters by the algorithm's name. An example uses only outputs of earlier ones."""
 
 ELSEWHERE = {
-    "classifyopenstreetmap": "`area.osm.pbf` is an extract of OpenStreetMap. The sample area does not have such a file.",
+    "classifyopenstreetmap": "`area.osm.pbf` is an extract of OpenStreetMap. The sample area has no such file.",
     "decodecolorlabels": "`gdal_translate -expand rgb labels.tif colors.tif` creates such an image from a label map.",
     "trainmodel": "Needs the [training environment](../how-to/train_a_network.md#install-the-training-environment).",
 }
