@@ -20,7 +20,7 @@ LOG_ENTRIES = 200_000  # Of one kind of message: half an hour at 100 a second; a
 ROUTE_BYTES = 64 << 20  # Of a file of waypoints: a plan with a million of them.
 COMPARISON_BYTES = 64 << 20  # Of a comparison report; its figures are in the head of the page.
 METADATA_BYTES = 1_000_000  # Of a layer's metadata in QGIS's format.
-SOURCES = 200  # Inputs of a run whose metadata are read; a run can have thousands of photos, which have none.
+SOURCES = 200  # Inputs of a run whose metadata are read; a run can have thousands of photos, without metadata.
 STYLE_CHARACTERS = 16 << 20  # Of a layer's style; QGIS writes some thousand for these layers.
 
 # Maps and images

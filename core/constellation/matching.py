@@ -20,12 +20,12 @@ ASSUMED_MATCHES = 4
 so that a few residuals can't reduce the noise to nothing. Set by hand."""
 
 MEDIAN_OF_RAYLEIGH = 1.1774
-"""Median length of a residual whose two coordinates have a standard deviation of 1."""
+"""Median length of a residual with a standard deviation of 1 in both coordinates."""
 
 
 @dataclass(frozen=True)
 class Nearest:
-    """Nearest landmarks of the map to those of an image, of the same class; … stands for the poses.
+    """Nearest landmarks of the map to those of an image, of the same class; … means the poses.
 
     Attributes:
         distances: (…, n) map units, inf without one.

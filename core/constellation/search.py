@@ -113,7 +113,7 @@ def level_poses(verifier: Verifier, query: SeenLandmarks, reach: Round) -> tuple
 def _worth_a_trial(
     query: SeenLandmarks, centers: np.ndarray, turns: np.ndarray, scores: np.ndarray, limits: SearchLimits
 ) -> list[int]:
-    """Return the roughly fitted poses to verify, best first: the best one of each place, none far below the best.
+    """Return the roughly fitted poses to verify, best first: the best one of each place, close to the best of all.
 
     Args:
         centers: (S,) complex, map units from the index's origin.

@@ -22,7 +22,7 @@ FITTED = 4
 """Numbers of a level pose: center and turn, two each."""
 
 MEDIAN_OF_RAYLEIGH = 1.1774
-"""Median length of a residual whose two coordinates have a standard deviation of 1."""
+"""Median length of a residual with a standard deviation of 1 in both coordinates."""
 
 LEAST_NOISE = 0.1
 """Smaller residuals, as a share of the assumed noise, are chance or come from a map matched with itself."""
