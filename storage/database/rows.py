@@ -104,7 +104,7 @@ def read_references(connection: sqlite3.Connection) -> MapLandmarks:
         blobs, classes, areas, touches = zip(*rows) if rows else ((),) * 4
         values = np.array(classes, np.int64)
         if not ((values >= 0) & (values <= MAXIMUM_VALUE)).all():
-            raise ValueError("a landmark has a class that is no reference class")
+            raise ValueError("a landmark has a class that is not a reference class")
         return points_of(blobs), values.astype(np.uint8), np.array(areas, np.float64), np.array(touches, bool)
 
     query = 'SELECT geom, class, area, touches_edge FROM "references" ORDER BY fid'

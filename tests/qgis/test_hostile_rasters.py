@@ -80,7 +80,7 @@ def test_a_picture_under_the_name_of_another_kind_is_refused(qgis_app, tmp_path,
     write_raster(tmp_path / "labels.tif", LABELS)
     path = (tmp_path / "labels.tif").rename(tmp_path / name)
     for door in (*doors(), read_photo):
-        with pytest.raises(SemRefError, match=r"it is TIFF; Change the suffix \.tif"):
+        with pytest.raises(SemRefError, match=r"its content is TIFF\. Change the suffix to \.tif"):
             door(str(path))
 
 

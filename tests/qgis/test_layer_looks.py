@@ -137,7 +137,7 @@ def test_the_map_tip_shows_status_radius_and_error_probability(positions):
     values = {"image": "/photos/a & b.jpg", "status": "fix", "method": "constellation", "error_95": 2.34}
     tip = tip_of(positions, feature_of(positions, **values, confidence=1 - 1 / 1234))
     assert "<b>a &amp; b.jpg</b>" in tip
-    assert "<b>Fix</b>" in tip and "<b>Constellation</b>" in tip
+    assert "<b>Position</b>" in tip and "<b>Constellation</b>" in tip
     assert "2.3\u00a0m" in tip
     assert "<b>1 in 1,200</b>" in tip
     # Nothing is known of the heading: the line is left out.
