@@ -143,7 +143,7 @@ def test_a_folder_without_images_is_refused_before_a_run(dock, area, tab, tmp_pa
     dock.content.database.file.setFilePath(area.database)
     tab.images.list.add([str(tmp_path)])
     wait_until(lambda: tab.images.fault, "the look")
-    assert "contains no image" in tab.state.text_shown and not tab.localize_button.isEnabled()
+    assert "no image" in tab.state.text_shown and not tab.localize_button.isEnabled()
     tab.images.list.show_only([area.image])
     assert tab.state.text_shown == "Ready to localize." and tab.localize_button.isEnabled()
 

@@ -67,7 +67,7 @@ def test_a_click_shows_the_card(dialog):
     for part in ("Houses of two towns", "Uganda: houses and sheds", "Kenya", "61", "Ships & <boats>", "ODbL"):
         assert part in text
     dialog.models.list.setCurrentItem(dialog.models.list.topLevelItem(1))
-    assert "It does not say what it was trained on" in dialog.models.card.toPlainText()
+    assert "does not state its training" in dialog.models.card.toPlainText()
 
 
 def test_what_is_no_model_says_so_and_can_t_be_used(dialog):
