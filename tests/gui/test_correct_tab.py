@@ -338,7 +338,7 @@ def test_a_layer_that_can_t_be_edited_is_not_repaired_and_says_so(dock, iface, a
     annotation.setReadOnly(True)
     dock.content.correct.layer.setLayer(found)
     press_repair(dock.content.correct, monkeypatch, "Yes")
-    assert ["The layer cover can't be edited" in text for text in messages(iface)] == [True]
+    assert ["The layer cover cannot be edited" in text for text in messages(iface)] == [True]
 
 
 def test_places_are_listed_by_kind_with_their_number(dock, issues):
