@@ -101,7 +101,7 @@ def build_parameters(stored: Mapping[str, Any], source: str) -> BuildParameters:
     version = checked(stored["format_version"], int, "format_version")
     if version > FORMAT_VERSION:
         raise DatabaseError(
-            "{source} has format version {version}; this SemRef reads up to version {known}. Update the plugin.",
+            "{source} has format version {version}, but this SemRef reads up to version {known}; update the plugin.",
             source=source,
             version=version,
             known=FORMAT_VERSION,

@@ -63,5 +63,5 @@ def test_an_impossible_value_is_refused_by_name(name, value):
 
 
 def test_a_newer_version_is_reported_first():
-    with pytest.raises(DatabaseError, match=f"a.gpkg has format version {FORMAT_VERSION + 1}; this"):
+    with pytest.raises(DatabaseError, match=f"a.gpkg has format version {FORMAT_VERSION + 1}, but this"):
         build_parameters({"format_version": FORMAT_VERSION + 1}, "a.gpkg")
