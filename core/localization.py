@@ -111,7 +111,7 @@ class Method(_Keyed):
     number: int
 
     AUTOMATIC = "automatic", 0, Sentence("Automatic")
-    TOPOLOGY_VECTOR = "topology vector", 1, Sentence("Topology vector (He & Wu 2025)")
+    TOPOLOGY_VECTOR = "topology vector", 1, Sentence("Published method (He & Wu 2025)")
     CONSTELLATION = "constellation", 2, Sentence("Constellation")
     MAP_CORRELATION = "map correlation", 3, Sentence("Map correlation")
 

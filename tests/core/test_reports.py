@@ -121,7 +121,7 @@ def test_what_to_do_next_is_a_list_of_sentences_and_nothing_without_any():
     assert page.next_steps("Next", ["Do <this>."]).count("<li>Do &lt;this&gt;.</li>") == 1
 
 
-@pytest.mark.parametrize("second", ["Automatic", "Topology vector (He & Wu 2025)", "二维拓扑向量（论文发表的方法）"])
+@pytest.mark.parametrize("second", ["Automatic", "Published method (He & Wu 2025)", "二维拓扑向量（论文发表的方法）"])
 def test_no_entry_of_a_legend_runs_out_of_its_chart_or_into_the_next_one(second):
     names = ["Constellation", second, "b"]
     drawings = (
