@@ -23,6 +23,7 @@ ROOMS = ("core", "storage", "cluster", "training", "processing", "ui")
 FILES = [path for room in ROOMS for path in sorted((ROOT / room).rglob("*.py")) if "__pycache__" not in path.parts]
 
 OF_OTHERS = {
+    "ArgumentTypeError",
     "AttributeError",
     "ValueError",
     "BadZipFile",
