@@ -1,4 +1,4 @@
-"""Loads the repository root, whatever its folder is called, as the package `semref`, and tools/sample as `sample`."""
+"""Load the repository root as the package `semref`, for any folder name, and tools/sample as `sample`."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ import pytest
 ROOT = Path(__file__).resolve().parent.parent
 REAL_DATA = Path(os.environ.get("SEMREF_DATA") or ROOT.parent / "shared" / "data")
 
-# `python -m pytest` puts the root on the path, where our processing/ would come before QGIS's.
+# `python -m pytest` puts the root on the path, and our processing/ would hide QGIS's.
 sys.path[:] = [entry for entry in sys.path if Path(entry or ".").resolve() != ROOT]
-# Made inputs that several suites share.
+# Inputs shared by several suites.
 sys.path.append(str(ROOT / "tests" / "data"))
 
 
@@ -35,26 +35,25 @@ load_package("sample", ROOT / "tools" / "sample")
 
 @pytest.fixture(scope="session", autouse=True)
 def own_cache_folder(tmp_path_factory):
-    """Nothing is loaded from the cache that another run, or another version of the code, stored."""
+    """Use an empty cache, without files of another run or another version of the code."""
     os.environ["SEMREF_CACHE"] = str(tmp_path_factory.mktemp("cache"))
 
 
 @pytest.fixture(scope="session")
 def repository() -> Path:
-    """The repository root."""
     return ROOT
 
 
 @pytest.fixture(scope="session")
 def sample() -> Path:
-    """The sample area as it ships, to read only; made where it is missing or older than its generator."""
+    """Return the shipped sample area, read-only; made if it is missing or older than its generator."""
     subprocess.run([sys.executable, "-m", "tools.sample"], cwd=ROOT, check=True)
     return ROOT / "sample"
 
 
 @pytest.fixture(scope="session")
 def real_data():
-    """`real_data("osm_belgrade/landuse.shp")` gives that file of the real data, or skips and says so."""
+    """`real_data("osm_belgrade/landuse.shp")` returns that file of the real data, or skips with a reason."""
 
     def path(name: str) -> Path:
         file = REAL_DATA / name
@@ -67,8 +66,8 @@ def real_data():
 
 @pytest.fixture(scope="session")
 def start_qgis(tmp_path_factory):
-    """`start_qgis(window=False)` starts QGIS with Processing and our provider in a fresh profile, once a session."""
-    # Imported here: tests/core runs on machines without QGIS.
+    """`start_qgis(window=False)` starts QGIS with Processing and our provider in a new profile, once per session."""
+    # Imported here, because tests/core runs without QGIS.
     started = []
 
     def start(window: bool):
@@ -97,7 +96,7 @@ def start_qgis(tmp_path_factory):
 
 
 def stop_qgis(application) -> None:
-    """QGIS's own order of quitting; it crashes when Python still holds what exitQgis deletes."""
+    """Quit in QGIS's own order; QGIS crashes if Python keeps objects that exitQgis deletes."""
     from qgis.core import QgsApplication, QgsProject
 
     QgsProject.instance().clear()
@@ -115,7 +114,7 @@ def register_provider() -> None:
 
     from semref.processing.provider import register_provider as register
 
-    # The registry owns the C++ half only: without a reference the Python half, with its algorithms, is collected.
+    # The registry owns only the C++ part: keep a reference, so that Python does not delete the algorithms.
     providers[:] = [register(QgsApplication.processingRegistry())]
     if QgsApplication.processingRegistry().providerById("semref") is None:
         pytest.fail("QGIS does not take the provider semref.")
@@ -123,21 +122,21 @@ def register_provider() -> None:
 
 @pytest.fixture
 def without_provider(qgis_app):
-    """QGIS without our provider, for tests that load the plugin; registered again afterwards."""
+    """Remove our provider, for tests that load the plugin; register it again afterwards."""
     from qgis.core import QgsApplication
 
     registry = QgsApplication.processingRegistry()
     registry.removeProvider("semref")
     providers.clear()
     yield registry
-    # QGIS crashes when one id is registered twice.
+    # QGIS crashes if an id is registered twice.
     if registry.providerById("semref") is None:
         register_provider()
 
 
 @pytest.fixture(scope="session")
 def run_algorithm(qgis_app):
-    """`run_algorithm("semref:…", parameters, feedback=None)` gives the algorithm's results as a dict."""
+    """`run_algorithm("semref:…", parameters, feedback=None)` returns the results of the algorithm as a dict."""
 
     def run(algorithm_id: str, parameters: dict, feedback=None) -> dict:
         import processing
@@ -149,7 +148,7 @@ def run_algorithm(qgis_app):
 
 @pytest.fixture
 def feedback():
-    """A feedback that remembers: `feedback.textLog()` has everything that was said."""
+    """Return a feedback; `feedback.textLog()` has all its messages."""
     from qgis.core import QgsProcessingFeedback
 
     return QgsProcessingFeedback(False)

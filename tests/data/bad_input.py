@@ -1,4 +1,4 @@
-"""What the tests of bad input share: algorithms with their outputs, and what a refusal must be."""
+"""Shared parts of the tests of bad input: algorithms with their outputs, and the check of a refusal."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ OUTPUT_NAMES = {
     COMPARE: ("DISAGREEMENTS", "disagreements_out.gpkg"),
 }
 QGIS_OWN = ("Incorrect parameter value for ", "Could not load source layer for ", "Could not create layer ")
-"""How sentences begin that QGIS says before an algorithm is asked."""
+"""Beginnings of QGIS's own messages, which come before the algorithm runs."""
 
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 LABELS = scattered_objects(150, 200, 40, seed=2)
 
 
 def sentence_of(error: Exception) -> str:
-    """Return what the user reads, checked to be one to three sentences; QGIS's own end without a full stop."""
+    """Return the message for the user, checked to be one sentence; QGIS's own messages end without a full stop."""
     text = str(error).replace("Unable to execute algorithm\n", "")
     assert "Traceback" not in text and "\n" not in text.strip(), text
     assert text.endswith(".") or text.startswith(QGIS_OWN), text

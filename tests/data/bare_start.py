@@ -1,4 +1,4 @@
-"""Run by tests/qgis/test_bare_start.py with bare/ on PYTHONPATH: starts the plugin, prints what went wrong as JSON.
+"""Start the plugin and print errors as JSON; tests/qgis/test_bare_start.py runs this with bare/ on PYTHONPATH.
 
 A module that cannot be imported is listed with the chain of imports that led to it.
 """
@@ -14,7 +14,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 ASKS_FIRST = {"semref.ui.sample_project"}
-"""Imported by menu entries that look for packages before."""
+"""Modules imported by menu entries, which check for packages first."""
 
 errors = []
 
@@ -26,7 +26,7 @@ def note(kind, error, trace):
 
 
 def import_all():
-    """Each by itself: the first one that fails does not hide the next."""
+    """Import each module separately, so that a failure does not hide the next one."""
     import semref.ui
 
     names = [module.name for module in pkgutil.walk_packages(semref.ui.__path__, "semref.ui.", onerror=print)]
@@ -39,7 +39,7 @@ def import_all():
 
 
 def refusals(algorithm):
-    """Return the messages of the toolbox, of a check of parameters and of a run; empty if it may run."""
+    """Return the messages of the toolbox, of a parameter check and of a run; empty if it can run."""
     from qgis.core import (
         QgsProcessingContext,
         QgsProcessingException,
@@ -63,7 +63,7 @@ def refusals(algorithm):
 
 
 def classified():
-    """How many of two polygons, a building and a lake, get a class."""
+    """Return how many of two polygons, a building and a lake, get a class."""
     import processing
     from qgis.core import QgsFeature, QgsGeometry, QgsVectorLayer
 
@@ -110,7 +110,7 @@ def started():
 
 def main():
     sys.excepthook = note
-    # Python puts the script's folder first; nothing in it may replace modules of the plugin or QGIS.
+    # Python puts the script's folder first; its modules must not replace those of the plugin or QGIS.
     sys.path[:] = [*sys.path[1:], sys.path[0], str(ROOT / "tools")]
     os.environ["QGIS_CUSTOM_CONFIG_PATH"] = tempfile.mkdtemp()
     from qgis.core import QgsApplication
@@ -133,7 +133,7 @@ def main():
     import_all()
     seen = {} if errors else started()
     print(json.dumps({"errors": errors, "loads_numpy": loads_numpy, **seen}), flush=True)
-    # Quitting is what other tests look at.
+    # Other tests check how QGIS quits.
     os._exit(0)
 
 

@@ -1,4 +1,4 @@
-"""What the tests of semref:builddatabase share."""
+"""Shared parts of the tests of semref:builddatabase."""
 
 from __future__ import annotations
 
@@ -32,11 +32,11 @@ LAYERS = {
 }
 
 NAME, LEVEL, SIZE_COLUMN, LONGITUDE, VECTOR = 2, 3, 4, 7, 10
-"""Places in a row of the table windows, after fid and geom."""
+"""Columns of the table windows, after fid and geom."""
 
 
 def map_labels() -> np.ndarray:
-    """(H, W) labels with objects everywhere but in the left third, so that some windows have too few."""
+    """Return (H, W) labels with objects everywhere but in the left third, so that some windows have too few."""
     labels = scattered_objects(HEIGHT, WIDTH, 150, seed=5)
     labels[:, :140] = 4
     labels[20:30, 20:30] = 1
@@ -63,7 +63,7 @@ def content(database) -> dict:
 
 
 def most_frequent(labels: np.ndarray, factor: int) -> np.ndarray:
-    """Plainly: the most frequent value of each block, of equals the smallest."""
+    """Return the most frequent value of each block; of equals the smallest."""
     height, width = (n // factor for n in labels.shape)
     blocks = labels[: height * factor, : width * factor].reshape(height, factor, width, factor).swapaxes(1, 2)
     return np.array([[np.bincount(block.ravel()).argmax() for block in row] for row in blocks])

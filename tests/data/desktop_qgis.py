@@ -1,4 +1,4 @@
-"""Desktop QGIS, as a user starts it, with a script that writes what it saw."""
+"""Run desktop QGIS with a script that writes its results."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from pathlib import Path
 import pytest
 
 TIMEOUT_S = 1500
-"""Of a whole walk, on a machine that does much else."""
+"""Time limit of a whole walk, on a busy machine."""
 
 
 OUTPUT_SHOWN = 4000
-"""Characters of QGIS's output that a failure shows."""
+"""Characters of QGIS's output in a failure message."""
 
 
 def run_desktop(
@@ -45,7 +45,7 @@ def run_desktop(
         "DISPLAY": display,
         "HOME": str(home),
         "XDG_RUNTIME_DIR": str(runtime),
-        # OpenCV, where a virtual environment has it: QGIS runs the system's Python; and what scripts share.
+        # OpenCV of a virtual environment, if there is one: QGIS runs the system's Python; and shared modules.
         "PYTHONPATH": os.pathsep.join([sysconfig.get_path("purelib"), str(Path(__file__).parent)]),
         "SEMREF_DESKTOP_RESULT": str(result),
         **variables,
@@ -80,7 +80,7 @@ def walk(repository: Path, home: Path, display: str, script: Path, variables: di
 
 
 def install_package(repository: Path, plugins: Path) -> None:
-    """Unzips the packaged plugin into a new folder of plugins."""
+    """Unzip the packaged plugin into a new folder of plugins."""
     plugins.mkdir(parents=True)
     package = plugins.parent / "semref.zip"
     command = [sys.executable, str(repository / "tools" / "release" / "package.py"), "--output", str(package)]
@@ -90,7 +90,7 @@ def install_package(repository: Path, plugins: Path) -> None:
 
 
 def run_with_limit(command: list[str], environment: dict, output) -> int | None:
-    """Exit status of the command; None when it had to be killed, with all that it started."""
+    """Return the exit status of the command, or None if it had to be killed with all its processes."""
     process = subprocess.Popen(
         command, env=environment, stdin=subprocess.DEVNULL, stdout=output, stderr=output, start_new_session=True
     )

@@ -1,4 +1,4 @@
-"""A small database of made rectangles, and the dock as a user works with it; for the tests of the dock."""
+"""A small database of rectangles, and user actions in the dock, for tests of the dock."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ STRIDE = 50
 ORIGIN = (400_000.0, 5_400_000.0)
 CRS = "EPSG:25832"
 CUT = (150, 250)
-"""First column and row of the window that the query image shows."""
+"""First column and row of the window in the query image."""
 DEADLINE_S = 120
 
 
 def label_map() -> np.ndarray:
-    """Small rectangles of three classes, far enough apart to stay regions of their own."""
+    """Return small rectangles of three classes, far enough apart to stay separate regions."""
     generator = np.random.default_rng(7)
     labels = np.zeros((PIXELS, PIXELS), np.uint8)
     for row in range(5, PIXELS - 20, 25):
@@ -46,7 +46,7 @@ def write_raster(path: Path, labels: np.ndarray, georeferenced: bool) -> str:
 
 
 class Area:
-    """Paths of a database, of an image cut from one of its windows, and of an image that isn't one."""
+    """Paths of a database, an image cut from one of its windows, and an invalid image."""
 
     def __init__(self, folder: Path, run_algorithm) -> None:
         labels = label_map()
@@ -67,7 +67,7 @@ class Area:
 
 
 def settle() -> None:
-    """Lets queued signals and deleteLater happen."""
+    """Process queued signals and deleteLater."""
     from qgis.PyQt.QtCore import QCoreApplication, QEvent
 
     for _ in range(5):
@@ -105,7 +105,7 @@ def localize(dock, database: str, images: list[str]) -> None:
 
 
 def table(dock) -> list[list[str]]:
-    """Image, odds, error, heading, status, window and distance of each result."""
+    """Return image, odds, error, heading, status, window and distance of each result."""
     model = dock.content.localize.results.table.model()
     return [[model.index(row, column).data() for column in range(7)] for row in range(model.rowCount())]
 
@@ -115,7 +115,7 @@ def messages(iface) -> list[str]:
 
 
 def shown_outline(iface):
-    """Return the extent of the outline on the canvas in the canvas's CRS; None without an outline."""
+    """Return the extent of the outline in the canvas's CRS, or None."""
     from qgis.gui import QgsRubberBand
 
     bands = [item for item in iface.canvas.scene().items() if isinstance(item, QgsRubberBand)]
@@ -132,7 +132,7 @@ def shown_center(iface):
 
 
 def cut_extent():
-    """The window's place on the map."""
+    """Return the place of the window on the map."""
     from qgis.core import QgsRectangle
 
     left, top = ORIGIN[0] + CUT[0], ORIGIN[1] - CUT[1]
@@ -144,7 +144,7 @@ def corners(extent):
 
 
 def rubber_bands(iface, geometry_type: str) -> list:
-    """Geometries of what is drawn on the canvas, 'Polygon' or 'Line'."""
+    """Return the geometries of rubber bands, 'Polygon' or 'Line'."""
     from qgis.gui import QgsRubberBand
 
     bands = [item for item in iface.canvas.scene().items() if isinstance(item, QgsRubberBand)]
@@ -161,7 +161,7 @@ def add_raster_layer(path: str, name: str):
 
 
 def dropped(widget, data) -> bool:
-    """Drags `data` over a widget and drops it; whether it was taken."""
+    """Drag `data` over a widget and drop it; return whether it was accepted."""
     from qgis.PyQt.QtCore import QPoint, QPointF, Qt
     from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent
 

@@ -1,4 +1,4 @@
-"""Files that are no onboard files, by what they are."""
+"""Files that are no onboard files, by their kind."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Files that can't grow, as on a disk that is full (Unix)."""
+"""Simulate a full disk (Unix)."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 @contextlib.contextmanager
 def files_of_at_most(size: int) -> Iterator[None]:
-    """Lets no file of this process grow past ``size`` bytes in the block."""
+    """Limit files of this process to ``size`` bytes in the block."""
     import resource
 
     before = resource.getrlimit(resource.RLIMIT_FSIZE)

@@ -1,4 +1,4 @@
-"""Measures how the time of a function grows with its input."""
+"""Measure how the time of a function grows with its input."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A web server on loopback that has nothing and remembers who asked: files from strangers must not make anyone ask."""
+"""A web server on loopback without files that records requests: untrusted files must not cause requests."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from contextlib import contextmanager
 from itertools import count
 
 _NUMBERS = count()
-"""GDAL remembers what a host has not: each test needs names of its own."""
+"""GDAL caches missing files of a host, so each test needs new names."""
 
 
 @contextmanager
 def listening() -> Iterator[http.server.ThreadingHTTPServer]:
-    """Give a server: ``asked`` has the paths, ``url`` is its address, ``name()`` is GDAL's name of a raster on it."""
+    """Return a server: ``asked`` has the paths, ``url`` is its address, ``name()`` is GDAL's name of a raster on it."""
 
     class Handler(http.server.BaseHTTPRequestHandler):
         def do_GET(self):

@@ -1,4 +1,4 @@
-"""Small annotations with known truth, seeded: features as `core` takes them."""
+"""Small seeded land-cover layers with known truth: features as `core` takes them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ WEST, SOUTH = 550_000.0, 5_220_000.0
 
 
 def feature(geometry, class_value: int = 1, priority: float = 0.0, feature_id: int = 0) -> AnnotatedFeature:
-    """Return a feature; ``geometry`` counts from WEST, SOUTH; it may be None."""
+    """Return a feature; ``geometry`` counts from WEST, SOUTH; None is a missing geometry."""
     if geometry is None:
         return AnnotatedFeature(feature_id, None, class_value, priority)
     return AnnotatedFeature(feature_id, shapely.to_wkb(moved(geometry)), class_value, priority)
@@ -26,12 +26,12 @@ def square(x: float, y: float, size: float):
 
 
 def numbered(features) -> list:
-    """The same features with ids 0, 1, 2, …"""
+    """Return the same features with ids 0, 1, 2, …"""
     return [AnnotatedFeature(n, f.wkb, f.class_value, f.priority) for n, f in enumerate(features)]
 
 
 def random_features(kind: str, seed: int, count: int = 25) -> list:
-    """Features of classes 1 to 4 that overlap, touch and cross themselves.
+    """Return features of classes 1 to 4 that overlap, touch and cross themselves.
 
     kind: "stars" anywhere, "bowties" that cross themselves, "blocks" with corners on whole meters, "shaken" blocks
     with edges up to 10 µm apart, "strips" thinner than a gap that counts, "stacked" equal ones.

@@ -1,4 +1,4 @@
-"""Small inputs with known truth, made where a test needs them: layers, label maps, class tables."""
+"""Small inputs with known truth: layers, label maps, class tables."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _FIELD_TYPES = {"text": ogr.OFTString, "integer": ogr.OFTInteger, "real": ogr.OF
 
 
 def spatial_reference(crs) -> osr.SpatialReference | None:
-    """From an EPSG number or WKT; None for None."""
+    """Return the spatial reference of an EPSG number or WKT; None for None."""
     if crs is None:
         return None
     srs = osr.SpatialReference()
@@ -40,7 +40,7 @@ def spatial_reference(crs) -> osr.SpatialReference | None:
 
 
 def square(column: float, row: float, size: float) -> str:
-    """WKT of a square; ``column`` and ``row`` of its upper left corner count from WEST, NORTH, rows down."""
+    """Return the WKT of a square; ``column`` and ``row`` of its upper left corner count from WEST, NORTH, rows down."""
     return rectangle(column, row, size, size)
 
 
@@ -49,7 +49,7 @@ def rectangle(column: float, row: float, width: float, height: float) -> str:
 
 
 def polygon(corners: Iterable[tuple[float, float]]) -> str:
-    """WKT of a polygon of (column, row) corners, closed here."""
+    """Return the WKT of a polygon of (column, row) corners; the ring is closed here."""
     return f"POLYGON ({ring(corners)})"
 
 
@@ -66,7 +66,7 @@ def write_layer(
     geometry: int = ogr.wkbUnknown,
     options: Sequence[str] = (),
 ) -> Path:
-    """A GeoPackage or shapefile (by suffix). A feature is (WKT or None, value of each field; None for NULL)."""
+    """Write a GeoPackage or shapefile (by suffix) of features: (WKT or None, value of each field or None)."""
     driver = {".gpkg": "GPKG", ".shp": "ESRI Shapefile"}[path.suffix]
     source = ogr.GetDriverByName(driver).CreateDataSource(str(path))
     layer = source.CreateLayer(path.stem, spatial_reference(crs), geometry, list(options))
@@ -93,7 +93,7 @@ def write_raster(
     nodata: float | None = None,
     names: Sequence[str] = (),
 ) -> Path:
-    """A GeoTIFF or PNG (by suffix) of (H, W) or (bands, H, W) pixels; no georeference without ``transform``."""
+    """Write a GeoTIFF or PNG (by suffix) of (H, W) or (bands, H, W) pixels; georeferenced by ``transform``."""
     bands = pixels if pixels.ndim == 3 else pixels[None]
     memory = gdal.GetDriverByName("MEM").Create("", bands.shape[2], bands.shape[1], len(bands), kind)
     if transform is not None:
@@ -131,7 +131,7 @@ def scattered_objects(height: int, width: int, count: int, seed: int, background
 
 
 def landmarks_in_the_west() -> np.ndarray:
-    """Return (500, 800) uint8 labels with 260 landmarks, all left of column 500."""
+    """Return (500, 800) uint8 labels with 260 landmarks, all of them before column 500."""
     labels = scattered_objects(500, 800, 260, seed=11)
     labels[:, 500:] = 4
     return labels
@@ -143,7 +143,7 @@ def write_text(path: Path, text: str, encoding: str = "utf-8") -> Path:
 
 
 def write_older(path: Path) -> bytes:
-    """Writes an older output of the kind that the name says; returns its bytes."""
+    """Write an older output of the kind of the name; return its bytes."""
     if path.suffix == ".gpkg":
         with contextlib.closing(sqlite3.connect(path)) as connection:
             connection.execute("PRAGMA page_size=512")
@@ -158,7 +158,7 @@ def write_older(path: Path) -> bytes:
 def turned_view(
     labels: np.ndarray, size: int, column: float, row: float, heading: float, scale: float = 1.0
 ) -> np.ndarray:
-    """(size, size) labels seen around a point of a map, top towards ``heading`` (° clockwise from north)."""
+    """Return (size, size) labels around a point of a map, top towards ``heading`` (° clockwise from north)."""
     angle = np.radians(heading)
     right, down = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
     steps = (np.arange(size) + 0.5 - size / 2) * scale

@@ -1,4 +1,4 @@
-"""Tiny segmentation networks with known answers: every pixel's class is its brightest color."""
+"""Small segmentation networks with known answers: the class of a pixel is its brightest color."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ RGB = {"building": (220, 40, 40), "water": (40, 40, 220), "bare_land": (40, 220,
 
 
 def load_writer():
-    """tools/onnx_writer.py by itself, without putting tools/ on sys.path."""
+    """Return tools/onnx_writer.py as a module, without tools/ on sys.path."""
     if "semref_onnx_writer" not in sys.modules:
         spec = importlib.util.spec_from_file_location("semref_onnx_writer", WRITER)
         sys.modules["semref_onnx_writer"] = importlib.util.module_from_spec(spec)
@@ -28,7 +28,7 @@ writer = load_writer()
 
 
 def metadata(**more) -> dict:
-    """Metadata as Deepness writes it; ``None`` leaves a key out."""
+    """Return metadata as Deepness writes them; ``None`` leaves a key out."""
     found = {
         "model_type": "Segmentor",
         "class_names": {str(n): name for n, name in enumerate(NAMES)},
@@ -42,7 +42,7 @@ def metadata(**more) -> dict:
 
 
 def brightest_color(kernel: int = 1, external: str = "", bands: int = 3, bias=(0, 0, 0)) -> writer.Network:
-    """(1, 3, H, W) → (1, 3, H, W): red, blue, green; with a larger kernel, the mean of a square of that edge."""
+    """Return a network (1, 3, H, W) → (1, 3, H, W): red, blue, green; a larger kernel gives means of squares."""
     kernels = np.zeros((3, bands, kernel, kernel), np.float32)
     for channel, band in enumerate((0, 2, 1)):
         kernels[channel, band] = 1 / kernel**2
@@ -50,7 +50,7 @@ def brightest_color(kernel: int = 1, external: str = "", bands: int = 3, bias=(0
 
 
 def write_model(path: Path, network=None, *, size=("height", "width"), classes="classes", batch=1, **options) -> Path:
-    """An ONNX file of ``network``; ``options`` as ``writer.model_bytes`` takes them."""
+    """Write ``network`` as an ONNX file; ``options`` are those of ``writer.model_bytes``."""
     network = network or brightest_color()
     options.setdefault("metadata", metadata())
     options.setdefault("input_shape", (batch, 3, *size))
@@ -60,6 +60,6 @@ def write_model(path: Path, network=None, *, size=("height", "width"), classes="
 
 
 def painted(labels_hw: np.ndarray, names=(None, *NAMES)) -> np.ndarray:
-    """Return an (H, W, 3) uint8 photo of labels 1, 2, 3, with gray elsewhere."""
+    """Return a (H, W, 3) uint8 photo of labels 1, 2, 3; unlabeled pixels are gray."""
     palette = np.array([(90, 90, 90) if name is None else RGB[name] for name in names], np.uint8)
     return palette[labels_hw]

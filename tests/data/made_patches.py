@@ -1,4 +1,4 @@
-"""A made map of patches and houses, images of it, and how far off a place is."""
+"""A made map of patches and houses, images of it, and errors of positions."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ PRIOR = Prior(pixel_size_range=(0.7, 1.4))
 
 
 def made_map(seed: int, width: int = 2600, height: int = 2000) -> np.ndarray:
-    """(height, width) uint8: patches of classes 2 to 6 around random points, rows of houses (1), a border of 0."""
+    """Return (height, width) uint8 patches of classes 2 to 6 around random points, rows of houses (1), border of 0."""
     rng = np.random.default_rng(seed)
     small = np.full((height // 4, width // 4), 255, np.uint8)
     small[rng.integers(0, height // 4, 500), rng.integers(0, width // 4, 500)] = 0
@@ -29,7 +29,7 @@ def made_map(seed: int, width: int = 2600, height: int = 2000) -> np.ndarray:
 
 
 def view(labels, center, heading_deg, pixel, size_wh=(560, 560)):
-    """The image a camera over ``center`` (pixels of the map) sees; its top points ``heading_deg`` clockwise from up."""
+    """Return the image of a camera above ``center`` (map pixels); its top points ``heading_deg`` clockwise from up."""
     turn = np.radians(heading_deg)
     matrix = pixel * np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
     offset = np.array(center) - matrix @ (np.array(size_wh) / 2 - 0.5) - 0.5
@@ -38,7 +38,7 @@ def view(labels, center, heading_deg, pixel, size_wh=(560, 560)):
 
 
 def spoiled(labels_hw, noise, seed):
-    """With the errors of a network; houses are class 1."""
+    """Add the errors of a network; houses are class 1."""
     return spoil_labels(labels_hw, noise, np.random.default_rng(seed), (1,))
 
 

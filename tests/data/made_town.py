@@ -1,4 +1,4 @@
-"""A made town and what is seen of it: for tests of the constellation."""
+"""A made town and its images, for tests of the constellation."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ NOISE = LabelNoise(missed=0.2, spurious=0.2, mislabeled=0.05, center=1.0, log_ar
 
 
 def town(seed, size=3000, count=2500):
-    """(size, size) uint8 labels of houses in clusters, with a few fields and ponds."""
+    """Return (size, size) uint8 labels of houses in clusters, with a few fields and ponds."""
     rng = np.random.default_rng(seed)
     labels = np.zeros((size, size), np.uint8)
     centers = rng.uniform(0, size, (40, 2))

@@ -1,11 +1,11 @@
-"""A program that replaces the training environment: it answers as the training does, and writes a model."""
+"""A replacement for the training environment: it answers like the training and copies a finished model."""
 
 from __future__ import annotations
 
 import sys
 from pathlib import Path
 
-# The first line may not name a path with a space: sh reads the second, Python takes it for a text.
+# The first line can't name a path with a space, so sh reads the second line; for Python it is a text.
 TRAINER = """\
 #!/bin/sh
 '''exec' "{python}" "$0" "$@"
@@ -41,7 +41,7 @@ EPOCH = (
 
 
 def write_trainer(path: Path, model: Path, training: str = EPOCH, ready: str = READY) -> Path:
-    """The program; ``training``, ``ready``: Python that it runs for a job, and where it is asked whether it can."""
+    """Write the program; ``training`` and ``ready`` are Python code for a job and for the check."""
     path.write_text(TRAINER.format(python=sys.executable, ready=ready, training=training, model=str(model)))
     path.chmod(0o755)
     return path

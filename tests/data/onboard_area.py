@@ -48,7 +48,7 @@ def linear(points_xy):
 
 
 def write_area(path):
-    """Writes the map's onboard file."""
+    """Write the map's onboard file."""
     database = build_from_labels(
         ArrayLabels(MAP), FRAME, TABLE, BuildSettings(200.0, 100.0, minimum_area=30.0), "1.2.3"
     )
@@ -57,5 +57,5 @@ def write_area(path):
 
 
 def copy_core(repository, folder):
-    """Copies core into a folder."""
+    """Copy core into a folder."""
     shutil.copytree(repository / "core", folder / "core", ignore=shutil.ignore_patterns("__pycache__"))

@@ -1,4 +1,4 @@
-"""A small map of blobs with its database, and onboard files changed member by member."""
+"""A small map of blobs with its database, and onboard files with changed members."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def npy(array) -> bytes:
 
 
 def with_header(path, source, **changes) -> str:
-    """A copy of a file with another header and the hash that belongs to it, as its maker would have written it."""
+    """Return a copy of a file with another header and the matching hash."""
     files = members(source)
     header = json.loads(np.load(io.BytesIO(files["header.npy"])).tobytes())
     header.update(changes)

@@ -1,4 +1,4 @@
-"""Whether the running Python has PyQt6, for tests that start it in a process of its own."""
+"""Whether the running Python has PyQt6, for tests that start it in another process."""
 
 from __future__ import annotations
 

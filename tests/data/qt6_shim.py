@@ -1,4 +1,4 @@
-"""What shipped code imports of QGIS, made of PyQt6 alone: so that parts of ui/ run where QGIS is not.
+"""Replace QGIS's modules by PyQt6, so that parts of ui/ run without QGIS.
 
 ``qgis.PyQt`` is PyQt6 with the classes at the places where QGIS has them. Of ``qgis.core`` and ``qgis.gui`` the few
 classes that painting needs are Qt's; every other name is a ``StandIn``, good for nothing but being imported.
@@ -13,11 +13,11 @@ import types
 MODULES = "QtCore", "QtGui", "QtWidgets", "QtNetwork", "QtXml"
 
 ACTIONS = ("QAction", "QActionGroup", "QShortcut")
-"""Qt 6 moved them to QtGui; QGIS has them in QtWidgets still."""
+"""Qt 6 moved these to QtGui; QGIS still has them in QtWidgets."""
 
 
 class StandInType(type):
-    """Any name of a class that isn't here may be asked for when a module is read."""
+    """Metaclass that provides any missing class name when a module is read."""
 
     def __getattr__(cls, name: str) -> object:
         if name.startswith("__"):
@@ -29,7 +29,7 @@ class StandInType(type):
 
 
 class StandIn(metaclass=StandInType):
-    """For what is imported, and inherited from or named in annotations, but not used."""
+    """Class that is imported, inherited from or named in annotations, but not used."""
 
 
 def install(profile: str) -> None:
@@ -55,7 +55,7 @@ def install(profile: str) -> None:
 
 
 def module_of(name: str, classes: dict[str, object]) -> types.ModuleType:
-    """Return a module with these names, and replacements for all others."""
+    """Return a module with these names; all other names are ``StandIn``."""
 
     def __getattr__(asked: str) -> object:
         if asked.startswith("__"):
@@ -68,7 +68,7 @@ def module_of(name: str, classes: dict[str, object]) -> types.ModuleType:
 
 
 def core_classes(qt: dict[str, types.ModuleType], profile: str) -> dict[str, object]:
-    """What painting needs of ``qgis.core``."""
+    """Return the classes of ``qgis.core`` that painting needs."""
     style = qt["QtWidgets"].QStyle.StandardPixmap.SP_MessageBoxInformation
 
     class QgsSettings:

@@ -1,4 +1,4 @@
-"""Paints what ui/ has of its own in Qt 6, without QGIS: a program for tests/core/test_qt6_widgets.py.
+"""Paint the custom widgets of ui/ in Qt 6, without QGIS: a program for tests/core/test_qt6_widgets.py.
 
     python qt6_widgets.py PROFILE [PICTURES]
 
@@ -55,7 +55,7 @@ def status_line():
 
 
 def image_view():
-    """With photo, labels, landmarks and star; the mouse over it, and zoomed by the wheel."""
+    """Return an image view with photo, labels, landmarks and star, under the mouse and zoomed by the wheel."""
     from PyQt6.QtCore import QEvent, QPoint, QPointF, Qt
     from PyQt6.QtGui import QMouseEvent, QWheelEvent
     from PyQt6.QtWidgets import QApplication
@@ -159,7 +159,7 @@ WIDGETS = (
 
 
 def painted(widget, name: str, pictures: str) -> dict[str, int]:
-    """What a widget looks like when the event loop has shown it."""
+    """Return the picture of a widget after the event loop has shown it."""
     from PyQt6.QtGui import QImage
     from PyQt6.QtWidgets import QApplication
 

@@ -1,4 +1,4 @@
-"""What the tests of semref:rasterizeannotation share."""
+"""Shared parts of the tests of semref:rasterizeannotation."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def stored_table(path):
 
 
 def styled_layer(path: Path, categories) -> QgsVectorLayer:
-    """A layer with a categorised style on ``class``: (value, label, color) each."""
+    """Return a layer with a categorized style on ``class``: (value, label, color) each."""
     layer = QgsVectorLayer(str(path), path.stem, "ogr")
     found = []
     for value, label, color in categories:

@@ -1,4 +1,4 @@
-"""The shipped source as syntax trees, each file parsed once for all tests that read it."""
+"""The shipped source as syntax trees; each file is parsed once for all tests."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from pathlib import Path
 
 @functools.cache
 def tree_of(path: Path) -> ast.Module:
-    """Return the file's tree, which must not be changed."""
+    """Return the file's tree; callers must not change it."""
     return ast.parse(path.read_text(encoding="utf-8"))
 
 
 @functools.cache
 def nodes_of(path: Path) -> tuple[ast.AST, ...]:
-    """All nodes of the file's tree."""
+    """Return all nodes of the file's tree."""
     return tuple(ast.walk(tree_of(path)))
 
 

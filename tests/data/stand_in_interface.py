@@ -1,4 +1,4 @@
-"""In place of QGIS's window, for tests that load the plugin into their own process."""
+"""A replacement for QGIS's window, for tests that load the plugin into their own process."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ class InterfaceStandIn:
         self.options_pages_shown.append(page)
 
     def newProject(self, promptToSaveFlag=False):
-        """The user's answer to the question whether to save is `lets_projects_go`."""
+        """Answer the question about saving with `lets_projects_go`."""
         if self.lets_projects_go:
             QgsProject.instance().clear()
         return self.lets_projects_go
@@ -92,6 +92,6 @@ class InterfaceStandIn:
         self.drop_handlers.remove(handler)
 
     def leftovers(self) -> list:
-        """What a plugin added and did not take away."""
+        """Return what a plugin added and did not remove."""
         actions = self.tool_bar_actions + self.menu_actions
         return self.docks + actions + self.options_factories + self.drop_handlers

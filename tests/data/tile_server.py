@@ -1,4 +1,4 @@
-"""A server of map tiles on loopback with known ground everywhere: squares of three colors in EPSG:3857."""
+"""A local server of map tiles: squares of three colors in EPSG:3857, with known classes everywhere."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _TILE = 256
 
 
 def labels_at(x: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """Class 1, 2 or 3 at places of EPSG:3857."""
+    """Return class 1, 2 or 3 at places of EPSG:3857."""
     return ((np.floor(x / SQUARE) + 2 * np.floor(y / SQUARE)) % 3 + 1).astype(int)
 
 
@@ -36,7 +36,7 @@ def tile_png(zoom: int, column: int, row: int, ground=labels_at) -> bytes:
 def tile_server(
     status: int = 200, delay_s: float = 0.0, ground=labels_at, redirect: str = "", sent: list | None = None
 ):
-    """Gives the URI of an XYZ layer.
+    """Yield the URI of an XYZ layer.
 
     status: other than 200 answers every tile with it; delay_s: before each; ground: classes at (x, y) of EPSG:3857;
     redirect: an address for each tile, {path} being its own; sent: takes the sizes of the pieces of

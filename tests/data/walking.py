@@ -1,4 +1,4 @@
-"""For scripts that run inside desktop QGIS (--code) and go a user's ways: waiting, the dock, how such a script ends.
+"""Helpers for scripts in desktop QGIS (--code) that act like a user: waiting, the dock, the end of a script.
 
 The script calls ``start(session)``; what the session returns, or the error that ended it, is written as JSON.
 """
@@ -16,7 +16,7 @@ from qgis.PyQt.QtCore import QCoreApplication, QTimer
 from qgis.PyQt.QtWidgets import QDialogButtonBox, QDockWidget
 
 LIMIT_S = 600
-"""Of one step; making the sample took more than 300 s on a machine that did much else."""
+"""Time limit of one step; making the sample took more than 300 s on a busy machine."""
 LOADED_AFTER_MS = 2500
 """The window is complete only when its event loop runs."""
 
@@ -39,7 +39,7 @@ def wait_until(condition, what: str) -> None:
 
 
 def _what_stands_still() -> str:
-    """Python errors, tasks with their status, and where each thread of Python is."""
+    """Return Python errors, tasks with their status, and the place of each Python thread."""
     tasks = [
         f"task {task.description()!r}: status {int(task.status())}" for task in QgsApplication.taskManager().tasks()
     ]
@@ -57,7 +57,7 @@ def run_button(dialog):
 
 
 def start(session) -> None:
-    """Goes the ways as soon as the window is there, writes what came of it with all Python errors, and quits QGIS."""
+    """Run the steps when the window is ready, write results and Python errors, and quit QGIS."""
 
     def run() -> None:
         try:
@@ -66,7 +66,7 @@ def start(session) -> None:
             result = {"error": traceback.format_exc()}
         result["messages"] = messages
         Path(os.environ["SEMREF_DESKTOP_RESULT"]).write_text(json.dumps(result, indent=1), encoding="utf-8")
-        # Nothing of the walk is to be kept, and nobody is there to say so.
+        # Discard changes, because nobody can answer the question.
         QgsSettings().setValue("app/askToSaveMemoryLayers", False)
         QgsSettings().setValue("qgis/askToSaveProjectChanges", False)
         QgsProject.instance().clear()
@@ -77,5 +77,5 @@ def start(session) -> None:
 
 
 def _note_exception(kind, value, trace, text, *arguments, **options) -> None:
-    """In place of QGIS's dialog, which would wait for a click."""
+    """Replace QGIS's dialog, which would wait for a click."""
     messages.append("".join(traceback.format_exception(kind, value, trace)))

@@ -1,4 +1,4 @@
-"""QGIS without a display."""
+"""Start QGIS without a display."""
 
 import os
 
@@ -14,7 +14,7 @@ def qgis_app(start_qgis):
 
 @pytest.fixture(scope="session")
 def build_area(run_algorithm, tmp_path_factory):
-    """`build_area(labels, names, size, stride)`: path of the database of a label map with three landmark classes.
+    """`build_area(labels, names, size, stride)` returns the path of a database with three landmark classes.
 
     Built once a session for the same arguments, to read only; the map is `labels.tif` beside it.
     """

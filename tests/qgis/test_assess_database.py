@@ -1,4 +1,4 @@
-"""semref:assessdatabase: a map of expected success that its layer, report and number agree about."""
+"""semref:assessdatabase: layer, report and number of the expected success agree."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def database(build_area):
 
 @pytest.fixture(scope="module")
 def assessed(run_algorithm, database, tmp_path_factory):
-    """Results and rows of an assessment with two footprints."""
+    """Return results and rows of an assessment with two footprints."""
     folder = tmp_path_factory.mktemp("assessed")
     parameters = {
         "DATABASE": database,
@@ -80,7 +80,7 @@ def test_the_layer_brings_its_style(assessed):
     assert renderer.type() == "graduatedSymbol"
     labels = [one.label() for one in renderer.ranges()]
     assert labels[0] == "very reliably (95–100 %)" and labels[-1] == "hardly ever (0–30 %)"
-    # Squares of the other footprints are not drawn over the first one's.
+    # Squares of other footprints are not drawn over the first one's.
     assert '"footprint" = 250' in renderer.classAttribute()
     assert not [path for path in Path(assessed[0]["OUTPUT"]).parent.iterdir() if path.suffix in (".gpkg-wal", "-shm")]
 

@@ -1,4 +1,4 @@
-"""semref:assessroute: expectations along a route, its gaps, and the files that planners have."""
+"""semref:assessroute: expectations along a route, its gaps, and waypoint files."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ ASSESS = "semref:assessroute"
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 LABELS = landmarks_in_the_west()
 TURNS = ((150.0, 250.0), (700.0, 250.0))
-"""Column, row of the route below: from the landmarks into the empty east."""
+"""Column and row of the route below: from the landmarks into the empty east."""
 
 
 @pytest.fixture(scope="module")
@@ -161,7 +161,7 @@ def test_a_route_file_that_is_not_there_or_no_text_is_refused(qgis_app, tmp_path
 
 @pytest.fixture(scope="module")
 def assessed(run_algorithm, database, tmp_path_factory):
-    """Results, rows and folder of a route that is given as a file."""
+    """Return results, rows and folder of a route read from a file."""
     folder = tmp_path_factory.mktemp("assessed")
     path = folder / "mission.plan"
     path.write_text(simple_plan(TURNS), encoding="utf-8")
@@ -216,7 +216,7 @@ def test_the_report_has_a_map_of_the_route_on_the_layers_that_were_given(assesse
     picture = QImage.fromData(base64.b64decode(re.search(r'href="data:image/jpeg;base64,([^"]+)"', text)[1]))
     height = float(re.search(r'viewBox="0 0 960 (\d+)" role="img" aria-label="Map of the route"', text)[1])
     assert (picture.width(), picture.height()) == (1920, 2 * height)
-    # The square covers the middle of the route, on the map.
+    # The square is across the middle of the route, on the map.
     middle, beside = (picture.pixelColor(x, picture.height() // 2 + 30) for x in (820, 1300))
     assert middle != beside and (middle.red(), middle.green()) != (255, 255)
 
@@ -234,7 +234,7 @@ def test_a_route_map_has_a_piece_for_each_run_of_a_class_and_numbers_several_lin
     one = route_of([(0, 0), (50, 0)])
     svg = route_map(one, np.array([1, 1, 0, 0, 1, 1]), classes, b"", "map")
     assert (svg.count("#000001"), svg.count("#000002"), svg.count("<image")) == (1, 2, 0)
-    # The first piece ends half the way from the second to the third point, where the next one begins.
+    # The first piece ends halfway from the second to the third point, where the next one begins.
     drawn = [re.search(r'd="M([^"]+)"', path)[1].split("L") for path in re.findall("<path[^>]+#00000[^>]+", svg)]
     assert drawn[0][-1] == drawn[1][0] and drawn[1][-1] == drawn[2][0]
     two = route_of([(0, 0), (50, 0)], [(0, 40), (50, 40)])

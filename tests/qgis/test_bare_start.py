@@ -1,4 +1,4 @@
-"""The plugin starts in a QGIS without the packages that SemRef needs; a process hides them."""
+"""The plugin starts in a QGIS without the packages of SemRef; a process hides them."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ WITHOUT_PACKAGES = {"classifyopenstreetmap"}
 
 @pytest.fixture(scope="module")
 def start() -> dict:
-    """What tests/data/bare_start.py saw."""
+    """Return the output of tests/data/bare_start.py."""
     environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen", "PYTHONPATH": str(DATA / "bare")}
     command = [sys.executable, str(DATA / "bare_start.py")]
     done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=TIMEOUT_S, check=False)

@@ -1,4 +1,4 @@
-"""Benchmarks from a map to a table, as ``python -m benchmarks`` runs them, on the sample area."""
+"""``python -m benchmarks``, from a map to a table, on the sample area."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def shown(tmp_path, *arguments):
-    """What ``python -m benchmarks run`` prints."""
+    """Return the output of ``python -m benchmarks run``."""
     options = ["--work", str(tmp_path), "--data", str(tmp_path / "nothing")]
     command = [sys.executable, "-m", "benchmarks", "run", *arguments, *options]
     environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen", "DISPLAY": ""}

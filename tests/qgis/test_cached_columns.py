@@ -1,4 +1,4 @@
-"""The cached columns of a large database are those of its rows to the last bit, or they are not used."""
+"""Cached columns of a large database equal its rows bit for bit, or they are not used."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def path(tmp_path):
 
 @pytest.fixture
 def times_read(monkeypatch):
-    """How often rows were read; a list that grows."""
+    """Return a list that grows each time rows are read."""
     read, times = reader.read_references, []
 
     def counted(connection):
@@ -58,7 +58,7 @@ def assert_same(found, expected):
         of_found, of_expected = getattr(found, part), getattr(expected, part)
         for field in fields(of_expected):
             if field.name == "bounds_px":
-                # They are read by themselves where they are asked for.
+                # They are read separately when they are needed.
                 continue
             value, wanted = getattr(of_found, field.name), getattr(of_expected, field.name)
             if wanted is None:
@@ -70,7 +70,7 @@ def assert_same(found, expected):
 
 
 def edit(path, *statements):
-    """As another program does: the checksums stay."""
+    """Edit it like another program: the checksums do not change."""
     connection = sqlite3.connect(path)
     for (name,) in connection.execute("SELECT name FROM sqlite_master WHERE type = 'trigger'").fetchall():
         connection.execute(f'DROP TRIGGER "{name}"')

@@ -1,4 +1,4 @@
-"""Cameras from files: a CSV, or EXIF and XMP of a photo; every mistake in a CSV is one sentence with its line."""
+"""Cameras from CSV files, EXIF and XMP; each mistake in a CSV is one sentence with its line."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ def label_image(folder: Path, name: str = "IMG_1.png", width: int = 40, height: 
 
 
 def photo(path: Path, xmp: str = "", width: int = 80, height: int = 60, **exif) -> Path:
-    """A JPEG with EXIF items and an XMP packet that has ``xmp`` as attributes or elements."""
+    """Write a JPEG with EXIF items and an XMP packet that has ``xmp`` as attributes or elements."""
     memory = gdal.GetDriverByName("MEM").Create("", width, height, 3)
     memory.SetMetadata({f"EXIF_{name}": value for name, value in exif.items()})
     gdal.GetDriverByName("JPEG").CreateCopy(str(path), memory)
-    # What GDAL could not write into the JPEG it keeps beside it; cameras don't.
+    # GDAL writes a side-car file for items that don't fit into a JPEG; cameras don't.
     Path(f"{path}.aux.xml").unlink(missing_ok=True)
     if xmp:
         attributes, elements = ("", xmp) if xmp.startswith("<") else (xmp, "")
@@ -48,7 +48,7 @@ def angles(camera) -> tuple:
 
 
 DEWARP = 'drone-dji:DewarpData="2018-03-13;60.2,60.1,-0.13,0.75,-0.269478,0.115681,-0.0000875,-0.000306,-0.0357628"'
-"""As a Phantom 4 RTK states it, for photos of 80 × 60 pixels."""
+"""Values that a Phantom 4 RTK states, for photos of 80 × 60 pixels."""
 
 
 def test_what_dji_states_of_its_lens_straightens_the_image(tmp_path):
@@ -203,7 +203,7 @@ def test_the_table_comes_before_the_photo_and_the_photo_fills_its_gaps(tmp_path)
 
 
 def test_tags_that_are_no_text_are_no_fault_of_the_program(tmp_path):
-    """GDAL gives bytes for what is no UTF-8."""
+    """GDAL returns bytes for text that is not UTF-8."""
     path = photo(tmp_path / "IMG_1.jpg", xmp="<x GimbalRollDegree='1' GimbalPitchDegree='-80'/>")
     data = path.read_bytes()
     path.write_bytes(data.replace(b"Gimbal", b"\xff\xfe\xfdmbal"))

@@ -1,4 +1,4 @@
-"""Cancel: an algorithm stops at once, leaves nothing under the final name and an older output untouched."""
+"""Cancel: an algorithm stops at once, writes no output and does not change an older one."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingExcepti
 
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 PROMPT_S = 1.0
-"""Of the processor, so that what else the machine does counts for nothing."""
+"""Processor time, which does not depend on other programs."""
 
 
 class CancelAt(QgsProcessingFeedback):
-    """Cancels itself when the progress reaches ``percent``; None never. Remembers the progress and when it canceled."""
+    """Feedback that cancels at ``percent`` (None: never) and remembers the progress and the time of the cancel."""
 
     def __init__(self, percent):
         super().__init__(False)
@@ -42,7 +42,7 @@ class CancelAt(QgsProcessingFeedback):
 
 @pytest.fixture(scope="module")
 def jobs(run_algorithm, tmp_path_factory):
-    """(algorithm id, parameters, key of its output, name of its output) by name: jobs of many steps."""
+    """Return (algorithm id, parameters, key of its output, name of its output) of jobs with many steps."""
     folder = tmp_path_factory.mktemp("inputs")
     random = np.random.default_rng(4)
     features = [(square(*random.uniform(0, 900, 2), 12), f"class {n % 7}") for n in range(3000)]
@@ -137,7 +137,7 @@ def jobs(run_algorithm, tmp_path_factory):
 
 @pytest.fixture
 def small_steps(monkeypatch):
-    """Small slices, so that small inputs take many steps."""
+    """Use small slices, so that small inputs take many steps."""
     from semref.processing.algorithms import decode_color_labels
     from semref.storage import label_comparison, rasterize
 
@@ -182,7 +182,7 @@ def test_cancel_leaves_nothing_where_nothing_was(jobs, small_steps, tmp_path, na
 @pytest.mark.parametrize("name", ["rasterize", "decode", "build", "segment"])
 @pytest.mark.parametrize("percent", [50, pytest.param(90, marks=pytest.mark.slow)])
 def test_files_are_closed_before_they_are_removed(jobs, small_steps, tmp_path, monkeypatch, name, percent):
-    """Windows removes no file that is open."""
+    """Windows can't remove open files."""
     from semref.storage import atomic_output
 
     remove, still_open, looked = shutil.rmtree, [], []

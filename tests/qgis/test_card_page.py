@@ -1,4 +1,4 @@
-"""The page of a network's card."""
+"""The page of a model card."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ TOOLS = Path(__file__).resolve().parents[2] / "tools"
 
 @pytest.fixture(scope="module", autouse=True)
 def tools():
-    """tools/ can be imported from, as its commands do."""
+    """Allow imports from tools/, as in its commands."""
     sys.path.append(str(TOOLS))
     yield
     sys.path.remove(str(TOOLS))

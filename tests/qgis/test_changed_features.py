@@ -1,4 +1,4 @@
-"""Where an annotation is not what it was when a database was updated by it."""
+"""Changed features of a land-cover layer since a database was updated from it."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import pytest
 
 
 def drawn(**digests):
-    """Features of these digests, each at a place of its own."""
+    """Return features with these digests, each at its own place."""
     from qgis.core import QgsRectangle
 
     from semref.processing.inspection.correction import DrawnFeature

@@ -1,4 +1,4 @@
-"""semref:checkannotation: errors of a layer become features, and agree with what rasterizing does."""
+"""semref:checkannotation: findings are features and agree with rasterizing."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def check(run_algorithm, feedback, tmp_path):
 
 @pytest.fixture
 def issues(check, tmp_path):
-    """`issues(layer, **parameters)` gives a dict of the columns, with its `box`, for each finding."""
+    """`issues(layer, **parameters)` returns a dict of the columns, with its `box`, for each finding."""
 
     def run(layer, **parameters):
         results = check(layer, **parameters)
@@ -54,7 +54,7 @@ def read_rows(path) -> list:
     return rows
 
 
-# --- what is found ---
+# --- findings ---
 
 
 def test_a_clean_layer_has_no_findings(issues, tmp_path, classes_csv):
@@ -130,7 +130,7 @@ def test_the_report_counts_by_kind_and_class_and_lists_the_largest(check, tmp_pa
 
 
 def test_drawn_landmarks_are_the_objects_of_the_label_map(run_algorithm, tmp_path):
-    """Regions as the check draws them and burns them, against what Rasterize annotation makes of the same layer."""
+    """Compare the regions that the check draws with those of Rasterize annotation on the same layer."""
     from semref.core.annotation.check import AnnotationCheck, CheckSettings
     from semref.core.annotation.polygons import AnnotatedFeature
     from semref.storage.pixel_grid import pixel_grid

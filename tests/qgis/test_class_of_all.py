@@ -1,4 +1,4 @@
-"""Polygons of one class, which is given by its name without a field."""
+"""One class for all polygons, named by a parameter instead of a field."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ RASTERIZE = "semref:rasterizeannotation"
 
 @pytest.fixture
 def houses(tmp_path):
-    """A layer of 25 squares with one field that numbers them."""
+    """Return a layer of 25 squares; its only field numbers them."""
     features = [(square(70 * (n % 5), 70 * (n // 5) + 3 * n % 17, 12), n) for n in range(25)]
     return str(write_layer(tmp_path / "houses.gpkg", features, [("osm_id", "integer")]))
 

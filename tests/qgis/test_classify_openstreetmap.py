@@ -1,4 +1,4 @@
-"""semref:classifyopenstreetmap: an extract, columns of tags or outlines alone become land cover."""
+"""semref:classifyopenstreetmap: an extract, columns of tags or outlines become land cover."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""semref:comparelabels: figures equal counts done by hand; every disagreement is a polygon, the largest first."""
+"""semref:comparelabels: figures equal manual counts; each disagreement is a polygon, the largest first."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ LABELS = scattered_objects(120, 160, 30, seed=3)
 
 @pytest.fixture
 def compare(run_algorithm, feedback, tmp_path):
-    """`compare(reference, predicted, **parameters)` gives (polygons as dicts with their area and box, results)."""
+    """`compare(reference, predicted, **parameters)` returns (polygons with area and box, results)."""
 
     def run(reference, predicted, **parameters):
         defaults = {"MINIMUM_AREA": 0, "DISAGREEMENTS": str(tmp_path / "disagreements.gpkg")}
@@ -44,7 +44,7 @@ def compare(run_algorithm, feedback, tmp_path):
 
 @pytest.fixture
 def maps(tmp_path):
-    """(annotated map, predicted map with two wrong rectangles)."""
+    """Return (annotated map, predicted map with two wrong rectangles)."""
     wrong = LABELS.copy()
     wrong[10:20, 30:50] = 0
     wrong[60:90, 100:140] = 2
@@ -91,7 +91,7 @@ def test_maps_without_names_are_matched_by_value_with_a_note(compare, tmp_path, 
 def test_a_prediction_of_other_pixels_and_extent_is_compared_on_the_annotated_ones(compare, tmp_path):
     wrong = LABELS.copy()
     wrong[60:90, 100:140] = 2
-    fine = np.kron(wrong, np.ones((2, 2), np.uint8))[20:, 40:]  # from row 10, column 20 on
+    fine = np.kron(wrong, np.ones((2, 2), np.uint8))[20:, 40:]  # From row 10, column 20.
     annotated = write_raster(tmp_path / "a.tif", LABELS)
     predicted = write_raster(tmp_path / "b.tif", fine, transform=(WEST + 20, 0.5, 0, NORTH - 10, 0, -0.5))
     found, results = compare(annotated, predicted)
@@ -135,7 +135,7 @@ def test_maps_that_do_not_overlap_are_refused(compare, tmp_path, options, messag
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="limits on files as Unix has them")
 def test_a_full_disk_for_polygons_is_reported(tmp_path):
-    """GDAL takes back all rows where a commit finds the disk full; that was read as maps that agree everywhere."""
+    """If a commit fails on a full disk, GDAL removes all rows; this must not look like equal maps."""
     from semref.core.errors import LabelMapError
     from semref.storage.label_comparison import DisagreementMap, LabelMapPair
 
@@ -165,7 +165,7 @@ def test_a_photo_is_no_prediction(compare, tmp_path):
 
 @pytest.fixture
 def shifted(tmp_path):
-    """(annotated map, predicted map with buildings 2 pixels right and 1 down), pixels of half a meter."""
+    """Return the annotated map, and a prediction with buildings 2 pixels right and 1 down; pixels are 0.5 m."""
     rng = np.random.default_rng(5)
     true = scattered_objects(700, 1600, 900, seed=6)
     moved = displace(true, LabelNoise(class_shifts=((1, 2.0, 1.0),)), rng)

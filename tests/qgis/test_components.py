@@ -1,4 +1,4 @@
-"""Missing Python packages: small wheels made here are installed by the real pip, without a network."""
+"""Missing Python packages: the real pip installs small wheels made here, without a network."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ BROKEN = Package("Broken", "semref_broken", "semref-broken")
 
 
 def make_wheel(folder: Path, package: Package, code: str, pip_name: str = "") -> None:
-    """A wheel of one module; it requires another numpy, which must be ignored."""
+    """Write a wheel of one module; its requirement of another numpy must be ignored."""
     name = (pip_name or package.pip_name).replace("-", "_")
     information = f"{name}-1.0.dist-info"
     metadata = f"Metadata-Version: 2.1\nName: {pip_name or package.pip_name}\nVersion: 1.0\nRequires-Dist: numpy>=9\n"
@@ -58,7 +58,7 @@ def wheels(tmp_path) -> Path:
 
 @pytest.fixture
 def root(qgis_app, tmp_path, monkeypatch) -> Path:
-    """SemRef's folder in an empty profile; path and modules are put back afterwards."""
+    """Return SemRef's folder in an empty profile; path and modules are restored afterwards."""
     monkeypatch.setattr(QgsApplication, "qgisSettingsDirPath", staticmethod(lambda: str(tmp_path / "profile")))
     monkeypatch.setattr(components, "PACKAGES", (GOOD, BROKEN))
     path = list(sys.path)
@@ -70,7 +70,7 @@ def root(qgis_app, tmp_path, monkeypatch) -> Path:
 
 @pytest.fixture
 def installer(qgis_app):
-    """The messages are in `.ends`."""
+    """Return an installer; `.ends` has its messages."""
     made = ComponentInstaller()
     made.ends = []
     made.installed.connect(lambda: made.ends.append("installed"))
@@ -91,7 +91,7 @@ def end_of(installer) -> str:
 
 
 def python_that_answers(folder: Path, script: str) -> str:
-    """A program that replaces QGIS's Python."""
+    """Return a replacement for QGIS's Python."""
     path = folder / "python3"
     path.write_text(f"#!/bin/sh\n{script}\n")
     path.chmod(0o755)
@@ -99,7 +99,7 @@ def python_that_answers(folder: Path, script: str) -> str:
 
 
 def is_tidy(root: Path) -> bool:
-    """Return whether the folder contains no package and nothing incomplete."""
+    """Return whether no package and no temporary files remain."""
     return not root.exists() or [path for path in root.rglob("*") if path.name.startswith(".") or path.is_file()] == []
 
 
@@ -131,7 +131,7 @@ def test_a_variant_package_comes_first_from_the_next_start_on(root, tmp_path, wh
     installer.start([variant], str(tmp_path / "more"))
     assert end_of(installer) == "installed", installer.log
     assert sorted(path.name for path in components.components_folder().iterdir()) == [GOOD.pip_name, variant.pip_name]
-    # As it is when QGIS starts the next time.
+    # As at the next start of QGIS.
     sys.path[:] = [entry for entry in sys.path if not entry.startswith(str(root))]
     importlib.invalidate_caches()
     components.add_components_to_path()
@@ -174,7 +174,7 @@ def test_a_cancel_leaves_nothing_and_what_was_there_as_it_was(root, tmp_path, wh
         QCoreApplication.processEvents()
     began = time.monotonic()
     installer.cancel()
-    assert time.monotonic() - began < 30  # half of what the process sleeps
+    assert time.monotonic() - began < 30  # Half of the time that the process sleeps.
     assert installer.ends == ["canceled"] and not installer.running
     assert is_tidy(root) and sys.path == path
 
@@ -190,7 +190,7 @@ def test_a_python_without_pip_is_explained(root, tmp_path, installer, monkeypatc
 
 
 def answers(pip=True, version=sys.version, ending=EXT_SUFFIX):
-    """The shell's command that answers as a Python of that build would."""
+    """Return a shell command that answers like a Python of that build."""
     return "echo " + shlex.quote(json.dumps({"build": [version, ending], "pip": pip}).replace("\\", "\\\\"))
 
 
@@ -282,7 +282,7 @@ def test_another_wheel_under_the_same_name_is_refused(root, installer, pinned):
     assert is_tidy(root) and components.is_missing(GOOD)
 
 
-# --- what is missing ---
+# --- missing packages ---
 
 
 def test_a_package_without_its_newest_part_is_too_old(qgis_app, tmp_path, monkeypatch):

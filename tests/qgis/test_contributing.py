@@ -1,4 +1,4 @@
-"""The algorithm that CONTRIBUTING shows is one that runs."""
+"""The example algorithm of CONTRIBUTING runs."""
 
 from __future__ import annotations
 

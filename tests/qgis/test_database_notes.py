@@ -1,4 +1,4 @@
-"""Metadata of a reference database: its history, its sources and their licenses."""
+"""Metadata of a reference database: title, history and licenses."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ SOURCES = "Land cover of Erewhon (ODbL 1.0, © OpenStreetMap contributors)"
 
 @pytest.fixture
 def label_map(qgis_app, tmp_path) -> Path:
-    """A label map beside which QGIS's note names a license, as “Rasterize annotation” leaves it."""
+    """Return a label map with a license in QGIS's metadata file, like that of “Rasterize annotation”."""
     path = write_raster(tmp_path / "labels.tif", scattered_objects(600, 600, 300, seed=3), names=NAMES)
     layer = QgsRasterLayer(str(path), "labels")
     told = QgsLayerMetadata()
@@ -66,7 +66,7 @@ def test_an_update_adds_itself_to_the_history_and_keeps_the_rest(database, label
 
 
 def history_after(lines: list[str]) -> list[str]:
-    """Of a layer with these lines after one more run."""
+    """Return the history of a layer with these lines after one more run."""
     told = QgsLayerMetadata()
     told.setHistory(lines)
     layer = QgsVectorLayer("Point?crs=epsg:2056", "landmarks", "memory")
@@ -79,7 +79,7 @@ def test_the_history_of_many_updates_keeps_the_first_line_and_the_newest_ones(qg
     for number in range(120):
         lines = history_after(lines)
         assert len(lines) == (number + 2 if number < 49 else 51)
-        # The number of their run distinguishes the lines.
+        # Each line has the number of its run.
         lines[-1] = f"update {number}"
     assert lines[:2] == ["built", "…"]
     assert lines[2:] == [f"update {number}" for number in range(71, 120)]
@@ -109,7 +109,7 @@ def test_no_table_is_there_twice_and_no_file_beside_it(database, label_map):
         ).fetchall()
         texts = [text for (text,) in connection.execute("SELECT metadata FROM gpkg_metadata")]
     assert rows == [("references", 1), ("windows", 1)]
-    # GDAL would write each note again, as its own.
+    # GDAL would write each metadata entry again as its own.
     assert sum("builddatabase" in text for text in texts) == 2
     assert sorted(path.name for path in label_map.parent.glob("area*")) == ["area.gpkg"]
 

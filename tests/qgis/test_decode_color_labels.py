@@ -16,14 +16,14 @@ COLORS = {1: (0xD6, 0x27, 0x28), 2: (0x1F, 0x77, 0xB4), 3: (0xBC, 0xBD, 0x22), 4
 """Red, green, blue of CLASSES_CSV."""
 
 RED_CSV = "value,name,color,role,draw_order,hsv_min,hsv_max\n7,roof,#ff0000,reference,,170 100 100,10 255 255\n"
-"""One class with a range of hues that wraps from 180 to 0."""
+"""Class table with a hue range that wraps around from 180 to 0."""
 
 LABELS = scattered_objects(90, 130, 25, seed=3)
 
 
 @pytest.fixture
 def decode(run_algorithm, feedback, tmp_path):
-    """`decode(image, class_table_text, **parameters)` gives the path of the label map."""
+    """`decode(image, class_table_text, **parameters)` returns the path of the label map."""
 
     def run(image, table=CLASSES_CSV, **parameters):
         table = write_text(tmp_path / "classes.csv", table)

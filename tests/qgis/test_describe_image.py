@@ -1,4 +1,4 @@
-"""semref:describeimage: the landmarks are on the objects of the image, and the vector is the one that is matched."""
+"""semref:describeimage: landmarks are on the objects of the image, and the vector is that of matching."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ DESCRIBE = "semref:describeimage"
 PIXEL = 2.0
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 WIDE = scattered_objects(150, 210, 60, seed=7)
-"""Labels of an image that is wider than high: its centered square are the columns 30 to 180."""
+"""Labels of a wide image; its centered square has the columns 30 to 180."""
 
 SQUARE = WIDE[:, 30:180]
 
 
 @pytest.fixture
 def describe(run_algorithm, feedback, tmp_path):
-    """`describe(image, **parameters)` gives (points as dicts with x and y, the vector file's content, results)."""
+    """`describe(image, **parameters)` returns (points as dicts with x and y, the vector file's content, results)."""
     table = write_text(tmp_path / "classes.csv", CLASSES_CSV)
 
     def run(image, **parameters):
@@ -116,7 +116,7 @@ def test_with_a_database_the_image_is_described_as_its_windows_are(describe, run
     window = next(f for f in source.GetLayerByName("windows") if f["name"] == "30_0")
     stored = np.frombuffer(bytes(window.GetFieldAsBinary("vector")), "<f4")
     image = write_raster(tmp_path / "image.png", SQUARE, transform=None)
-    # What the database says outranks the settings.
+    # The database's values override the settings.
     found, vector, _ = describe(image, DATABASE=database, CLASS_TABLE=None, MINIMUM_AREA=1)
     np.testing.assert_allclose(vector["vector"], stored, rtol=0, atol=1e-7)
     assert {row["class"] for row in found} == {1, 2}

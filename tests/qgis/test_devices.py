@@ -1,4 +1,4 @@
-"""The device of the options: stored, used by algorithms, logged with its speed, and never replaced silently."""
+"""The device in the options: kept, used by algorithms, reported with its speed, replaced only with a note."""
 
 from __future__ import annotations
 

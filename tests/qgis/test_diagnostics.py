@@ -1,4 +1,4 @@
-"""What a report of a fault needs to say."""
+"""Diagnostics for a bug report."""
 
 from __future__ import annotations
 

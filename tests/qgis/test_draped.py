@@ -1,4 +1,4 @@
-"""Positions of the pixels of a georeferenced image."""
+"""Places of the pixels of an image that is draped on the map."""
 
 import numpy as np
 import pytest
@@ -15,7 +15,7 @@ MIDDLE = np.array([400_000.0, 5_400_000.0])
 
 @pytest.fixture(scope="module")
 def photo(tmp_path_factory):
-    """Two bands with the column and the row of each pixel."""
+    """Return two bands with the column and the row of each pixel."""
     path = str(tmp_path_factory.mktemp("photo") / "photo.tif")
     height, width = SHAPE_HW
     raster = gdal.GetDriverByName("GTiff").Create(path, width, height, 2, gdal.GDT_UInt16)
@@ -54,7 +54,7 @@ def test_each_pixel_is_where_a_camera_without_distortion_saw_it(photo, tmp_path,
     seen = np.column_stack([columns[picked], rows[picked]]) + 0.5
     places = np.column_stack([x0 + (where[:, 1] + 0.5) * dx, y0 + (where[:, 0] + 0.5) * dy])
     away = np.hypot(*(on_ground(seen, footprint, SHAPE_HW) - places).T)
-    # Nearest neighbor: up to half a pixel's diagonal on the ground, which a tilted camera stretches.
+    # Nearest neighbor: up to half a pixel's diagonal on the ground; a tilted camera stretches pixels.
     steps = on_ground(seen + (0.5, 0.5), footprint, SHAPE_HW) - on_ground(seen - (0.5, 0.5), footprint, SHAPE_HW)
     others = on_ground(seen + (0.5, -0.5), footprint, SHAPE_HW) - on_ground(seen - (0.5, -0.5), footprint, SHAPE_HW)
     half = np.maximum(np.hypot(*steps.T), np.hypot(*others.T)) / 2

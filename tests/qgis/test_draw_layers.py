@@ -1,4 +1,4 @@
-"""Map tiles and parts of images: what shows on the canvas becomes a label map of the ground it shows."""
+"""Map tiles and parts of images become label maps of their ground."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ SEEN = np.where(LABELS == 0, 1, LABELS)
 
 @pytest.fixture(scope="module")
 def model(tmp_path_factory):
-    """A network for pixels of 2 m."""
+    """Return a network for pixels of 2 m."""
     return str(write_model(tmp_path_factory.mktemp("model") / "colors.onnx", metadata=metadata(resolution=200)))
 
 
 @pytest.fixture
 def tiles(qgis_app):
-    """`tiles(**server)` gives a layer of map tiles."""
+    """`tiles(**server)` returns a layer of map tiles."""
     stack = []
 
     def make(**server):
@@ -61,7 +61,7 @@ def segment(run_algorithm, model, feedback, tmp_path):
 
 
 def agreement(raster) -> float:
-    """Share of a label map's pixels that have the class that the tiles' ground has at their place."""
+    """Return the share of a label map's pixels with the class of the tiles at their place."""
     found = raster.ReadAsArray()
     x0, dx, _, y0, _, dy = raster.GetGeoTransform()
     rows, columns = np.mgrid[0 : found.shape[0] : 7, 0 : found.shape[1] : 7]
@@ -116,9 +116,9 @@ def test_tiles_without_an_end_are_given_up_and_little_of_them_is_read(segment, t
     sent, began = [], time.monotonic()
     with pytest.raises(QgsProcessingException, match="more than 20 MB for one tile"):
         segment(tiles(sent=sent))
-    # Not only when QGIS's own timeout of a minute ends the wait.
+    # Earlier than QGIS's own timeout of a minute.
     assert time.monotonic() - began < 30
-    # Some tiles at a time, and what the buffers of the system hold; a minute of them would be many gigabytes.
+    # A few tiles and the buffers of the system; a minute of such tiles would be many gigabytes.
     assert 20e6 < sum(sent) < 1e9
     assert list(tmp_path.iterdir()) == []
 
@@ -204,7 +204,7 @@ AREA = scattered_objects(900, 1000, 1300, seed=5, background=0)
 
 
 def area_at(x: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """Classes of AREA, 1 m a pixel in EPSG:32632, at places of EPSG:3857; 0 outside."""
+    """Return classes of AREA (1 m pixels in EPSG:32632) at places of EPSG:3857; 0 outside."""
     systems = [osr.SpatialReference() for _ in range(2)]
     for system, code in zip(systems, (3857, 32632)):
         system.ImportFromEPSG(code)
@@ -225,7 +225,7 @@ def database(build_area):
 
 @pytest.fixture
 def framed(tiles, tmp_path):
-    """LAYER, and the MODEL that it needs, of a map of tiles or of a file of labels."""
+    """Return LAYER and the MODEL that it needs, for map tiles or for a file of labels."""
 
     def of(kind):
         if kind == "tiles":
@@ -259,7 +259,7 @@ def test_outside_of_a_mask_a_layer_that_is_tried_has_no_labels(run_algorithm, da
     away = [(dx * (down + 340 - a[1]) - dy * (right + 300 - a[0])) / np.hypot(dx, dy) for dx, dy, a in edges]
     inside = np.min(away, axis=0)
     assert not labels[inside < -1].any()
-    # The network of the tiles knows no ground without a class.
+    # The network of the tiles has no unlabeled ground.
     seen = AREA[340:740, 300:700]
     shown = (inside > 1) & (seen > 0)
     assert (labels[shown] == seen[shown]).mean() > 0.9

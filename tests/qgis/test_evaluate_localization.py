@@ -1,4 +1,4 @@
-"""semref:evaluatelocalization: outputs that agree with each other, the same for the same seed, and plain refusals."""
+"""semref:evaluatelocalization: outputs agree, a seed repeats them, and wrong inputs are refused."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ BOTH = [0, 1]
 
 @pytest.fixture(scope="module")
 def inputs(build_area):
-    """Parameters LABELS and DATABASE of a made area."""
+    """Return the parameters LABELS and DATABASE of a made area."""
     database = build_area(LABELS, NAMES, SIZE, STRIDE)
     return {"LABELS": str(Path(database).with_name("labels.tif")), "DATABASE": database}
 
 
 @pytest.fixture
 def evaluate(run_algorithm, inputs, tmp_path, feedback):
-    """`evaluate(**parameters)` gives (features of OUTPUT as dicts with their point, results)."""
+    """`evaluate(**parameters)` returns (features of OUTPUT as dicts with their point, results)."""
 
     def run(**parameters):
         defaults = {"TRIALS": 12, "METHODS": BOTH, "OUTPUT": str(tmp_path / "trials.gpkg"), "REPORT": None}
@@ -98,7 +98,7 @@ def test_a_map_with_other_pixels_will_do(evaluate, tmp_path):
 
 @pytest.fixture(scope="module")
 def reported(run_algorithm, inputs, tmp_path_factory):
-    """(report, numbers, results) of one run."""
+    """Return (report, numbers, results) of one run."""
     folder = tmp_path_factory.mktemp("report")
     outputs = {"OUTPUT": str(folder / "t.gpkg"), "REPORT": str(folder / "r.html"), "JSON": str(folder / "n.json")}
     results = run_algorithm(EVALUATE, {**inputs, **outputs, "TRIALS": 8, "METHODS": BOTH})
@@ -142,7 +142,7 @@ def test_a_window_of_the_paper_is_found_at_distance_0_unscaled_and_unturned(repo
         assert row["right"] == 1 and row["distance"] == pytest.approx(0, abs=1e-6) and row["confidence"] == 1
 
 
-# --- what goes wrong ---
+# --- errors ---
 
 
 def refused(evaluate, **parameters):

@@ -1,4 +1,4 @@
-"""The calls that the guide shows for every algorithm: right for its parameters, and right on the sample area."""
+"""Example calls of the guide have valid parameters and run on the sample area."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""semref:exportonboard: a file that localizes as the database does, and never silently takes another's place."""
+"""semref:exportonboard: the file localizes like the database and does not replace other files silently."""
 
 from __future__ import annotations
 
@@ -138,7 +138,7 @@ def test_an_area_elsewhere_is_refused(export, tmp_path, parameters):
     assert not (tmp_path / "area.npz").exists()
 
 
-# --- what stands there already ---
+# --- existing files ---
 
 
 def test_an_older_onboard_file_is_replaced_with_a_note(export, feedback):
@@ -167,7 +167,7 @@ def test_any_other_file_is_not_replaced(export, tmp_path, content, reason):
 
 @pytest.fixture
 def without_qgis(repository, tmp_path):
-    """`without_qgis(*arguments)` runs `python -m core` in a copy of the folder alone; gives its JSON lines."""
+    """`without_qgis(*arguments)` runs `python -m core` in a copy of the folder; returns its JSON lines."""
     shutil.copytree(repository / "core", tmp_path / "alone" / "core", ignore=shutil.ignore_patterns("__pycache__"))
 
     def run(*arguments):
@@ -211,7 +211,7 @@ def test_images_have_the_same_fixes_with_and_without_qgis(
 
 
 def ground_and_colors():
-    """Channels: ground (the same everywhere), then red, blue and green."""
+    """Return a network with the channels ground (the same everywhere), red, blue and green."""
     kernels = np.zeros((4, 3, 1, 1), np.float32)
     for channel, band in ((1, 0), (2, 2), (3, 1)):
         kernels[channel, band] = 1
@@ -275,4 +275,4 @@ def test_paletted_images_are_read_as_gdal_reads_them(database, tmp_path, name):
     np.testing.assert_array_equal(read_with_gdal(path, table), LABELS)
 
 
-# --- GeoPackages that are none, or no longer whole ---
+# --- invalid GeoPackages ---

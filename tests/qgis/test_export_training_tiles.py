@@ -1,4 +1,4 @@
-"""semref:exporttrainingtiles: image and labels fit, training and validation are separate, the manifest is correct."""
+"""semref:exporttrainingtiles: images fit labels, training and validation are apart, the manifest is right."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ LABELS = scattered_objects(HEIGHT, WIDTH, 150, seed=5)
 
 
 def photo_of(labels: np.ndarray, kind=np.uint8, bands: int = 3) -> np.ndarray:
-    """(bands, H, W): a value in each band that determines the label, combined with the pixel's position."""
+    """Return (bands, H, W): each band has a value that depends on label and place."""
     place = np.add.outer(np.arange(labels.shape[0]), np.arange(labels.shape[1])) % 7
     factor = np.iinfo(kind).max // 300 + 1
     return np.stack([(labels * 20 + place + band) * factor for band in range(bands)]).astype(kind)
@@ -26,7 +26,7 @@ def photo_of(labels: np.ndarray, kind=np.uint8, bands: int = 3) -> np.ndarray:
 
 @pytest.fixture
 def export(run_algorithm, feedback, tmp_path):
-    """`export(image, labels, **parameters)` gives the results and the manifest; paths or arrays as inputs."""
+    """`export(image, labels, **parameters)` returns the results and the manifest; inputs are paths or arrays."""
 
     def run(image=None, labels=LABELS, **parameters):
         image = photo_of(LABELS) if image is None else image
@@ -43,7 +43,7 @@ def export(run_algorithm, feedback, tmp_path):
 
 
 def tile_pairs(folder, manifest, suffix="png"):
-    """(entry, image (bands, h, w), labels) of each tile."""
+    """Return (entry, image (bands, h, w), labels) of each tile."""
     for tile in manifest["tiles"]:
         stem = Path(folder) / tile["subset"]
         yield (
@@ -104,7 +104,7 @@ def test_labels_on_another_grid_are_brought_onto_the_image(export, tmp_path):
     result, manifest = export(labels=labels)
     columns = (np.arange(WIDTH) + 0.5 + 8) // 4
     rows = (np.arange(HEIGHT) + 0.5 + 4) // 4
-    padded = np.pad(coarse, ((0, 2), (0, 3)))  # beyond the label map nothing is labeled
+    padded = np.pad(coarse, ((0, 2), (0, 3)))  # Beyond the label map all pixels are unlabeled.
     expected = padded[np.ix_(rows.astype(int), columns.astype(int))]
     for tile, _, found in tile_pairs(result["OUTPUT"], manifest):
         part = np.s_[tile["row"] : tile["row"] + TILE, tile["column"] : tile["column"] + TILE]
@@ -175,7 +175,7 @@ def test_where_the_image_has_no_data_the_labels_are_cleared(export, tmp_path):
 
 
 def test_an_earlier_export_and_any_filled_folder_are_not_changed(export):
-    """What the user has put among the tiles since was once deleted with them."""
+    """Files that the user added among the tiles must not be deleted."""
     first, _ = export(STRIDE=64)
     before = sorted(Path(first["OUTPUT"]).rglob("*"))
     with pytest.raises(QgsProcessingException, match="holds other files"):

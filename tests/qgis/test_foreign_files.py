@@ -1,4 +1,4 @@
-"""Outputs lose nothing of the user's: planted folders, links, other users' files, kills, foreign files of the name."""
+"""Outputs never destroy files of users: planted folders, links, other users' files, kills, foreign files."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ LOCALIZE, RASTERIZE, BUILD = "semref:localizeimages", "semref:rasterizeannotatio
 
 @pytest.fixture(scope="module")
 def made(run_algorithm, tmp_path_factory):
-    """A label map, its database, and a photo."""
+    """Return a label map, its database, and a photo."""
     folder = tmp_path_factory.mktemp("made")
     labels = scattered_objects(150, 200, 40, seed=2)
     write_raster(folder / "labels.tif", labels, names=NAMES)
@@ -40,19 +40,19 @@ def made(run_algorithm, tmp_path_factory):
 
 @pytest.fixture
 def qgis_project():
-    """A project of its own."""
+    """Provide a separate project."""
     return QgsProject()
 
 
 @pytest.fixture
 def given(made, tmp_path):
-    """A copy of these in a folder of their own."""
+    """Return a copy of these in a separate folder."""
     shutil.copytree(made, tmp_path / "given")
     return tmp_path / "given"
 
 
 def content(folder: Path) -> dict[str, bytes]:
-    """What each file holds, by its path; links are not followed."""
+    """Return the content of each file by its path; links are not followed."""
     return {
         str(path.relative_to(folder)): path.read_bytes() if not path.is_symlink() else os.readlink(path).encode()
         for path in sorted(folder.rglob("*"))
@@ -76,11 +76,11 @@ def rasterize(run_algorithm, layer: Path, output: object, **more: object) -> Non
     )
 
 
-# --- what others planted ---
+# --- planted files ---
 
 
 def plant(folder: Path, name: str, moves: list) -> None:
-    """A folder as that of a run that died, with a plan of what it was about to move."""
+    """Create a folder like that of a run that died, with a plan of files to move."""
     planted = folder / name
     (planted / ".older").mkdir(parents=True)
     for mark in (".lock", ".moving"):
@@ -90,7 +90,7 @@ def plant(folder: Path, name: str, moves: list) -> None:
 
 
 def test_planted_folders_of_dead_runs_change_nothing_beside_inputs_and_outputs(run_algorithm, given, tmp_path):
-    """A plan once had “photos” removed and “run.sh” replaced, by reading one image beside it."""
+    """Such a plan once removed “photos” and replaced “run.sh” when an image beside it was read."""
     out = tmp_path / "out"
     for folder in (given, out):
         (folder / "photos").mkdir(parents=True)
@@ -98,7 +98,7 @@ def test_planted_folders_of_dead_runs_change_nothing_beside_inputs_and_outputs(r
         (folder / "run.sh").write_text("mine")
         for name in (".x.part", ".semref-positions-abcd.part"):
             plant(folder, name, [["photos", None, None, False, True], ["run.sh", None, None, True, True]])
-        # Of one that died before it had a lock.
+        # A run that died before it had a lock.
         (folder / ".empty.part").mkdir()
     before = content(given), content(out)
     localize(run_algorithm, given, out / "positions.gpkg")
@@ -138,7 +138,7 @@ def test_a_fifo_of_the_outputs_name_is_refused_and_not_waited_for(run_algorithm,
 
 
 def test_a_private_folder_that_others_swapped_is_neither_used_nor_emptied(tmp_path):
-    """Who may write to a shared folder may rename what is in it."""
+    """A user who can write to a shared folder can rename its content."""
     target, photos = tmp_path / "fixes.csv", tmp_path / "photos"
     photos.mkdir()
     (photos / "1.jpg").write_text("mine")
@@ -172,8 +172,8 @@ for name in ("theirs.csv", "own.csv"):
 
 @pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() != 0, reason="only root can be two users")
 def test_another_users_file_in_a_shared_folder_stays_whatever_is_planted(tmp_path):
-    """A plan in a folder there once had the other user's own SemRef replace what the sticky bit guards."""
-    # Not in TMPDIR, which may be closed to others.
+    """Such a plan once made another user's SemRef replace files that the sticky bit protects."""
+    # Not in TMPDIR, which other users may not be able to read.
     shared = Path(tempfile.mkdtemp(prefix="semref-shared-", dir="/tmp"))
     try:
         shared.chmod(0o1777)
@@ -202,7 +202,7 @@ NEW = b"II*\0new"
 
 
 def die_at(count: int, work) -> bool:
-    """Whether a child was killed before the ``count``-th time that it touched a file."""
+    """Return whether a child was killed before it touched a file for the ``count``-th time."""
     child = os.fork()
     if child == 0:
         done = 0
@@ -226,7 +226,7 @@ def die_at(count: int, work) -> bool:
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
 @pytest.mark.parametrize("with_older", [True, False])
 def test_a_kill_at_any_moment_leaves_each_output_whole_and_the_next_run_works(tmp_path, monkeypatch, with_older):
-    # Only a power cut would show the difference, and waiting for the disk takes most of the time.
+    # Flushing to disk matters only for a power cut, and it takes most of the time.
     monkeypatch.setattr(os, "fsync", lambda _: None)
     names = ("a.tif", "a.tif.aux.xml", "b.csv")
 
@@ -252,7 +252,7 @@ def test_a_kill_at_any_moment_leaves_each_output_whole_and_the_next_run_works(tm
         left = [name for name in content(folder) if name.startswith(".")]
         write()
         assert [(folder / name).read_bytes()[4:] for name in names] == [b"new"] * 3
-        # Nobody looks for what a dead run left.
+        # Files of a dead run are not used.
         assert [name for name in content(folder) if name.startswith(".")] == left
         if not was_killed:
             break
@@ -281,7 +281,7 @@ def test_parts_of_a_file_go_back_when_one_cant_be_replaced(tmp_path, monkeypatch
     assert content(tmp_path) == before
 
 
-# --- what has the output's name already ---
+# --- existing files of the same name ---
 
 
 def tables_of(path: Path) -> set[str]:
@@ -290,7 +290,7 @@ def tables_of(path: Path) -> set[str]:
 
 
 def writers(folder: Path) -> dict[str, tuple[str, dict, str]]:
-    """Algorithm, parameters and key of one output of each kind."""
+    """Return algorithm, parameters and key of one output of each kind."""
     area, labels, photo = (str(folder / name) for name in ("area.gpkg", "labels.tif", "photo.png"))
     of_class = {"INPUT": str(folder / "landcover.shp"), "CLASS_FIELD": "class"}
     return {
@@ -331,7 +331,7 @@ def test_another_kind_of_file_is_never_replaced(run_algorithm, given, tmp_path, 
         target.write_bytes({"photo.jpg": b"\xff\xd8\xff\xe0", "run.sh": b"#!/bin/sh"}[name] + b"mine")
     before = target.read_bytes()
     if writer == "localize" and name != "area.gpkg":
-        # No suffix of a vector format: QGIS adds one, and that file may be another's as well.
+        # QGIS adds the suffix of a vector format, and that file may be foreign as well.
         shutil.copy(given / "area.gpkg", tmp_path / f"{name}.gpkg")
     algorithm, parameters, key = writers(given)[writer]
     with pytest.raises(QgsProcessingException, match="holds other layers|another kind of file"):
@@ -366,7 +366,7 @@ def test_a_database_to_which_the_user_added_a_layer_is_not_built_over(run_algori
 
 @pytest.mark.parametrize("output", ["{}|layername=windows", "{}|layerid=0", "{}|LayerName=new"])
 def test_a_layer_of_a_file_as_output_is_refused_with_the_reason(run_algorithm, given, output):
-    """The message was that the disk is full."""
+    """The message once named a full disk."""
     area = given / "area.gpkg"
     before = area.read_bytes()
     for writer in ("localize", "build", "rasterize"):
@@ -382,7 +382,7 @@ def test_a_layer_of_a_file_as_output_is_refused_with_the_reason(run_algorithm, g
 
 
 def user_style(path: Path) -> None:
-    """A style and a note as an annotator saves them with QGIS, beside a layer."""
+    """Save a style and metadata beside a layer, as QGIS does."""
     layer = QgsVectorLayer(str(path), "landcover", "ogr")
     layer.saveNamedStyle(str(path.with_suffix(".qml")))
     metadata = layer.metadata()
@@ -400,7 +400,7 @@ def test_rasterizing_beside_the_annotation_leaves_its_style_and_metadata(run_alg
         rasterize(run_algorithm, layer, tmp_path / "landcover.tif")
     after = content(tmp_path)
     assert {name: after[name] for name in before} == before
-    # The map has its classes and colors inside, and QGIS reads it though the style is another layer's.
+    # The map contains its classes and colors, so QGIS reads it correctly beside a foreign style.
     made = QgsRasterLayer(str(tmp_path / "landcover.tif"), "landcover")
     assert made.isValid() and made.renderer().type() == "paletted"
 
@@ -433,7 +433,7 @@ def test_semrefs_own_style_and_metadata_are_written_again_until_the_user_saves_t
     write_text(target.with_suffix(".qml"), f"<qgis>{MARK_OF_NOTE}</qgis>")
     rasterize(run_algorithm, layer, target)
     assert target.with_suffix(".qml").read_bytes() == first["labels.qml"]
-    # Saved by QGIS, they are the user's.
+    # Files saved by QGIS are the user's.
     made = QgsRasterLayer(str(target), "labels")
     made.loadDefaultStyle()
     made.saveDefaultStyle()
@@ -480,7 +480,7 @@ def test_a_table_beside_a_new_shapefile_is_not_taken_for_a_part_of_it(run_algori
 def test_changes_that_wait_beside_a_geopackage_are_not_applied_to_the_newer_one(run_algorithm, given, tmp_path):
     target = tmp_path / "fixes.gpkg"
     localize(run_algorithm, given, target)
-    # A program that dies leaves what it wrote in the -wal.
+    # A program that dies leaves its changes in the -wal file.
     child = os.fork()
     if child == 0:
         try:
@@ -515,7 +515,7 @@ def test_a_geopackage_that_another_program_writes_to_is_not_replaced(run_algorit
 
 
 def test_a_result_that_is_on_the_map_is_replaced(run_algorithm, given, tmp_path, qgis_project):
-    """As QGIS users run a tool again and again into the same file."""
+    """Users of QGIS run a tool again and again into the same file."""
     target = tmp_path / "fixes.gpkg"
     localize(run_algorithm, given, target)
     layer = QgsVectorLayer(str(target), "fixes", "ogr")

@@ -1,4 +1,4 @@
-"""Images of another continent on a map of buildings only: no position, and no two places to choose between."""
+"""Images of another continent on a map of buildings only: no position and no ambiguity."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from osgeo import gdal, ogr
 
 @pytest.fixture(scope="module")
 def town(real_data, run_algorithm, tmp_path_factory):
-    """A localizer on the buildings of Banepa, Nepal."""
+    """Return a localizer on the buildings of Banepa, Nepal."""
     from semref.core.localizer.localizer import Localizer
     from semref.storage.database.reader import read_database
 

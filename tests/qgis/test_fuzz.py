@@ -1,4 +1,4 @@
-"""A short seeded run of tools/fuzz: for every input a valid result or one sentence, and nothing else touched."""
+"""A short seeded run of tools/fuzz: each input gives a valid result or one sentence, and changes no other file."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="fuzzing limits 
 
 
 def fuzz(*arguments):
-    """(exit status, what ``python -m tools.fuzz`` prints)."""
+    """Return (exit status, output of ``python -m tools.fuzz``)."""
     command = [sys.executable, "-m", "tools.fuzz", *arguments]
     environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen"}
     done = subprocess.run(

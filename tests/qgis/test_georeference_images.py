@@ -1,4 +1,4 @@
-"""semref:georeferenceimages: images get the place where they were taken in every format; the others are named."""
+"""semref:georeferenceimages: images with a position are georeferenced; the others are named."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ COLUMNS = [("image", "text"), ("status", "text"), ("heading", "real"), ("pixel_s
 
 @pytest.fixture(scope="module")
 def localized(run_algorithm, build_area, tmp_path_factory):
-    """The layers of one run: a level image, a tilted one, and one of elsewhere."""
+    """Return the layers of one run: a level image, a tilted one, and one from elsewhere."""
     folder = tmp_path_factory.mktemp("area")
     database = build_area(LABELS, NAMES, SIZE, 150)
     images = folder / "images"
@@ -53,7 +53,7 @@ def georeference(run_algorithm, localized, tmp_path, feedback):
 
 
 def agreement(path: Path) -> float:
-    """Share of the pixels of a georeferenced label image that the map has at their place, where it has labels."""
+    """Return the share of pixels of a georeferenced label image that equal the map, where it has labels."""
     raster = gdal.Open(str(path))
     seen = raster.GetRasterBand(1).ReadAsArray()
     x0, dx, _, y0, _, dy = raster.GetGeoTransform()
@@ -107,7 +107,7 @@ def test_matched_landmarks_become_control_points_with_how_far_each_is_off(georef
     _, folder = georeference(FORMAT=2, MATCHES=localized["MATCHES"])
     points = points_of(folder / "level.png.points")
     assert (folder / "level.png").is_file() and len(points) > 10
-    # Where the view shows each pixel: the landmarks' places on the map agree to a pixel or two.
+    # By the view of each pixel, the landmarks agree with the map to a pixel or two.
     heading = np.radians(VIEW.heading_deg)
     right, up = points[:, 2] - SIZE / 2, points[:, 3] + SIZE / 2
     east = VIEW.position[0] + right * np.cos(heading) + up * np.sin(heading)
@@ -118,7 +118,7 @@ def test_matched_landmarks_become_control_points_with_how_far_each_is_off(georef
 
 
 def test_an_image_placed_by_map_correlation_has_control_points_of_its_fix(georeference, localized, tmp_path):
-    """Of houses that a network joins centers are off by meters, while areas place the image to decimeters."""
+    """If a network joins houses, centers are off by meters, while areas place the image to decimeters."""
     by_areas = tmp_path / "by_areas.gpkg"
     shutil.copy(localized["OUTPUT"], by_areas)
     source = ogr.Open(str(by_areas), 1)
@@ -186,7 +186,7 @@ def test_layers_of_something_else_are_refused(georeference, tmp_path):
 @pytest.mark.skipif(sys.platform == "win32", reason="limits on files as Unix has them")
 @pytest.mark.parametrize("size", [0, 500, 3000])
 def test_a_full_disk_is_an_error_and_leaves_no_folder(georeference, tmp_path, size):
-    """Cut GeoTIFFs were left in the folder, and the run said that it was done."""
+    """Truncated GeoTIFFs once remained in the folder after a successful run."""
     with pytest.raises(QgsProcessingException), files_of_at_most(size):
         georeference()
     assert list(tmp_path.iterdir()) == []

@@ -1,4 +1,4 @@
-"""A database is read whole or refused: journals, writers beside it, foreign triggers, values that can't be."""
+"""A database is read completely or refused: journals, other writers, foreign triggers, impossible values."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def built(build_area):
 
 @pytest.fixture
 def database(built, tmp_path):
-    """A copy to spoil."""
+    """Return a copy to damage."""
     return Path(shutil.copy(built, tmp_path / "area.gpkg"))
 
 
@@ -57,10 +57,10 @@ def read(qgis_app):
 
 
 def spoil(path, *statements) -> None:
-    """Change a database as its maker could, without checksums that would show the change."""
+    """Change a database like its maker, without the checksums that would show it."""
     with contextlib.closing(sqlite3.connect(path)) as connection, connection:
         connection.execute("DELETE FROM parameters WHERE key = 'checksums'")
-        # GDAL's triggers ask for its functions.
+        # GDAL's triggers need its functions.
         for function in ("ST_IsEmpty", "ST_MinX", "ST_MinY", "ST_MaxX", "ST_MaxY"):
             connection.create_function(function, 1, lambda blob: 0)
         for statement in statements:
@@ -78,7 +78,7 @@ def refusal(read, path) -> str:
 
 @contextlib.contextmanager
 def writing(path):
-    """Another process in the midst of a transaction; it dies without ending it."""
+    """Start another process with an open transaction; it dies without ending the transaction."""
     process = subprocess.Popen(
         [sys.executable, "-c", HOT_WRITER, str(path)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
     )
@@ -91,7 +91,7 @@ def writing(path):
         process.stdout.close()
 
 
-# --- read whole or refused ---
+# --- complete or refused ---
 
 
 def test_what_a_killed_writer_left_is_rolled_back(read, built, database):
@@ -135,7 +135,7 @@ def test_reading_leaves_nothing_beside_the_file(read, database):
     assert database.read_bytes() == before
 
 
-# --- what is not ours ---
+# --- foreign content ---
 
 
 @pytest.fixture
@@ -322,7 +322,7 @@ CHANGED_CELLS = [
 
 
 def change(path, statement) -> None:
-    """Changes a database behind its checksums."""
+    """Change a database without its checksums."""
     with contextlib.closing(sqlite3.connect(path)) as connection, connection:
         names = connection.execute("SELECT name FROM sqlite_master WHERE type = 'trigger'").fetchall()
         for (name,) in names:

@@ -1,4 +1,4 @@
-"""Rasters are opened by the drivers that their names call for: files from strangers contact nobody."""
+"""Rasters are opened only by the driver of their suffix, so that untrusted files contact no server."""
 
 from __future__ import annotations
 

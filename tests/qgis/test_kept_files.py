@@ -1,4 +1,4 @@
-"""Files of earlier versions open forever: tests/data/kept is never made again."""
+"""Files of earlier versions open in every later version; tests/data/kept is never written again."""
 
 import gzip
 from pathlib import Path
@@ -16,7 +16,7 @@ CENTER = (600250.0, 5199600.0)
 
 
 def check(database):
-    """It is the map of tests/data/onboard_area.py, and an image of it has its place."""
+    """Require the map of tests/data/onboard_area.py and the right position of an image."""
     assert (len(database.references), len(database.windows)) == (417, 36)
     result = Localizer(database).localize(HERE, Method.AUTOMATIC)
     assert result.is_fix and np.allclose(result.position, CENTER, atol=0.5)

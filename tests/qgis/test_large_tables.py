@@ -1,4 +1,4 @@
-"""Tables of a database are read some thousand rows at a time, with the same result as at once."""
+"""Large tables are read in batches with the same result."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def test_a_database_read_in_small_batches_is_the_same(path, monkeypatch, batch):
 
 
 def test_a_landmark_with_an_impossible_class_is_found_in_any_batch(path, monkeypatch):
-    """The last of them, in the last batch."""
+    """The landmark is in the last row of the last batch."""
     connection = sqlite3.connect(path)
     for (name,) in connection.execute("SELECT name FROM sqlite_master WHERE type = 'trigger'").fetchall():
         connection.execute(f'DROP TRIGGER "{name}"')

@@ -1,4 +1,4 @@
-"""What layers come with beside their features: styles, titles of columns, map tips, forms, labels, what made them."""
+"""Appearance of layers: styles, titles of columns, map tips, forms, labels, metadata."""
 
 from __future__ import annotations
 
@@ -140,7 +140,7 @@ def test_the_map_tip_shows_status_radius_and_error_probability(positions):
     assert "<b>Position</b>" in tip and "<b>Constellation</b>" in tip
     assert "2.3\u00a0m" in tip
     assert "<b>1 in 1,200</b>" in tip
-    # Nothing is known of the heading: the line is left out.
+    # The heading is unknown, so its line is left out.
     assert "Heading" not in tip
 
 
@@ -251,7 +251,7 @@ def test_a_layer_has_a_title_a_history_and_the_license_of_its_source(annotation,
 
 @pytest.mark.parametrize("name", ["target", "zipcodes"])
 def test_a_name_that_reads_like_an_archive_is_one_as_any(annotation, run_algorithm, tmp_path, name, monkeypatch):
-    """QGIS looks for an archive at a dot before zip, tar or gz: outputs have such names for a while."""
+    """QGIS looks for an archive at a dot before zip, tar or gz; temporary outputs may have such names."""
     monkeypatch.setattr(tempfile, "_get_candidate_names", lambda: (f"gz{n}" for n in itertools.count()))
     out = str(tmp_path / f"{name}.gpkg")
     run_algorithm("semref:repairannotation", {"INPUT": annotation, "CLASS_FIELD": "class", "OUTPUT": out})
@@ -265,7 +265,7 @@ def test_a_label_map_has_the_same_metadata_beside_it(annotation, run_algorithm, 
     output = tmp_path / "labels.tif"
     run_algorithm("semref:rasterizeannotation", {"INPUT": annotation, "CLASS_FIELD": "class", "OUTPUT": str(output)})
     layer = QgsRasterLayer(str(output), "labels")
-    # As QGIS does when it adds a raster to a map.
+    # As when QGIS adds a raster to a map.
     layer.loadDefaultMetadata()
     told = layer.metadata()
     assert told.title() == "Label map"

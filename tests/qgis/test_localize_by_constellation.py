@@ -1,4 +1,4 @@
-"""semref:localizeimages with the constellation: anywhere on the map, at any heading, or a reason."""
+"""semref:localizeimages with Constellation: a position anywhere, at any heading, or a reason."""
 
 from __future__ import annotations
 
@@ -132,7 +132,7 @@ def test_an_ambiguous_image_has_its_possible_places_as_polygons(run_algorithm, t
             "ALTERNATIVES": str(tmp_path / "places.gpkg"),
         },
     )
-    # Layers die with their file.
+    # Layers are deleted with their file.
     positions, polygons = (ogr.Open(results[key]) for key in ("OUTPUT", "ALTERNATIVES"))
     (row,) = [feature.items() for feature in positions.GetLayer(0)]
     assert row["status"] == "ambiguous" and row["x"] is None and row["error_95_minor"] is None

@@ -1,4 +1,4 @@
-"""semref:localizeimages with map correlation: areas instead of landmarks."""
+"""semref:localizeimages with Map correlation: areas instead of landmarks."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ SIZE = 400
 
 
 def landscape(seed: int) -> np.ndarray:
-    """(1400, 1600) labels in patches of all sizes."""
+    """Return (1400, 1600) labels in patches of all sizes."""
     noise = np.random.default_rng(seed).normal(size=(1400, 1600)).astype(np.float32)
     fields = [cv2.GaussianBlur(noise, (0, 0), sigma) for sigma in (8, 25, 60)]
     height = sum(field / field.std() for field in fields)
@@ -55,7 +55,7 @@ def localize(run_algorithm, database, tmp_path, feedback):
 )
 def test_an_image_is_found_by_its_areas(localize, column, row, heading):
     labels = view(column, row, heading)
-    # A tenth of the pixels wrong: no landmark comes out whole.
+    # A tenth of the pixels are wrong, so no landmark is complete.
     wrong = np.random.default_rng(1).random(labels.shape) < 0.1
     labels[wrong] = 4
     found = localize(labels)
@@ -69,7 +69,7 @@ def test_an_image_is_found_by_its_areas(localize, column, row, heading):
 @pytest.mark.slow
 def test_automatic_finds_it_where_landmarks_are_too_poor(localize):
     labels = view(700, 600, 20)
-    # All landmarks in pieces.
+    # All landmarks are in pieces.
     labels[::12], labels[:, ::12] = 4, 4
     assert localize(labels, METHOD=2)["status"] != "fix"
     found = localize(labels, METHOD=0)
@@ -79,7 +79,7 @@ def test_automatic_finds_it_where_landmarks_are_too_poor(localize):
 
 @pytest.fixture
 def database_without_overview(database, tmp_path):
-    """A database that lost its overview."""
+    """Return a database without its overview."""
     path = shutil.copy(database, tmp_path / "old.gpkg")
     with contextlib.closing(sqlite3.connect(path)) as connection, connection:
         connection.execute("DELETE FROM gpkg_contents WHERE table_name = 'overview'")

@@ -1,4 +1,4 @@
-"""semref:localizeflight on a made flight: rows, tracks, report, and what bad input does."""
+"""semref:localizeflight on a made flight: rows, tracks, report, and bad input."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ VIEWS = [
     for n in range(COUNT)
 ]
 BLANK = 5
-"""Number of the image that shows nothing, from 0: only the flight can place it."""
+"""Number of the image without content, from 0: only the flight can place it."""
 
 
 @pytest.fixture(scope="module")
@@ -38,7 +38,7 @@ def database(build_area):
 
 @pytest.fixture(scope="module")
 def flight(tmp_path_factory):
-    """A folder of label images, and beside it tables of their times and of the motion between them."""
+    """Return a folder of label images, with tables of their times and motion."""
     folder = tmp_path_factory.mktemp("images") / "flight"
     folder.mkdir()
     for number, view in enumerate(VIEWS, start=5):
@@ -51,7 +51,7 @@ def flight(tmp_path_factory):
 
 
 def odometry(spoilt: float = 0.0) -> str:
-    """A table of the true motion; ``spoilt``: meters that each step is off."""
+    """Write a table of the true motion; ``spoilt``: error of each step in m."""
     lines = ["image,dx_m,dy_m,dheading_deg,sigma_m", "image5,,,,"]
     for number, (before, after) in enumerate(zip(VIEWS, VIEWS[1:]), start=6):
         step = complex(after.x - before.x, after.y - before.y) * np.exp(1j * np.radians(before.heading_deg))
@@ -62,7 +62,7 @@ def odometry(spoilt: float = 0.0) -> str:
 
 @pytest.fixture(scope="module")
 def localize(run_algorithm, database, flight, tmp_path_factory):
-    """`localize(feedback=None, **parameters)` gives (rows of OUTPUT, results)."""
+    """`localize(feedback=None, **parameters)` returns (rows of OUTPUT, results)."""
 
     def run(feedback=None, **parameters):
         folder = tmp_path_factory.mktemp("outputs")
@@ -84,7 +84,7 @@ def localize(run_algorithm, database, flight, tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def found(localize, flight):
-    """(rows, results) of the flight with the times of its images."""
+    """Return (rows, results) of the flight with the times of its images."""
     return localize(ATTITUDE=str(flight.parent / "times.csv"))
 
 
@@ -117,7 +117,7 @@ def test_its_times_are_dates_that_qgis_can_play(found):
     rows, results = found
     assert [row["time"][:19] for row in rows[:2]] == ["2025/05/09 10:00:10", "2025/05/09 10:00:12"]
     layer = QgsVectorLayer(results["OUTPUT"], "flight", "ogr")
-    # QGIS 3.22 takes everything of a default style but the times when it opens a file.
+    # QGIS 3.22 does not read the times of a default style when it opens a file.
     layer.loadDefaultStyle()
     played = layer.temporalProperties()
     assert played.isActive() and played.startField() == "time" and played.accumulateFeatures()
@@ -178,7 +178,7 @@ def test_a_flight_over_other_ground_has_no_track(localize, tmp_path):
 
 
 def geo(names: Sequence[str], turned: float = 0.0) -> str:
-    """OpenDroneMap's geo.txt with the true headings; ``turned``: degrees that they are off."""
+    """Write OpenDroneMap's geo.txt with the true headings; ``turned``: error in degrees."""
     lines = [f"{name} 9 47 300 {view.heading_deg + turned} 0 0" for name, view in zip(names, VIEWS)]
     return "\n".join(["EPSG:4326", *lines])
 

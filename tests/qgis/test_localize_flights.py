@@ -1,4 +1,4 @@
-"""semref:localizeimages for the images of a flight: tilted cameras leveled, headings known, jumps marked."""
+"""semref:localizeimages for images of a flight: leveled cameras, prior headings, marked jumps."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def database(build_area):
 
 @pytest.fixture
 def localize(run_algorithm, database, tmp_path, feedback):
-    """`localize(views, table, **parameters)` gives (rows, footprints, results); the images are 0.png, 1.png, …"""
+    """`localize(views, table, **parameters)` returns (rows, footprints, results); the images are 0.png, 1.png, …"""
 
     def run(views, table="", **parameters):
         (tmp_path / "flight").mkdir(exist_ok=True)
@@ -46,7 +46,7 @@ def localize(run_algorithm, database, tmp_path, feedback):
 
 
 def ahead(column=450.0, row=520.0, heading=30.0, tilt=TILT) -> View:
-    """A camera tilted towards the image's top."""
+    """Return a camera tilted towards the image's top."""
     return View(WEST + column, NORTH - row, heading, 1.0, SIZE, SIZE, tilt_deg=tilt)
 
 

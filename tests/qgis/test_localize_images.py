@@ -1,4 +1,4 @@
-"""semref:localizeimages: one row per image, with its position or the reason why it is missing."""
+"""semref:localizeimages: one row per image, with its position or a reason."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ LOCALIZE = "semref:localizeimages"
 SIZE, STRIDE = 120, 40
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 COLORS = {0: (0, 0, 0), **{c.value: c.rgb for c in class_table_from_names(NAMES[1:])}}
-"""Colors (red, green, blue) that the class names above are given."""
+"""Colors (red, green, blue) of the class names above."""
 
 FIELDS = (
     "image String, status String, x Real, y Real, longitude Real, latitude Real, heading Real, pixel_size Real, "
@@ -36,7 +36,7 @@ def database(build_area):
 
 @pytest.fixture
 def localize(run_algorithm, database, tmp_path, feedback):
-    """`localize(images, **parameters)` gives (features of OUTPUT as dicts with their point, results)."""
+    """`localize(images, **parameters)` returns (features of OUTPUT as dicts with their point, results)."""
 
     def run(images, **parameters):
         defaults = {"DATABASE": database, "METHOD": 1, "OUTPUT": str(tmp_path / "positions.gpkg")}
@@ -171,7 +171,7 @@ def test_a_bad_image_gives_a_row_with_its_reason_and_does_not_stop_the_others(lo
 
 @pytest.fixture
 def three(tmp_path):
-    """A folder with three images and other files that folders contain."""
+    """Return a folder with three images and other files."""
     folder = tmp_path / "flight"
     folder.mkdir()
     paths = [image(folder, name, window(40 * n, 40 * n)) for n, name in enumerate(["a.png", "b.tif", "c.png"])]

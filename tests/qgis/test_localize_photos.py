@@ -1,4 +1,4 @@
-"""semref:localizeimages with MODEL: photos are segmented, then localized; the classes are the database's by name."""
+"""semref:localizeimages with MODEL: photos are segmented, then localized; classes are matched by name."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ from semref.storage.label_images import stated_biases
 LOCALIZE = "semref:localizeimages"
 SIZE = 160
 NAMES = ["unlabeled", "water", "Building", "bare_land"]
-"""Other values than the model's channels, and another spelling."""
+"""Values differ from the model's channels, and one name is spelled differently."""
 LABELS = scattered_objects(500, 600, 380, seed=7, background=0)
 TO_MODEL = np.array([0, 2, 1, 3], np.uint8)
-"""Label of this map → color of made_models, where the first class is building."""
+"""Label of this map → color of made_models; its first class is building."""
 
 
 CLASSES = ["ground", "building", "water", "bare_land"]
 
 
 def ground_and_colors():
-    """Channels: ground (the same everywhere), then red, blue and green."""
+    """Return a network with the channels ground (the same everywhere), red, blue and green."""
     kernels = np.zeros((4, 3, 1, 1), np.float32)
     for channel, band in ((1, 0), (2, 2), (3, 1)):
         kernels[channel, band] = 1
@@ -37,7 +37,7 @@ def ground_and_colors():
 
 @pytest.fixture(scope="module")
 def folder(build_area, tmp_path_factory):
-    """A folder with the database area.gpkg and the model colors.onnx."""
+    """Return a folder with the database area.gpkg and the model colors.onnx."""
     folder = tmp_path_factory.mktemp("area")
     shutil.copy(build_area(LABELS, NAMES, SIZE, 40), folder / "area.gpkg")
     write_model(folder / "colors.onnx", ground_and_colors(), metadata=metadata(class_names=CLASSES))
@@ -50,7 +50,7 @@ def photo_of(labels: np.ndarray) -> np.ndarray:
 
 @pytest.fixture(scope="module")
 def nameless(folder):
-    """A model that doesn't name its classes."""
+    """Return a model without class names."""
     path = folder / "nameless.onnx"
     write_model(path, ground_and_colors(), metadata=metadata(class_names=None))
     return path
@@ -80,7 +80,7 @@ def test_a_photo_is_found_where_it_was_taken(localize, tmp_path, heading):
 def test_a_photo_of_another_resolution_keeps_its_own_pixel_size(localize, folder, tmp_path):
     model = write_model(tmp_path / "m.onnx", ground_and_colors(), metadata=metadata(class_names=CLASSES, resolution=50))
     view = turned_view(LABELS, SIZE, 311.4, 207.8, 0)
-    photo = write_raster(tmp_path / "a.tif", photo_of(view))  # pixels of 1 m, the model wants 0.5 m
+    photo = write_raster(tmp_path / "a.tif", photo_of(view))  # Pixels are 1 m; the model needs 0.5 m.
     (found,) = localize([photo], MODEL=str(model))
     assert found["pixel_size"] == pytest.approx(1, abs=0.02)
     assert (found["x"], found["y"]) == pytest.approx((WEST + 311.4, NORTH - 207.8), abs=1)
@@ -130,7 +130,7 @@ def test_a_model_without_class_names_is_refused_without_a_key_that_is_not_there(
 
 @pytest.fixture
 def off_by(folder, tmp_path):
-    """A model that states how far off it shows each class; east and north, meters."""
+    """Return a model that states the offset of each class; east and north, m."""
 
     def make(east, north, **more):
         stated = {name: {"east": east, "north": north, "spread": 0.1, **more} for name in CLASSES[1:]}
@@ -151,7 +151,7 @@ def position(row):
     return np.array([row["x"], row["y"]])
 
 
-# Landmarks that are shown too far east put the image too far west.
+# Landmarks too far east move the image too far west.
 
 
 def test_a_models_bias_is_taken_off_and_without_one_the_radius_is_larger(localize, off_by, photo):

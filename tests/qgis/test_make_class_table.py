@@ -1,4 +1,4 @@
-"""semref:classtable: what a layer's classes become, and what the result is good for."""
+"""semref:classtable: a class table from a layer's classes."""
 
 from __future__ import annotations
 
@@ -114,7 +114,7 @@ def test_a_new_label_map_in_an_old_ones_place_has_its_own_attribute_table(made, 
 
 @pytest.mark.real_data
 def test_the_classes_of_lcdb_are_called_as_its_data_call_them(real_data):
-    """Every class that the layer has at any of its dates, by number and name."""
+    """Includes every class of the layer at any of its dates, by number and name."""
     source = ogr.Open(str(real_data("lcdb5_christchurch/lcdb5_christchurch.gpkg")))
     name = source.GetLayer(0).GetName()
     table = {c.value: c.name for c in read_class_table(PRESETS["LCDB v5 (New Zealand)"])}
@@ -130,6 +130,6 @@ LCDB = """0 1 2 5 6 10 12 14 15 16 20 21 22 30 33 40 41 43 44 45 46 47 50 51 52 
 
 
 def test_ground_without_data_gets_a_class_of_its_own_and_no_other_s(made, tmp_path):
-    """Urban Atlas has polygons of no data, which are no land cover: left out of the table that ships."""
+    """Urban Atlas has polygons of no data, which are no land cover; the shipped table leaves them out."""
     table, _ = made(layer_of(tmp_path, "50000", "91000"), PRESET=4)
     assert [(c.value, c.name) for c in table] == [(27, "50000 Water"), (28, "91000")]

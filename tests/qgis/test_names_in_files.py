@@ -1,4 +1,4 @@
-"""Names of files in files from strangers: positions, projects, sets, routes and map tips lead nobody elsewhere."""
+"""File names in untrusted positions, projects, sets, routes and map tips are not followed elsewhere."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def host():
 
 @pytest.fixture
 def georeference(run_algorithm, tmp_path, feedback):
-    """`georeference(name)`: the number of images made of positions that name an image so."""
+    """`georeference(name)`: number of images made of positions with that image name."""
 
     def run(name, folder=tmp_path / "positions", **more):
         folder.mkdir(exist_ok=True)

@@ -1,4 +1,4 @@
-"""How poor labels are, in a word or as a comparison of label maps found."""
+"""Quality of labels as a preset, or measured by a comparison of label maps."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ NOISE = LabelNoise(missed=0.25, jitter=1.0)
 
 @pytest.fixture(scope="module")
 def report(run_algorithm, tmp_path_factory):
-    """A map with missed landmarks and boundary jitter."""
+    """Return the report of a map with missed landmarks and boundary jitter."""
     folder = tmp_path_factory.mktemp("compared")
     labels = scattered_objects(900, 900, 450, seed=3)
     spoiled = spoil_labels(labels, NOISE, np.random.default_rng(2), (1, 2, 3), minimum_area_px=50)
@@ -34,7 +34,7 @@ def report(run_algorithm, tmp_path_factory):
 
 @pytest.fixture
 def conditions(qgis_app):
-    """`conditions(id, parameters)`: what is simulated."""
+    """`conditions(id, parameters)`: the simulated conditions."""
     from semref.processing.base.values import Values
 
     def of(name: str, parameters: dict):

@@ -1,4 +1,4 @@
-"""Numbers by the user's locale, in one place."""
+"""Numbers are formatted by the user's locale."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Values of files and parameters that nobody means: one sentence each, no traceback."""
+"""Unusual values of files and parameters: one sentence each, no traceback."""
 
 from __future__ import annotations
 
@@ -139,7 +139,7 @@ def test_a_route_layer_off_the_earth_is_refused(qgis_app, tmp_path, place):
 @pytest.mark.parametrize("value", [float("nan"), float("inf"), "nan", "-inf"])
 @pytest.mark.parametrize(("name", "key"), [("evaluatelocalization", "MIRRORED"), ("rasterizeannotation", "PIXEL_SIZE")])
 def test_every_algorithm_refuses_nan(qgis_app, name, key, value):
-    """QGIS itself takes NaN for a number within any limits."""
+    """QGIS accepts NaN within any limits of a number."""
     from qgis.core import QgsApplication, QgsProcessingContext
 
     algorithm = QgsApplication.processingRegistry().algorithmById(f"semref:{name}").create()
@@ -186,7 +186,7 @@ def test_a_project_keeps_no_impossible_circle(qgis_app, prior):
 
 @pytest.mark.parametrize("given", [{"CLASS_TABLE": "classes.\0csv"}, {"OUTPUT": "x\0.tif"}, {"INPUT": "colors\0.tif"}])
 def test_a_text_with_a_character_0_is_refused(run_algorithm, tmp_path, given):
-    """Python's files raise ValueError for it, and GDAL reads a name only up to there."""
+    """Python's files raise ValueError for it, and GDAL reads a name only up to it."""
     write_raster(tmp_path / "colors.tif", LABELS)
     (tmp_path / "classes.csv").write_text("value,name\n1,building\n", encoding="ascii")
     paths = {"INPUT": "colors.tif", "CLASS_TABLE": "classes.csv", "OUTPUT": "x.tif", **given}
@@ -208,7 +208,7 @@ def test_a_list_of_images_with_a_character_0_is_refused(run_algorithm, tmp_path,
 
 @pytest.mark.parametrize("text", ["/folder/area.gpkg", "1,5", "x", "0x10", "1_000"])
 def test_a_text_that_is_no_number_is_refused_even_for_optional_numbers(qgis_app, tmp_path, text):
-    """QGIS takes 0 for it, which no scale is."""
+    """QGIS reads it as 0, which is no valid scale."""
     from qgis.core import QgsApplication, QgsProcessingContext
 
     algorithm = QgsApplication.processingRegistry().algorithmById("semref:localizeimages").create()

@@ -1,4 +1,4 @@
-"""What algorithms write: whole or not at all, beside what was there before, never onto an input."""
+"""Outputs are complete or missing, keep other content of their file, and never replace an input."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ SETTINGS = {"REFERENCE_CLASSES": "1;2;3", "WINDOW_SIZE": 100, "STRIDE": 50, "MIN
 
 @pytest.fixture
 def given(run_algorithm, tmp_path):
-    """A folder with one input of each kind."""
+    """Return a folder with one input of each kind."""
     labels = scattered_objects(150, 200, 40, seed=2)
     write_raster(tmp_path / "labels.tif", labels, names=NAMES)
     write_raster(tmp_path / "photo.png", labels[:100, :100], transform=None)
@@ -43,7 +43,7 @@ def given(run_algorithm, tmp_path):
 
 
 def onto_input(folder: Path) -> dict:
-    """Algorithm, parameters, and the file that is an input and an output."""
+    """Return algorithm, parameters, and the file that is an input and an output."""
     labels, area, photo = (str(folder / name) for name in ("labels.tif", "area.gpkg", "photo.png"))
     annotation, classes, color = (str(folder / name) for name in ("annotation.gpkg", "classes.csv", "color.png"))
     of_class = {"INPUT": annotation, "CLASS_FIELD": "class"}
@@ -164,7 +164,7 @@ def test_a_run_with_outputs_in_memory_has_nothing_to_move(run_algorithm, given):
 
 @pytest.mark.parametrize("suffix", ["gpkg", "shp", "geojson"])
 def test_a_written_layer_is_not_kept_open(run_algorithm, given, suffix):
-    """QGIS keeps what it reads open for a minute; Windows moves no open file, and disks stay full of replaced ones."""
+    """QGIS keeps files open for a minute; Windows can't move open files, and disks keep replaced ones."""
     parameters = {"INPUT": str(given / "photo.png"), "DATABASE": str(given / "area.gpkg")}
     for _ in range(2):
         run_algorithm(DESCRIBE, {**parameters, "REFERENCES": str(given / f"landmarks.{suffix}")})
@@ -174,7 +174,7 @@ def test_a_written_layer_is_not_kept_open(run_algorithm, given, suffix):
 
 @pytest.fixture
 def small_disk(tmp_path):
-    """`small_disk(kilobytes)`: a folder on a disk of its own of that size."""
+    """`small_disk(kilobytes)`: a folder on a disk of that size."""
     mounted = []
 
     def mount(kilobytes: int) -> Path:
@@ -212,7 +212,7 @@ def test_a_full_disk_is_an_error_and_leaves_the_older_file(run_algorithm, given,
 
 
 def test_a_layer_without_room_for_its_style_is_an_error(run_algorithm, given, monkeypatch):
-    """On a full disk QGIS leaves it out without a word."""
+    """On a full disk QGIS leaves it out without a message."""
     target = given / "issues.gpkg"
     before = write_older(target)
     parameters = {"INPUT": str(given / "annotation.gpkg"), "CLASS_FIELD": "class", "ISSUES": str(target)}
@@ -277,7 +277,7 @@ def test_a_kill_while_a_layer_is_written_loses_neither_old_nor_new(run_algorithm
         assert connection.execute("PRAGMA integrity_check").fetchone() == ("ok",)
     left = [path for path in given.iterdir() if path.name.endswith(".part")]
     run_algorithm(DESCRIBE, parameters, QgsProcessingFeedback())
-    # What the dead one left is nobody's concern.
+    # Files of the killed run are not used.
     assert [path for path in given.iterdir() if path.name.endswith(".part")] == left
 
 

@@ -1,4 +1,4 @@
-"""The zip as users get it: unpacked into a fresh profile, it works under qgis_process."""
+"""The zip works under qgis_process, unpacked into a new profile."""
 
 from __future__ import annotations
 
@@ -31,8 +31,8 @@ def make_package(repository: Path, target: Path) -> None:
 
 @pytest.fixture(scope="module")
 def qgis_process(package, tmp_path_factory):
-    """`qgis_process(*arguments)` runs in a fresh profile with the unpacked plugin and returns its JSON."""
-    # Debian 12's wrapper qgis_process passes on an option that its own qgis_process.bin does not know.
+    """`qgis_process(*arguments)` runs with the unpacked plugin in a new profile and returns its JSON."""
+    # Debian 12's wrapper qgis_process passes on an option that its own qgis_process.bin does not support.
     program = shutil.which("qgis_process.bin") or shutil.which("qgis_process")
     if program is None:
         pytest.skip("qgis_process is not installed")
@@ -47,7 +47,7 @@ def qgis_process(package, tmp_path_factory):
         "HOME": str(home),
         "XDG_RUNTIME_DIR": str(tmp_path_factory.mktemp("runtime")),
         "QT_QPA_PLATFORM": "offscreen",
-        # OpenCV, where a virtual environment has it: qgis_process runs the system's Python.
+        # OpenCV of a virtual environment, if there is one: qgis_process runs the system's Python.
         "PYTHONPATH": sysconfig.get_path("purelib"),
     }
 
@@ -67,7 +67,7 @@ def qgis_process(package, tmp_path_factory):
 
 @pytest.fixture
 def annotation(tmp_path) -> Path:
-    """A GeoPackage with a building of 20 × 20 m in a field of 100 × 100 m."""
+    """Return a GeoPackage with a building of 20 × 20 m in a field of 100 × 100 m."""
     from osgeo import ogr, osr
 
     path = tmp_path / "annotation.gpkg"

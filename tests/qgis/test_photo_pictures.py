@@ -1,4 +1,4 @@
-"""Photos as the dock shows them: those of a drone are larger than a dock, and are shown reduced."""
+"""Photos in the dock: originals of drones are reduced to its size."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""GPS positions of photos: reported if they are far from the database's ground, and never used to localize."""
+"""Positions that photos state: reported if they are far from the database's ground, and never used."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SAID = "The GPS position of this photo is"
 
 
 def exif(longitude: float, latitude: float, **more: str) -> dict[str, str]:
-    """As cameras write it."""
+    """Return EXIF as cameras write it."""
     found = {}
     for name, value, letters in (("Longitude", longitude, "EW"), ("Latitude", latitude, "NS")):
         whole, rest = divmod(abs(value), 1)
@@ -31,7 +31,7 @@ def exif(longitude: float, latitude: float, **more: str) -> dict[str, str]:
 
 
 def photo(path: Path, **tags: str) -> str:
-    """A JPEG with EXIF items and nothing beside it."""
+    """Write a JPEG with EXIF items and no side-car file."""
     memory = gdal.GetDriverByName("MEM").Create("", 32, 24, 3)
     memory.SetMetadata({f"EXIF_{name}": value for name, value in tags.items()})
     gdal.GetDriverByName("JPEG").CreateCopy(str(path), memory)
@@ -104,7 +104,7 @@ def database(build_area):
 
 
 def lon_lat(east: float, north: float) -> tuple[float, float]:
-    """Of a place so many meters beside the upper left corner of the map."""
+    """Return longitude and latitude of a place so many meters from the upper left corner of the map."""
     from_crs, to_crs = osr.SpatialReference(), osr.SpatialReference()
     from_crs.ImportFromEPSG(32632)
     to_crs.ImportFromEPSG(4326)
@@ -116,7 +116,7 @@ def lon_lat(east: float, north: float) -> tuple[float, float]:
 def test_photos_taken_far_away_show_the_distance_with_their_reason(
     run_algorithm, database, tmp_path, feedback, algorithm
 ):
-    """Found or not: a fix elsewhere than its photo's GPS is for the reader to judge."""
+    """This applies with and without a position: the user decides about a fix far from the photo's GPS."""
     empty = np.zeros((SIZE, SIZE), np.uint8)
     shown = {"empty": empty, "found": turned_view(LABELS, SIZE, 311.4, 207.8, 40)}
     places = {"here": lon_lat(300, -200), "near": lon_lat(-900, -200), "far": lon_lat(600 + 42_000, -200)}
@@ -138,6 +138,6 @@ def test_photos_taken_far_away_show_the_distance_with_their_reason(
     for name in ("empty_far", "found_far"):
         assert reasons[name].startswith(f"{SAID} 42 km from the ground of the database.")
         assert f"{name}.png: {SAID} 42 km" in feedback.textLog()
-    # GPS decides nothing.
+    # GPS does not affect the result.
     assert status["found_far"] == status["found_here"] == "fix" and status["empty_far"] != "fix"
     assert reasons["empty_far"].endswith(reasons["empty_silent"]) and reasons["empty_silent"]

@@ -1,4 +1,4 @@
-"""A photo gives the same labels in QGIS, which reads it with GDAL, as on board without GDAL."""
+"""A photo gives the same labels in QGIS, with GDAL, and on board, without GDAL."""
 
 from __future__ import annotations
 

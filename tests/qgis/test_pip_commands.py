@@ -1,4 +1,4 @@
-"""The commands for pip that install missing packages, and the messages about its failures."""
+"""Commands of pip for missing packages, and messages about its failures."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def test_versions_outside_of_the_tested_ones_are_known():
     ]
     assert components.is_tested("1.23.2+cpu", ">=1.19,<1.32")
     version = components.installed_version(SHAPELY)
-    # Debian's own does not know its version.
+    # Debian's pip does not report its version.
     assert version == "" or components.is_tested(version, SHAPELY.tested(np.__version__))
 
 

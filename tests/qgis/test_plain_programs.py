@@ -1,4 +1,4 @@
-"""What SemRef writes in programs that know nothing of it: gdalinfo, ogrinfo, and a QGIS without the plugin."""
+"""SemRef's outputs in gdalinfo, ogrinfo, and a QGIS without the plugin."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ print("SEEN " + json.dumps({"layers": layers, "semref": [name for name in sys.mo
 
 @pytest.fixture(scope="module")
 def written(run_algorithm, tmp_path_factory) -> Path:
-    """A folder with an output of each kind."""
+    """Return a folder with an output of each kind."""
     folder = tmp_path_factory.mktemp("written")
 
     def at(name: str) -> str:
@@ -111,7 +111,7 @@ def written(run_algorithm, tmp_path_factory) -> Path:
 
 
 def told_by(*command: str) -> str:
-    """What a program says; it must be satisfied, and complain of nothing."""
+    """Return the output of a program, which must succeed without a complaint."""
     if shutil.which(command[0]) is None:
         pytest.skip(f"{command[0]} is not installed")
     ended = subprocess.run(command, capture_output=True, text=True, timeout=LIMIT_S, check=False)
@@ -121,7 +121,7 @@ def told_by(*command: str) -> str:
 
 @pytest.fixture(scope="module")
 def opened(written) -> dict:
-    """Metadata that a QGIS without the plugin shows of each layer, by file or source."""
+    """Return the properties of each layer in a QGIS without the plugin, by file or source."""
     database = written / "database.gpkg"
     tables = [f"{database}|layername={name}" for name in ("windows", "references")]
     files = [str(written / f"{name}.gpkg") for name in VECTORS]

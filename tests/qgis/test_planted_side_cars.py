@@ -1,4 +1,4 @@
-"""Files that a stranger put beside a raster, or into it, make GDAL contact nobody."""
+"""Planted side-car files of rasters do not make GDAL contact a server."""
 
 from __future__ import annotations
 
@@ -36,13 +36,13 @@ ERS = (
 
 @pytest.fixture
 def host():
-    """A web server that remembers what was asked; ``name()`` is a raster on it, each time another one."""
+    """A web server that records requests; ``name()`` is a new raster on it."""
     with listening() as server:
         yield server
 
 
 def in_tag(path, name):
-    """Writes the item into the TIFF itself."""
+    """Write the item into the TIFF itself."""
     dataset = gdal.Open(str(path), gdal.GA_Update)
     dataset.SetMetadataItem("OVERVIEW_FILE", name, "OVERVIEWS")
     dataset = None

@@ -1,4 +1,4 @@
-"""The provider's public names: scripts and models depend on them, so they stay."""
+"""Public names of the provider do not change, because scripts and models use them."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def provider(qgis_app):
 
 @pytest.fixture
 def create(qgis_app):
-    # Keep what it gives: parameters and outputs die with their algorithm.
+    # Keep the algorithm: its parameters and outputs are deleted with it.
     return lambda name: QgsApplication.processingRegistry().createAlgorithmById(f"semref:{name}")
 
 

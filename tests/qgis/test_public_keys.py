@@ -1,4 +1,4 @@
-"""Ids, keys, types, defaults and limits of all algorithms are public: scripts and models depend on them.
+"""Ids, keys, types, defaults and limits of all algorithms are public: scripts and models use them.
 
 ``tests/data/public_keys.json`` holds them. What is added on purpose is recorded there with
 ``SEMREF_RECORD=1 python -m pytest tests/qgis/test_public_keys.py``; what is there already never changes.
@@ -26,7 +26,7 @@ LIMITS = (
     "layer_type",
 )
 
-"""Entries of a parameter's variant map that are the same in all versions of QGIS that are supported."""
+"""Entries of a parameter's variant map that are the same in all supported versions of QGIS."""
 
 
 @pytest.fixture(scope="module")
@@ -36,7 +36,7 @@ def algorithms(qgis_app):
 
 
 def described(parameter) -> dict:
-    """What is public of a parameter."""
+    """Return the public properties of a parameter."""
     flags, stored = parameter.flags(), parameter.toVariantMap()
     public = {
         "type": parameter.type(),
@@ -53,7 +53,7 @@ def described(parameter) -> dict:
 
 
 def without_null(parameter: dict) -> dict:
-    """A file without a suffix has no default suffix, NULL or an empty one: it depends on the version of QGIS."""
+    """A file without a suffix has None, NULL or nothing, depending on the version of QGIS."""
     return {**parameter, "extension": parameter.get("extension") or ""}
 
 
@@ -69,7 +69,7 @@ def recorded(algorithms) -> dict:
 
 
 def as_text(recorded: dict) -> str:
-    """JSON with a line a parameter, so that a change reads as one."""
+    """Return JSON with one line per parameter, so that a change is easy to read."""
     algorithms = []
     for name, algorithm in recorded.items():
         keys = ",\n".join(f"   {json.dumps(key)}: {json.dumps(p)}" for key, p in algorithm["parameters"].items())
@@ -81,7 +81,7 @@ def as_text(recorded: dict) -> str:
 
 def test_every_recorded_key_is_there_as_it_was(algorithms, repository):
     file = repository / "tests" / "data" / "public_keys.json"
-    # As JSON; unknown values are NULLs of Qt.
+    # Values that JSON does not support are NULLs of Qt.
     now = json.loads(json.dumps(recorded(algorithms), default=lambda null: None))
     if os.environ.get("SEMREF_RECORD"):
         file.write_text(as_text(now), encoding="utf-8")

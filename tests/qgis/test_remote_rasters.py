@@ -1,4 +1,4 @@
-"""Rasters that the user names on a server (/vsicurl): read in pieces, and made of the same as from a disk."""
+"""Rasters on a server (/vsicurl) are read in pieces and give the same results as local files."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ PART = LABELS[300:460, 500:660]
 
 @pytest.fixture
 def served(tmp_path):
-    """`served(path)`: its name on a web server that gives ranges of bytes; ``served.sent`` counts them."""
+    """`served(path)`: its name on a web server with byte ranges; ``served.sent`` counts the bytes."""
     folder = tmp_path / "served"
     folder.mkdir()
 
@@ -67,7 +67,7 @@ def served(tmp_path):
 
 
 def photo(path: Path, labels: np.ndarray, **options) -> Path:
-    """A tiled GeoTIFF as a COG is: what is wanted of it can be read alone."""
+    """Return a tiled GeoTIFF like a COG, so that parts can be read separately."""
     plain = write_raster(path.with_suffix(".plain.tif"), np.moveaxis(painted(labels), 2, 0), **options)
     gdal.Translate(str(path), str(plain), creationOptions=["TILED=YES", "BLOCKXSIZE=256", "BLOCKYSIZE=256"])
     return path
@@ -88,10 +88,10 @@ def test_a_part_of_an_orthophoto_on_a_server_is_segmented_without_fetching_the_r
     extent = f"{WEST + 500},{WEST + 660},{NORTH - 460},{NORTH - 300} [EPSG:32632]"
     given = {"MODEL": model, "EXTENT": extent}
     near = run_algorithm("semref:segmentimage", {"INPUT": str(file), "OUTPUT": str(tmp_path / "near.tif"), **given})
-    # As a user adds it to the project: Processing of older QGIS takes no such name for a layer.
+    # As a layer of the project: Processing of older QGIS does not accept such a name.
     layer = QgsRasterLayer(served(file), "ortho", "gdal")
     assert layer.isValid()
-    # QGIS has looked over all of it for its contrast; what follows is the algorithm's.
+    # QGIS has read all of it for its contrast; later reads are the algorithm's.
     served.sent.clear()
     far = {"INPUT": layer, "OUTPUT": str(tmp_path / "far.tif"), **given}
     results = [gdal.Open(found["OUTPUT"]) for found in (near, run_algorithm("semref:segmentimage", far))]

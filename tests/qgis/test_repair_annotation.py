@@ -1,4 +1,4 @@
-"""semref:repairannotation: a clean layer with its attributes, what was changed, and nothing more a second time."""
+"""semref:repairannotation: a clean layer with its attributes and a list of changes; a second run changes nothing."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ FIELDS = [("class", "text"), ("zorder", "integer"), ("note", "text")]
 
 @pytest.fixture
 def repair(run_algorithm, feedback, tmp_path):
-    """`repair(layer, **parameters)` gives (rows of the output, rows of the changes)."""
+    """`repair(layer, **parameters)` returns (rows of the output, rows of the changes)."""
 
     def run(layer, **parameters):
         defaults = {
@@ -31,7 +31,7 @@ def repair(run_algorithm, feedback, tmp_path):
 
 
 def read_rows(path) -> list:
-    """Attributes by name, with `fid`, `area` of the geometry as `covers`, and `wkb`, of each feature."""
+    """Return the attributes of each feature by name, with `fid`, its area as `covers`, and `wkb`."""
     source = ogr.Open(str(path))
     return [
         {
@@ -87,7 +87,7 @@ def test_a_repaired_layer_has_no_findings_left(repair, run_algorithm, tmp_path):
     checked = {"INPUT": str(tmp_path / "repaired.gpkg"), "CLASS_FIELD": "class", "MINIMUM_AREA": 0}
     results = run_algorithm(CHECK, {**checked, "ISSUES": str(tmp_path / "issues.gpkg")})
     left = read_rows(results["ISSUES"])
-    # Two polygons that meet in a point can't be one.
+    # Two polygons that meet in a point can't be merged.
     assert {row["kind"] for row in left} <= {"same_class_neighbors"} and results["ERROR_COUNT"] == 0
 
 

@@ -19,12 +19,12 @@ pytestmark = pytest.mark.slow
 FIND, APPLY = "semref:orthophototodisagreements", "semref:correctiontodatabase"
 BUILDING = next(entry for entry in CLASSES if entry.name == "building")
 SIZE_XY = (620.0, 520.0)
-"""Meters of a sample area that is made in seconds."""
+"""Size of a quick sample area in m."""
 
 
 @pytest.fixture(scope="module")
 def folder(run_algorithm, tmp_path_factory):
-    """The true annotation, one that lacks a building, and the orthophoto; label map and database lack it, too."""
+    """Return the true annotation, one without a building, and the orthophoto; label map and database lack it too."""
     folder = tmp_path_factory.mktemp("round_trip")
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(landscape_module, "SIZE_XY", SIZE_XY)
@@ -45,7 +45,7 @@ def folder(run_algorithm, tmp_path_factory):
 
 
 def forget_building(folder, extent):
-    """Write wrong.gpkg, the layer without the largest building well inside the extent."""
+    """Write wrong.gpkg: the annotation without its largest building well inside the extent."""
     gdal.VectorTranslate(str(folder / "wrong.gpkg"), str(folder / "landcover.shp"), geometryType="MULTIPOLYGON")
     source = ogr.Open(str(folder / "wrong.gpkg"), update=1)
     layer = source.GetLayer(0)
@@ -133,9 +133,9 @@ def test_what_the_annotation_lacks_is_found_and_the_correction_reaches_the_datab
     found = sorted(layer, key=lambda feature: -feature["area"])
     assert found[0]["area"] > 0.3 * (east - west) * (north - south)
     assert found[0]["annotated_class"] != BUILDING.name
-    # The annotator draws the building, and marks the place as done.
+    # The user draws the building and marks the place as done.
     done = str(tmp_path / "done.gpkg")
-    # By name: the style and the metadata of the layer are in other tables of the file.
+    # By name, because style and metadata are in tables beside it.
     chosen = {"layers": [layer.GetName()], "where": f"fid = {found[0].GetFID()}"}
     gdal.VectorTranslate(done, results["compare:Disagreements"], **chosen)
     results = apply(run_algorithm, folder, tmp_path, CHANGED=done)

@@ -1,4 +1,4 @@
-"""Python, a background task, the shipped model and qgis_process give the same label map and the same database."""
+"""Python, a background task, the shipped model and qgis_process give the same label map and database."""
 
 from __future__ import annotations
 
@@ -28,14 +28,14 @@ pytestmark = pytest.mark.slow
 
 TIMEOUT_S = 600
 MOMENTS = {"last_change", "update_time", "timestamp"}
-"""Columns that hold the time of writing."""
+"""Columns with the time of writing."""
 
 RASTERIZE, BUILD, LOCALIZE = "semref:rasterizeannotation", "semref:builddatabase", "semref:localizeimages"
 
 
 @pytest.fixture(scope="module")
 def inputs(tmp_path_factory):
-    """Folder with an annotation of 400 × 400 m in which polygons overlap, its class table, and two images."""
+    """Return a folder with overlapping polygons of 400 × 400 m, their class table, and two images."""
     folder = tmp_path_factory.mktemp("inputs")
     random = np.random.default_rng(9)
     features = [(square(0, 0, 400), "field", 0)]
@@ -52,7 +52,7 @@ def inputs(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def settings(inputs):
-    """Parameters of rasterizing, building and localizing, all as text, as qgis_process gives them."""
+    """Return parameters of rasterizing, building and localizing as text, as for qgis_process."""
     rasterize = {
         "INPUT": str(inputs / "annotation.shp"),
         "CLASS_FIELD": "class",
@@ -66,7 +66,7 @@ def settings(inputs):
 
 @pytest.fixture(scope="module")
 def expected(run_algorithm, inputs, settings, tmp_path_factory):
-    """Paths of the label map, database, images and positions that processing.run makes."""
+    """Return the paths of label map, database, images and positions made by processing.run."""
     return run_chain(run_algorithm, settings, tmp_path_factory.mktemp("python"), inputs)
 
 
@@ -90,7 +90,7 @@ def run_chain(run, settings, folder: Path, inputs: Path) -> dict:
 
 
 def tables(path: str) -> dict:
-    """Every row of every table of a GeoPackage but its spatial indexes, without the times of writing."""
+    """Return every row of every table of a GeoPackage, without spatial indexes and times of writing."""
     with contextlib.closing(sqlite3.connect(f"file:{path}?mode=ro", uri=True)) as connection:
         names = [row[0] for row in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")]
         found = {}
@@ -109,9 +109,9 @@ def canonical(cell):
     """
     if isinstance(cell, str) and cell.startswith(("<!DOCTYPE qgis", "<?xml")):
         text = re.sub(r'(id|key)="\{[0-9a-f-]+\}"', "", ElementTree.canonicalize(cell))
-        # A callout's line is XML in an attribute of its own, again in any order.
+        # The line of a callout is XML inside an attribute, again in any order.
         text = re.sub(r'value="&lt;symbol[^"]*"', "", text)
-        # Profiles get a color by chance.
+        # QGIS gives profiles a random color.
         return re.sub("<history>.*?</history>|<elevation.*?</elevation>", "", text, flags=re.DOTALL)
     return cell
 
@@ -174,8 +174,8 @@ def test_the_shipped_model_gives_the_same_database(qgis_app, repository, setting
 
 @pytest.fixture(scope="module")
 def qgis_process(repository, tmp_path_factory):
-    """`qgis_process(command, arguments …)` runs in a fresh profile and returns what it prints."""
-    # Debian 12's wrapper qgis_process passes on an option that its own qgis_process.bin does not know.
+    """`qgis_process(algorithm id, parameters)` runs it as a process in a new profile."""
+    # Debian 12's wrapper qgis_process passes on an option that its own qgis_process.bin does not support.
     program = shutil.which("qgis_process.bin") or shutil.which("qgis_process")
     if program is None:
         pytest.skip("qgis_process is not installed")

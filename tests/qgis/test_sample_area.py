@@ -1,4 +1,4 @@
-"""The sample area as it ships: all that a first try needs, and photos that the model that ships can read."""
+"""The shipped sample area has all that a first test needs, with photos for the shipped model."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ PHOTO_COUNT = 12
 
 
 def truth_of(sample: Path) -> dict:
-    """(x, y) of each photo by its name."""
+    """Return the (x, y) of each photo by its name."""
     with (sample / "photos.csv").open(newline="", encoding="utf-8") as file:
         return {row["image"]: (float(row["x"]), float(row["y"])) for row in csv.DictReader(file)}
 

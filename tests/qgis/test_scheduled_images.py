@@ -1,4 +1,4 @@
-"""SCHEDULER of Localize images: workers find what QGIS finds, say what it says, and a cancel leaves nothing."""
+"""SCHEDULER of Localize images: workers give QGIS's results and messages, and a cancel leaves nothing."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ LABELS = scattered_objects(500, 600, 380, seed=7, background=0)
 OUTPUTS = ("OUTPUT", "FOOTPRINTS", "ALTERNATIVES", "MATCHES")
 pytestmark = [
     pytest.mark.skipif(importlib.util.find_spec("distributed") is None, reason="Dask is not here"),
-    pytest.mark.slow,  # tests/qgis/test_scheduler.py has a quick one
+    pytest.mark.slow,  # tests/qgis/test_scheduler.py has a quick test.
 ]
 
 
@@ -29,7 +29,7 @@ def database(build_area):
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """Label images that are found, one without landmarks, one that is not an image, and one of a tilted camera."""
+    """Return label images with a position, without landmarks, unreadable, and of a tilted camera."""
     folder = tmp_path_factory.mktemp("images")
     for n, (row, column) in enumerate([(40, 60), (180, 320), (300, 200), (90, 400)]):
         write_raster(folder / f"image_{n}.png", LABELS[row : row + SIZE, column : column + SIZE], transform=None)
@@ -53,7 +53,7 @@ def rows(path):
 
 
 def require_same(found, expected):
-    """The last digits of sums depend on how many threads OpenBLAS has: one in workers."""
+    """Compare with a tolerance: sums depend on the threads of OpenBLAS, and workers use one."""
     assert len(found) == len(expected)
     for (values, shape), (others, other) in zip(found, expected):
         assert shape.partition("(")[0] == other.partition("(")[0]
@@ -91,7 +91,7 @@ def test_workers_localize_photos_by_the_network_that_qgis_takes(run_algorithm, d
     model = write_model(tmp_path / "colors.onnx", metadata=metadata(resolution_m=1.0))
     for n, (row, column) in enumerate([(40, 60), (180, 320)]):
         pixels = np.moveaxis(painted(LABELS[row : row + SIZE, column : column + SIZE]), 2, 0)
-        # One with pixels in degrees, one without a pixel size.
+        # One photo with pixels in degrees, one without a pixel size.
         place = {"transform": (9.5, 1e-5, 0, 47.2, 0, -7e-6), "crs": 4326} if n else {"transform": None}
         write_raster(tmp_path / f"photo_{n}.tif", pixels, **place)
     cameras = tmp_path / "cameras.csv"

@@ -1,4 +1,4 @@
-"""SCHEDULER of Assess reference database and Evaluate localization: workers find what QGIS finds."""
+"""SCHEDULER of Assess reference database and Evaluate localization: workers give QGIS's results."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ NAMES = ["unlabeled", "building", "water", "bare_land"]
 LABELS = scattered_objects(420, 480, 300, seed=21, background=0)
 pytestmark = [
     pytest.mark.skipif(importlib.util.find_spec("distributed") is None, reason="Dask is not here"),
-    pytest.mark.slow,  # tests/qgis/test_scheduler.py has a quick one
+    pytest.mark.slow,  # tests/qgis/test_scheduler.py has a quick test.
 ]
 
 
@@ -37,7 +37,7 @@ def rows(path):
 
 
 def require_same(found, expected):
-    """The last digits of sums depend on how many threads OpenBLAS has: one in workers."""
+    """Compare with a tolerance: sums depend on the threads of OpenBLAS, and workers use one."""
     assert len(found) == len(expected) > 0
     for (values, shape), (others, other) in zip(found, expected):
         assert shape == other and values.keys() == others.keys()

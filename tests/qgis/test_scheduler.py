@@ -1,4 +1,4 @@
-"""SCHEDULER: workers give the same results as QGIS; without Dask the message names its installation."""
+"""SCHEDULER: workers give the same results as QGIS; without Dask a message names the package."""
 
 from __future__ import annotations
 
@@ -83,7 +83,7 @@ def test_a_cancel_stops_at_once_and_leaves_neither_files_nor_workers(run_algorit
     with pytest.raises(QgsProcessingException, match="Canceled"):
         run_algorithm(BUILD, asked, feedback)
     assert list(tmp_path.iterdir()) == []
-    # The command and its worker, at least; they end with the algorithm or soon after, all of them.
+    # At least the command and its worker; all of them end soon after the algorithm.
     assert len(others) >= 2
     _, alive = psutil.wait_procs(others, timeout=60)
     assert alive == []

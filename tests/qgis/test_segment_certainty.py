@@ -1,4 +1,4 @@
-"""semref:segmentimage: the mask, and the confidence of the network as rasters."""
+"""semref:segmentimage: masks, and the certainty of the network as rasters."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ PHOTO = np.random.default_rng(4).integers(0, 256, (3, 300, 230)).astype(np.uint8
 
 
 def softmax_percent(photo) -> np.ndarray:
-    """Percent of red, blue and green as the network of the tests has them."""
+    """Return the percent of red, blue and green in the network of the tests."""
     powers = np.exp((photo[[0, 2, 1]].astype(float) / 255 - 0.5) / 0.5)
     return 100 * powers / powers.sum(axis=0)
 
 
 @pytest.fixture
 def segment(run_algorithm, feedback, tmp_path):
-    """`segment(image, **parameters)` gives the results."""
+    """`segment(image, **parameters)` returns the results."""
     model = write_model(tmp_path / "colors.onnx")
 
     def run(image, **parameters):

@@ -1,4 +1,4 @@
-"""semref:segmentimage: every kind of raster becomes the label map that the network sees in it, on its own ground."""
+"""semref:segmentimage: every kind of raster becomes the network's label map, on its own ground."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from qgis.core import QgsProcessingException, QgsRasterLayer
 
 SEGMENT = "semref:segmentimage"
 LABELS = scattered_objects(170, 230, 60, seed=3, background=0)
-"""Classes 1 building, 2 water, 3 bare_land on grey, which the network takes for building (the first of equals)."""
+"""Classes 1 building, 2 water, 3 bare_land on gray; the network classifies gray as building, the first of equals."""
 SEEN = np.where(LABELS == 0, 1, LABELS)
 
 
@@ -25,7 +25,7 @@ def model(tmp_path_factory):
 
 @pytest.fixture
 def segment(run_algorithm, model, feedback, tmp_path):
-    """`segment(image, **parameters)` gives the path of the label map."""
+    """`segment(image, **parameters)` returns the path of the label map."""
 
     def run(image, **parameters):
         defaults = {"MODEL": str(model), "OUTPUT": str(tmp_path / "labels.tif")}
@@ -72,7 +72,7 @@ def test_a_class_table_gives_values_roles_and_colors(segment, tmp_path):
 def test_pixels_without_data_are_unlabeled(segment, tmp_path):
     photo = PHOTO.copy()
     photo[:, 20:90, 30:180] = 7
-    photo[0, 100, 100] = 7  # one band alone says nothing
+    photo[0, 100, 100] = 7  # A single band is not enough.
     path = write_raster(tmp_path / "a.tif", photo, nodata=7)
     found = read_pixels(segment(path))
     assert (found[20:90, 30:180] == 0).all()

@@ -1,4 +1,4 @@
-"""The polygons of semref:segmentimage: every labeled pixel in one of them, borders shared, small regions merged."""
+"""Polygons of semref:segmentimage cover every labeled pixel once, share borders and have small regions merged."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ SEEN = np.where(LABELS == 0, 1, LABELS)
 
 
 def speckled(height: int, width: int, seed: int) -> np.ndarray:
-    """Patches of four classes, 0 among them, with speckles of single pixels, some touching at corners only."""
+    """Return patches of four classes, 0 among them, with speckles of single pixels that may touch at corners."""
     random = np.random.default_rng(seed)
     patches = np.kron(random.integers(0, 4, (height // 20 + 1, width // 20 + 1)), np.ones((20, 20)))[:height, :width]
     speckles = random.random((height, width)) < 0.1
@@ -48,7 +48,7 @@ def test_they_are_those_of_gdal(qgis_app, tmp_path, seed):
 
 
 def _plain(polygons):
-    """Without vertices on straight edges, in shapely's own order."""
+    """Return polygons without vertices on straight edges, in shapely's order."""
     return shapely.normalize(shapely.simplify(shapely.normalize(polygons), 0))
 
 

@@ -1,4 +1,4 @@
-"""The models that ship: as their maker writes them, and in the user's language wherever QGIS shows them."""
+"""Shipped models are as their maker writes them, and translated wherever QGIS shows them."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def maker(qgis_app, repository):
 
 
 def texts_of(algorithm) -> list:
-    """What QGIS shows of a model."""
+    """Return the texts of a model that QGIS shows."""
     shown = [algorithm.displayName(), algorithm.group(), algorithm.shortDescription()]
     return shown + [definition.description() for definition in algorithm.parameterDefinitions()]
 
@@ -82,7 +82,7 @@ def test_layers_that_a_model_makes_have_names_in_the_users_language(qgis_app, re
     context, project = QgsProcessingContext(), QgsProject()
     names = [output for child in model.childAlgorithms().values() for output in child.modelOutputs()]
     assert names
-    # As QGIS calls layers of models, and one of another algorithm.
+    # Names that QGIS gives to layers of models, and one of another algorithm.
     for one in (*names, "Houses"):
         context.addLayerToLoadOnCompletion(one, QgsProcessingContext.LayerDetails(one, project, "OUTPUT"))
     model.postProcessAlgorithm(context, QgsProcessingFeedback())
@@ -92,7 +92,7 @@ def test_layers_that_a_model_makes_have_names_in_the_users_language(qgis_app, re
 
 @pytest.fixture(scope="module")
 def translated_texts(repository):
-    """All texts that have translations."""
+    """Return all texts that have translations."""
     path = repository / "tools" / "release" / "update_translations.py"
     spec = importlib.util.spec_from_file_location("update_translations", path)
     tool = importlib.util.module_from_spec(spec)
@@ -108,7 +108,7 @@ def test_the_names_of_parameters_have_translations(create, translated_texts, nam
 
 @pytest.mark.parametrize("name", FILES)
 def test_the_file_is_what_the_maker_writes(maker, repository, tmp_path, name):
-    """Compared as this QGIS reads both: each version writes files of its own."""
+    """Compare both as read by this QGIS, because each version writes other files."""
     path = tmp_path / f"{name}.model3"
     assert maker.MODELS[name]().toFile(str(path))
     made, shipped = QgsProcessingModelAlgorithm(), QgsProcessingModelAlgorithm()
@@ -117,7 +117,7 @@ def test_the_file_is_what_the_maker_writes(maker, repository, tmp_path, name):
 
 
 def content(model) -> tuple:
-    """Steps with what they are given and give, and parameters; newer QGIS calls new models' outputs otherwise."""
+    """Return parameters, and steps with inputs and outputs; newer QGIS names outputs of new models differently."""
     children = {
         child_id: (
             child.algorithmId(),

@@ -19,7 +19,7 @@ def file(tmp_path):
 
 
 def copied(file, target):
-    """Copies in a thread of its own, so that a copy that never ends fails; what it raised, or None."""
+    """Copy in a thread, so that an endless copy fails; return the error or None."""
     from semref.storage.vector_files import copy_whole
 
     raised = []

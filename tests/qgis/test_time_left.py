@@ -1,4 +1,4 @@
-"""How long a run still takes, in the text of a dialog's progress."""
+"""Time left of a run in the progress text of a dialog."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from qgis.PyQt.QtCore import QLocale
 
 
 class Dialog(QgsProcessingFeedback):
-    """What a dialog would show."""
+    """Dialog that records its texts."""
 
     def __init__(self):
         super().__init__(False)
@@ -27,7 +27,7 @@ def dialog(qgis_app):
 
 @pytest.fixture
 def clock(monkeypatch):
-    """Seconds of the clock that estimates are made by; to be set."""
+    """Clock of the estimates in seconds; it can be set."""
     from semref.processing.base import time_left
 
     now = [0.0]
@@ -36,7 +36,7 @@ def clock(monkeypatch):
 
 
 def run_for(feedback, clock, seconds, steps=1000):
-    """A run that goes on evenly."""
+    """Simulate a run of even speed."""
     for step in range(1, steps + 1):
         clock[0] = seconds * step / steps
         feedback.setProgress(100 * step / steps)

@@ -30,7 +30,7 @@ PHOTO = np.stack([LABELS * 20 + band for band in range(3)]).astype(np.uint8)
 
 
 class Said(QgsProcessingFeedback):
-    """Records messages; cancels itself at a progress."""
+    """Feedback that records messages and cancels at a given progress."""
 
     def __init__(self, cancel_at: float = 1000):
         super().__init__(False)
@@ -48,7 +48,7 @@ class Said(QgsProcessingFeedback):
 
 @pytest.fixture
 def trainer(tmp_path):
-    """`trainer(training, ready)`: the path of a program that answers as the training does."""
+    """`trainer(training, ready)`: path of a program that answers like the training."""
 
     def make(training=EPOCH, ready=READY):
         return str(write_trainer(tmp_path / "python_that_trains", write_model(tmp_path / "made.onnx"), training, ready))
@@ -74,7 +74,7 @@ def train(run_algorithm, trainer, tmp_path):
 
 
 def folders(place):
-    """What training left beside its model."""
+    """Return the folders that training left beside its model."""
     return sorted(place.glob("model.training*"))
 
 
@@ -96,7 +96,7 @@ def test_the_training_gets_tiles_of_image_and_labels(train, tmp_path):
     train(training=keep + EPOCH, MINUTES=7, EPOCHS=9, UNLABELED=1)
     job = json.loads((kept / "job.json").read_text())
     assert (job["epochs"], job["learn_unlabeled"]) == (9, True)
-    # Reading and cutting have taken some of it.
+    # Reading and cutting have taken some of the time.
     assert 5 < job["minutes"] < 7
     assert job["ground"]["image"] == "image.tif" and job["ground"]["pixel_size"] == 1.0
     assert job["ground"]["extent"] == [WEST, NORTH - 640, WEST + 768, NORTH]
@@ -119,7 +119,7 @@ def test_ground_outside_the_mask_is_not_learned_from(train, tmp_path, something_
     wanted[50:450, 100:500] = wanted[450:550, 500:600] = True
     manifest = json.loads((kept / "tiles" / "manifest.json").read_text())
     size = manifest["tile_size"]
-    # What is not wanted has a value that is no class: 0 is one where the rest is learned as something else.
+    # Excluded pixels have a value without a class, because 0 becomes a class if unlabeled ground is learned.
     outside = 255 if something_else else 0
     for tile in manifest["tiles"]:
         row, column = tile["row"] + 50, tile["column"] + 100
@@ -160,7 +160,7 @@ def test_a_cancel_ends_the_process_at_once_and_keeps_what_was_trained(train, tmp
     assert not (tmp_path / "model.onnx").exists()
     (folder,) = folders(tmp_path)
     assert (folder / "last.pt").exists()
-    # The same again goes on; the tiles are those that were cut.
+    # The same run continues with the same tiles.
     before = (folder / "tiles" / "manifest.json").stat().st_mtime_ns
     again = f"assert job['resume'] and os.stat(folder + '/tiles/manifest.json').st_mtime_ns == {before}; {EPOCH}"
     train(training=again, MINUTES=99)
@@ -168,7 +168,7 @@ def test_a_cancel_ends_the_process_at_once_and_keeps_what_was_trained(train, tmp
 
 
 def test_a_cancel_ends_whatever_the_process_started(train, tmp_path):
-    """The Python is a script that starts the real one, which starts others, as for loading data."""
+    """The Python is a script that starts the real Python, which starts other processes, as data loaders do."""
     worker = "import os, time; open({!r}, 'w').write(str(os.getpid())); time.sleep(60)"
     pids = [tmp_path / "worker", tmp_path / "trainer"]
     start = "import subprocess; subprocess.Popen([sys.executable, '-c', " + repr(worker.format(str(pids[0]))) + "]); "
@@ -180,14 +180,14 @@ def test_a_cancel_ends_whatever_the_process_started(train, tmp_path):
     said = Said(cancel_at=50)
     with pytest.raises(QgsProcessingException, match="is saved"):
         train(said, training=f"{start}{wait}{EPOCH}; time.sleep(60)", PYTHON=str(wrapper))
-    # Killed processes take a moment to go.
+    # Killed processes take a moment to end.
     while running := [path.name for path in pids if is_running(int(path.read_text()))]:
         assert time.monotonic() - said.canceled_at < 5, running
         time.sleep(0.02)
 
 
 def is_running(pid):
-    """Whether a process runs; one that ended may still be listed."""
+    """Return whether a process runs; one that ended may still be listed."""
     stat = Path(f"/proc/{pid}/stat")
     return stat.exists() and stat.read_text().rpartition(")")[2].split()[0] not in "ZX"
 
@@ -311,7 +311,7 @@ def test_only_classes_of_the_wanted_ground_count(train, tmp_path):
 @pytest.mark.parametrize("as_polygons", [False, True], ids=["label map", "polygons"])
 def test_a_single_class_among_the_pixels_is_refused_before_tiles_are_cut(train, tmp_path, as_polygons):
     if as_polygons:
-        # The corner of the water's box is on the mask, its pixels are not.
+        # The corner of the water's bounding box is inside the mask, its pixels are not.
         water = polygon([(300, 600), (700, 600), (700, 100)])
         layer = write_layer(tmp_path / "drawn.gpkg", [(square(10, 300, 290), "building"), (water, "water")])
         mask = write_layer(tmp_path / "mask.gpkg", [(square(0, 0, 350), "x")])
@@ -338,7 +338,7 @@ def test_too_little_ground_is_refused_with_advice(train, tmp_path):
 
 
 def test_files_of_the_user_in_a_folder_of_that_name_survive(train, tmp_path):
-    """Whatever they are called, and whether the run is finished, canceled, gone on with or begun again."""
+    """This applies to any file name and to a run that is finished, canceled, continued or restarted."""
     names = ["job.json", "last.pt", "tiles/manifest.json", "photos/1.jpg"]
     for name in ("model.training", "model.training-1"):
         for file in names:
@@ -374,7 +374,7 @@ def test_a_folder_put_in_the_place_of_the_run_s_survives(train, tmp_path, as_lin
 
 
 def test_a_training_is_not_lost_where_its_model_can_t_be_moved_to_its_place(train, tmp_path, monkeypatch):
-    """As where another program has the older model open."""
+    """For example, if another program has the older model open."""
 
     def refuse(_):
         raise PermissionError(errno.EACCES, "in use", "model.onnx")
@@ -408,7 +408,7 @@ def test_ps_gives_the_same_as_proc(monkeypatch):
 
 
 def test_the_time_limit_counts_from_the_start_and_so_does_the_time_left(train, tmp_path):
-    """Asking the Python takes 3 of 12 s; the training gets the rest, and its shares are of that."""
+    """Starting Python takes 3 of 12 s; the training gets the rest, and its shares are of that."""
     kept, said = tmp_path / "kept", Said()
     percents = []
     said.progressChanged.connect(percents.append)
@@ -417,7 +417,7 @@ def test_the_time_limit_counts_from_the_start_and_so_does_the_time_left(train, t
     left_s = 60 * json.loads(kept.read_text())["minutes"]
     assert 0.2 * 12 - 0.1 <= left_s <= 9
     passed = 100 * (1 - left_s / 12)
-    # The training's shares are 0.2 and 0.5; before, nothing allows an estimate of the end.
+    # Shares 0.2 and 0.5 of the training; before it, there is no basis for an estimate.
     assert max(percent for percent in percents if percent < passed - 1) <= 1
     assert percents[-2:] == pytest.approx([passed + 0.2 * (100 - passed), passed + 0.5 * (100 - passed)], abs=1)
 

@@ -1,4 +1,4 @@
-"""The Python that trains: which one is taken, and what is run to make SemRef's own, without running it."""
+"""The training environment: the selected Python, and the commands that create it, without running them."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from semref.processing.packages.install import Answer
 
 @pytest.fixture
 def folder(qgis_app, tmp_path, monkeypatch):
-    """The environment would be there; nothing is set in the options."""
+    """Return the folder of the environment; the options are empty."""
     QgsSettings().remove(training_environment.PYTHON_SETTING)
     made = tmp_path / "profile" / "semref_training"
     monkeypatch.setattr(training_environment, "environment_folder", lambda: made)
@@ -23,7 +23,7 @@ def folder(qgis_app, tmp_path, monkeypatch):
 
 
 def drive(commands, answer):
-    """The commands' (title, program, arguments); ``answer(command)`` does what each would."""
+    """Return (title, program, arguments) of the commands; ``answer(command)`` simulates each."""
     seen = []
     try:
         command = next(commands)
@@ -35,7 +35,7 @@ def drive(commands, answer):
 
 
 def making(folder):
-    """Answers as a Python, pip and the training would when all goes well."""
+    """Simulate Python, pip and the training without errors."""
 
     def answer(command):
         if "venv" in command.arguments:

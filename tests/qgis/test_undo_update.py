@@ -1,4 +1,4 @@
-"""Undo goes back by exactly one update, and neither file is lost when it can't."""
+"""Undo reverts exactly one update, and a failed undo loses neither file."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ KEPT = Path(__file__).resolve().parents[1] / "data" / "kept" / "v1" / "database.
 
 @pytest.fixture
 def path(tmp_path):
-    """A database in a folder of its own."""
+    """Return a database in a new folder."""
     (tmp_path / "maps").mkdir()
     path = tmp_path / "maps" / "area.gpkg"
     path.write_bytes(gzip.decompress(KEPT.read_bytes()))
@@ -40,7 +40,7 @@ def edit(path, statement):
 
 
 def larger(path, tmp_path, square_meters):
-    """What an update of a database makes elsewhere: all landmarks are larger."""
+    """Write an updated database elsewhere: all landmarks are larger."""
     updated = str(shutil.copy(path, tmp_path / "updated.gpkg"))
     edit(updated, f'UPDATE "references" SET area = area + {square_meters}')
     store_checksums(updated)

@@ -1,4 +1,4 @@
-"""semref:updatedatabase: the file that a rebuild makes, with the rows and fids of what did not change."""
+"""semref:updatedatabase: the same file as a rebuild, with rows and fids of unchanged objects."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ BUILD, UPDATE = "semref:builddatabase", "semref:updatedatabase"
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 HEIGHT, WIDTH = 1100, 1300
 EDIT = (660, 560, 60)
-"""Column, row and size of the square in which the labels are corrected."""
+"""Column, row and size of the corrected square."""
 
 
 def map_labels():
@@ -40,7 +40,7 @@ def edited_labels():
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """Old and new label map, the changed areas, and databases built of both maps."""
+    """Return old and new label map, the changed areas, and databases built from both maps."""
     folder = tmp_path_factory.mktemp("update")
     write_raster(folder / "old.tif", map_labels(), names=NAMES)
     write_raster(folder / "new.tif", edited_labels(), names=NAMES)
@@ -90,7 +90,7 @@ def rows(database, sql):
 
 
 def references(database):
-    """{(all but the fid)} of the references with their bounds."""
+    """Return {(all but the fid)} of the references with their bounds."""
     sql = (
         'SELECT r.*, b.first_column, b.first_row, b.end_column, b.end_row FROM "references" r '
         "JOIN reference_bounds b ON b.fid = r.fid"
@@ -252,7 +252,7 @@ def test_an_update_in_place_after_a_kept_one_is_not_undone_with_it(update, old, 
 def test_a_database_that_another_program_locks_before_the_end_is_not_replaced(
     update, old, tmp_path, monkeypatch, begin
 ):
-    """What the other program commits then would go into a file that nobody sees any more."""
+    """Otherwise the other program would commit into a file that is no longer in use."""
     from semref.storage.database.editor import DatabaseEditor
 
     place = str(shutil.copy(old, tmp_path / "area.gpkg"))

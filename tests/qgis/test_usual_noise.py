@@ -1,4 +1,4 @@
-"""Default noise of assessments and evaluations is what core assumes, and can be."""
+"""Default noise of assessments and evaluations is valid and that of core."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""One reader a kind of value: what was given as a number, a text, a list or not at all comes out alike."""
+"""Values of parameters are read the same way from numbers, texts, lists and missing values."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from qgis.core import (
 
 @pytest.fixture
 def read(qgis_app):
-    """`read(number=…)` gives the Values of an algorithm with one parameter of each kind."""
+    """`read(number=…)` returns the Values of an algorithm with one parameter of each kind."""
     from semref.processing.base.algorithm import SemRefAlgorithm
     from semref.processing.base.parameters import with_help
     from semref.processing.base.values import Values
@@ -103,7 +103,7 @@ def test_files_are_a_list_one_path_or_several_as_text(read, tmp_path):
     first, second = (tmp_path / name for name in ("a; b.png", "c.png"))
     first.touch()
     assert read(files=[str(first), str(second)]).files("files") == [str(first), str(second)]
-    # A name that has the separator in it is one file, if it is there.
+    # A name that contains the separator is one file, if that file exists.
     assert read(files=str(first)).files("files") == [str(first)]
     assert read(files=f"{second}; d.png").files("files") == [str(second), "d.png"]
 

@@ -1,4 +1,4 @@
-"""Scenarios are valid, results are complete, and docs/benchmarks.md is up to date."""
+"""Scenarios are readable, results are complete, and docs/benchmarks.md is generated from them."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ MOST_WORDS = 5_000
 
 @pytest.fixture(scope="module")
 def benchmarks():
-    """Return a function that imports a module of benchmarks/ by name."""
+    """``benchmarks("page")`` returns that module of benchmarks/."""
     sys.path.append(str(ROOT / "tools"))
     importlib.import_module("plugin_package").load_plugin_package()
     return lambda name: importlib.import_module(f"benchmarks.{name}")

@@ -1,4 +1,4 @@
-"""The parts of a release: news, metadata, and a checked zip."""
+"""Releases: news, metadata, and the checks of the zip."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ def test_addresses_that_nobody_filled_in_are_named():
 
 @pytest.fixture
 def contents(sample, tmp_path) -> dict[str, bytes]:
-    """Return the files of a zip of this repository, with a help page and translations if they were not built."""
+    """Return the files of a zip of this repository, with placeholders for guide pages and translations."""
     target = tmp_path / "made.zip"
     package.write_package(target)
     with zipfile.ZipFile(target) as archive:
@@ -84,7 +84,7 @@ def contents(sample, tmp_path) -> dict[str, bytes]:
 
 @pytest.fixture
 def faults(contents, tmp_path):
-    """Return a function that lists the faults of this zip with changed files; None removes a file."""
+    """`faults(version, name=content, …)`: faults of the zip with these files changed; None removes one."""
 
     def found(version: str = "", changed: dict | None = None) -> list[str]:
         target = tmp_path / "looked_at.zip"

@@ -1,4 +1,4 @@
-"""The script that runs the parts of .ci/run: two at a time, with output in order, and failures at the end."""
+"""The parts of .ci/run: two at a time, printed in order, with a failing exit status."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def run(*arguments: str) -> subprocess.CompletedProcess:
 
 
 def test_lanes_run_at_the_same_time_and_are_printed_in_order(tmp_path):
-    """Each command waits for the other, so one after the other would never end."""
+    """Each waits for the other, so in sequence they would never end."""
     first = f"first: until [ -e {tmp_path}/b ]; do sleep 0.1; done; echo one; touch {tmp_path}/a"
     second = f"second: echo two; touch {tmp_path}/b; until [ -e {tmp_path}/a ]; do sleep 0.1; done; echo three >&2"
     done = run(first, "last: echo four", "--", second)

@@ -1,4 +1,4 @@
-"""Training in the Python that has torch, where there is one."""
+"""Run training in a Python with torch, if there is one."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 @pytest.fixture(scope="session")
 def training_python() -> Path:
-    """The Python of .venv-train, or the one that SEMREF_TRAINING_PYTHON names; skips where there is none."""
+    """Return the Python of .venv-train or of SEMREF_TRAINING_PYTHON; skip if it is missing."""
     python = Path(os.environ.get("SEMREF_TRAINING_PYTHON") or ROOT / ".venv-train" / "bin" / "python")
     if not python.exists():
         pytest.skip("no Python with torch: run bash tools/training/setup_training.sh")

@@ -1,4 +1,4 @@
-"""Weights from a file for the encoder: all of them or none, by the encoder's names or in the order of another naming.
+"""Encoder weights from a file: complete or refused, matched by the encoder's names or by order.
 
 torch lives in an environment of its own (tools/training/setup_training.sh), so a program run there gives the answers.
 """

@@ -1,4 +1,4 @@
-"""The network that is trained: everything is shown where it is.
+"""The trained network keeps everything at its place.
 
 torch lives in an environment of its own (tools/training/setup_training.sh), so a program run there gives the answers.
 """
@@ -35,5 +35,5 @@ print(json.dumps(float(difference)))
 def test_what_is_moved_in_a_tile_is_answered_moved_by_as_much(training_python):
     done = subprocess.run([str(training_python), "-c", PROGRAM], capture_output=True, text=True, cwd=ROOT)
     assert done.returncode == 0, done.stderr
-    # Of the tile's border a little comes in everywhere, by the means over all of it.
+    # The border of the tile affects all pixels slightly, through means over the whole tile.
     assert json.loads(done.stdout.splitlines()[-1]) < 0.02

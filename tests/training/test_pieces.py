@@ -1,4 +1,4 @@
-"""What goes into a network: pieces whose labels stay on their pixels, channels, weights; and what is said of it."""
+"""Input of a network: pieces with labels at their pixels, channels, weights; and measures of its output."""
 
 import csv
 import json
@@ -14,7 +14,7 @@ IGNORED = tiles.IGNORED
 
 
 def blocks(size=96, edge=12):
-    """Labels 0 to 3 in blocks, and an image that shows them: red and green tell the label."""
+    """Return labels 0 to 3 in blocks, and an image with a red and green value for each label."""
     values = np.random.default_rng(2).integers(0, 4, (size // edge, size // edge))
     labels = np.kron(values, np.ones((edge, edge))).astype(np.uint8)
     image = np.dstack([labels % 2, labels // 2, np.zeros_like(labels)]).astype(np.float32)
@@ -27,7 +27,7 @@ def test_the_labels_of_a_piece_stay_on_their_pixels_whatever_its_turn_and_scale(
     piece, marks = augment.random_piece(np.random.default_rng(seed), image, labels, 64)
     assert piece.shape == (64, 64, 3) and marks.shape == (64, 64)
     shown = np.rint(piece[..., 0]).astype(int) + 2 * np.rint(piece[..., 1]).astype(int)
-    # On the edges of blocks the image is blended; inside they must agree.
+    # On edges of blocks the image is blended; inside they must agree.
     blended = np.abs(piece - np.rint(piece)).max(axis=2) > 0.01
     counted = (cv2.dilate(blended.astype(np.uint8), np.ones((3, 3))) == 0) & (marks != IGNORED)
     assert counted.mean() > 0.15
@@ -139,7 +139,7 @@ def test_shifts_of_a_network_are_separated_from_shifts_of_the_ground():
         for row, column in np.mgrid[10:220:32, 10:220:32].reshape(2, -1).T:
             height, width = rng.integers(9, 16, 2)
             labels[row : row + height, column : column + width] = 1
-        # The ground's own: shown 2 px north of where it is.
+        # The shift of the ground: shown 2 px north of its place.
         tiles_hw.append((np.roll(labels, -2, axis=0)[..., None].astype(np.float32), labels))
 
     class Reader:

@@ -1,4 +1,4 @@
-"""The temperature is found that made the labels."""
+"""The fitted temperature is the one used to draw the labels."""
 
 import numpy as np
 import pytest
@@ -7,7 +7,7 @@ from semref.training import temperature
 
 
 class Tiles:
-    """Tiles whose image holds the scores, and labels drawn by the softmax of these at a temperature."""
+    """Tiles with scores as their image, and labels drawn from the softmax at a temperature."""
 
     def __init__(self, true_temperature, count=3, edge=96):
         rng = np.random.default_rng(5)

@@ -1,4 +1,4 @@
-"""A whole training of seconds, in the Python that has torch: what it tells, writes, goes on with and refuses."""
+"""A complete training of some seconds, with torch: messages, files, continuation and refusals."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from semref.training.job import Job, read_job
 
 ROOT = Path(__file__).resolve().parents[2]
 COLORS = ((40, 160, 40), (200, 60, 60), (60, 60, 200))
-"""Of what is unlabeled, of buildings, of water."""
+"""Class values of unlabeled ground, buildings and water."""
 
 CLASSES = "value,name,color,role\n1,building,#c83c3c,reference\n2,water,#3c3cc8,reference\n"
 TILE = 128
@@ -32,7 +32,7 @@ TILE = 128
 
 @pytest.fixture(scope="module")
 def tiles(tmp_path_factory):
-    """A folder of tiles as semref:exporttrainingtiles writes it: red and blue squares on green."""
+    """Return a folder of tiles like that of semref:exporttrainingtiles: red and blue squares on green."""
     folder = tmp_path_factory.mktemp("tiles")
     rng = np.random.default_rng(7)
     for subset, count in (("train", 8), ("validation", 2)):
@@ -66,7 +66,7 @@ def command(python: Path, job: Job) -> list[str]:
 
 
 def trained(python: Path, job: Job) -> list[dict]:
-    """What the process told."""
+    """Return the events of the process."""
     done = subprocess.run(command(python, job), capture_output=True, text=True, check=False)
     events = [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
     assert events, done.stderr
@@ -75,7 +75,7 @@ def trained(python: Path, job: Job) -> list[dict]:
 
 @pytest.fixture(scope="module")
 def first(training_python, tiles, tmp_path_factory):
-    """(job, what was told) of a training from random weights."""
+    """Return (job, events) of a training from random weights."""
     job = job_of(tiles, tmp_path_factory.mktemp("first"), ground={"image": "made up"})
     return job, trained(training_python, job)
 
@@ -127,12 +127,12 @@ def test_the_model_carries_a_card(first):
     assert (card.fault, card.classes, card.resolution_m) == (None, ("other", "building", "water"), 0.5)
     assert [ground.place for ground in card.trained_on] == ["made up"]
     assert set(card.validation_iou) == set(card.classes) and len(card.confusion) == 3
-    # A fast machine takes less than the tenth of a minute that is told.
+    # A fast machine takes less than the reported tenth of a minute.
     assert len(card.date) == 10 and 0 <= card.minutes < 5
 
 
 def test_ground_where_only_buildings_were_drawn_is_learned_from_beside_others(training_python, tiles, tmp_path):
-    """Its ground without a label is a label of its own, which the report's matrix does not show."""
+    """Its unlabeled ground is a label of its own, which the report's matrix does not show."""
     job = job_of(tiles, tmp_path, learn_unlabeled=False, complete={str(tiles): ["building"]}, card={"name": "a name"})
     events = trained(training_python, job)
     assert len(events[0]["class_weights"]) == 4 and events[-1]["event"] == "done"
@@ -151,7 +151,7 @@ def test_a_run_that_was_ended_goes_on_where_it_was(training_python, tiles, tmp_p
     process.kill()
     process.wait()
     done = json.loads(line)["epoch"]
-    # Longer or shorter than was said first is no other training.
+    # Another number of epochs is no other training.
     events = trained(training_python, Job(**{**job.__dict__, "epochs": done + 2}))
     resumed = next(event for event in events if event["event"] == "resumed")
     assert resumed["epoch"] >= done
@@ -162,7 +162,7 @@ def test_a_run_that_was_ended_goes_on_where_it_was(training_python, tiles, tmp_p
 
 @pytest.mark.slow
 def test_the_model_is_written_before_its_time_is_over(training_python, tiles, tmp_path):
-    """Starting torch, judging, writing and checking are in it."""
+    """This includes starting torch, testing, writing and checking."""
     started = time.monotonic()
     events = trained(training_python, job_of(tiles, tmp_path, epochs=10_000, patience=0, minutes=0.75))
     elapsed_s = time.monotonic() - started
@@ -173,7 +173,7 @@ def test_the_model_is_written_before_its_time_is_over(training_python, tiles, tm
 
 
 def test_training_continues_from_the_base_model(training_python, first, tiles, tmp_path):
-    """With no step worth the name it still answers as its base did; classes are found by name."""
+    """With a tiny learning rate it answers like its base; classes are matched by name."""
     base, _ = first
     (tmp_path / "reordered").mkdir()
     job = job_of(
@@ -188,7 +188,7 @@ def test_training_continues_from_the_base_model(training_python, first, tiles, t
 
 
 def with_encoder(path: Path, base: Path, encoder: str) -> Path:
-    """The same model, which says that it is built of another encoder."""
+    """Return the same model with the name of another encoder."""
     import onnx
 
     if path.suffix == ".pt":
@@ -205,7 +205,7 @@ def with_encoder(path: Path, base: Path, encoder: str) -> Path:
 
 @pytest.mark.parametrize("name", ["model.pt", "model.onnx"])
 def test_a_base_model_contacts_nobody(training_python, first, tiles, tmp_path, monkeypatch, name):
-    """Names of encoders may be addresses of networks."""
+    """Names of encoders may be network addresses."""
     asked = []
 
     class Answer(BaseHTTPRequestHandler):

@@ -1,4 +1,4 @@
-"""Put first on PYTHONPATH: Python as a plain QGIS has it, without the packages that SemRef asks for.
+"""Hide the packages of SemRef from Python, like a plain QGIS; this folder is first on PYTHONPATH.
 
 What SemRef installs into a profile is found; the same packages of the system or a virtual environment are not.
 """

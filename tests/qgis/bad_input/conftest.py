@@ -1,4 +1,4 @@
-"""One good input of each kind, and a run that must be refused."""
+"""One valid input of each kind, and runs that must be refused."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ from qgis.core import (
 
 @pytest.fixture(scope="session")
 def good(run_algorithm, tmp_path_factory):
-    """A folder with one input of each kind that nothing is wrong with."""
+    """Return a folder with one valid input of each kind."""
     folder = tmp_path_factory.mktemp("good")
     features = [(square(0, 0, 100), "field", 1), (square(10, 10, 20), "building", 2)]
     write_layer(folder / "annotation.gpkg", features, [("class", "text"), ("zorder", "integer")])
@@ -58,7 +58,7 @@ def good(run_algorithm, tmp_path_factory):
 
 @pytest.fixture
 def defaults(good, tmp_path):
-    """Valid parameters of each algorithm; outputs are in tmp_path/out."""
+    """Return working parameters of each algorithm; outputs are in tmp_path/out."""
     (tmp_path / "out").mkdir()
     found = {
         RASTERIZE: {"INPUT": str(good / "annotation.gpkg"), "CLASS_FIELD": "class", "PIXEL_SIZE": 1},
@@ -86,7 +86,7 @@ def defaults(good, tmp_path):
 
 @pytest.fixture
 def refused(run_algorithm, defaults, tmp_path, feedback):
-    """`refused(algorithm, **parameters)` gives the sentence; an older output of the same name must stay."""
+    """`refused(algorithm, **parameters)` returns the message; an older output of the same name must stay."""
 
     def run(algorithm, **parameters):
         older = Path(defaults[algorithm][OUTPUT_NAMES[algorithm][0]])

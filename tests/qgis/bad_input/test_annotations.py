@@ -1,4 +1,4 @@
-"""An annotation that can’t be rasterized is refused in one sentence with the value."""
+"""A land-cover layer that can’t be rasterized is refused in one sentence with the value."""
 
 from __future__ import annotations
 
@@ -102,7 +102,7 @@ def test_a_pixel_size_that_makes_a_gigantic_map_is_refused_with_the_size(refused
 
 
 def test_a_layer_removed_while_the_algorithm_runs_does_not_stop_it(tmp_path, defaults, good):
-    """Prepared in the main thread, run after the layers are gone, as a background task may meet it."""
+    """Prepare it in the main thread and run it after the layers are gone, as a background task can."""
     for algorithm, key, layer in (
         (RASTERIZE, "INPUT", QgsVectorLayer(str(good / "annotation.gpkg"), "annotation")),
         (BUILD, "LABELS", QgsRasterLayer(str(good / "labels.tif"), "labels")),

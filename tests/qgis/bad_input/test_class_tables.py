@@ -1,4 +1,4 @@
-"""A class table that can’t be used is refused with the place in it."""
+"""An unusable class table is refused with the place of the mistake."""
 
 from __future__ import annotations
 

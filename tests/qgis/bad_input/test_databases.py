@@ -1,4 +1,4 @@
-"""A file that is not a database, or a damaged or edited one, is refused."""
+"""Files that are no database, and truncated or edited databases, are refused."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ def copied(good, tmp_path):
 @contextlib.contextmanager
 def edited(path):
     with contextlib.closing(sqlite3.connect(path)) as connection:
-        # The triggers of GeoPackage call functions that plain SQLite does not have.
+        # GeoPackage triggers call functions that plain SQLite does not have.
         for (name,) in connection.execute("SELECT name FROM sqlite_master WHERE type = 'trigger'").fetchall():
             connection.execute(f'DROP TRIGGER "{name}"')
-        # Like someone who changes a database on purpose.
+        # As a deliberate change to a database would.
         connection.execute("DELETE FROM parameters WHERE key = 'checksums'")
         yield connection
         connection.commit()

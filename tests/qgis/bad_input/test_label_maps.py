@@ -1,4 +1,4 @@
-"""A label map or a value that no database can be built of is refused by name."""
+"""Unusable label maps and values are refused by name."""
 
 from __future__ import annotations
 

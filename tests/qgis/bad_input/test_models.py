@@ -1,4 +1,4 @@
-"""A bad model, and a photo that it cannot read, are reported in a short message."""
+"""Bad models, and photos that a model can’t read, are reported in one sentence."""
 
 from __future__ import annotations
 

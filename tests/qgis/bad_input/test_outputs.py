@@ -1,4 +1,4 @@
-"""An output that can’t be written is refused; older outputs stay as they were."""
+"""An output that can’t be written is refused; older outputs do not change."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def test_an_output_below_a_file_is_refused(run_algorithm, defaults, tmp_path, al
 @pytest.mark.skipif(not Path("/proc/self").exists(), reason="no /proc on this machine")
 @pytest.mark.parametrize("algorithm", WRITERS)
 def test_an_output_folder_that_cannot_be_written_is_refused(run_algorithm, defaults, algorithm):
-    # Not even root writes there.
+    # Not even root can write there.
     assert "/proc" in output_refused(run_algorithm, defaults, algorithm, Path("/proc") / OUTPUT_NAMES[algorithm][1])
 
 
@@ -73,7 +73,7 @@ def test_an_output_that_is_a_folder_is_refused(run_algorithm, defaults, tmp_path
 
 @pytest.fixture
 def small_disk(tmp_path):
-    """A file system of 60 kB."""
+    """Return a file system of 60 kB."""
     folder = tmp_path / "disk"
     folder.mkdir()
     mounted = subprocess.run(
@@ -104,5 +104,5 @@ def test_a_full_disk_is_reported_and_leaves_nothing(run_algorithm, defaults, sma
     output_refused(run_algorithm, defaults, algorithm, target)
     assert target.read_bytes() == before
     assert [path.name for path in small_disk.iterdir()] == [target.name]
-    # GDAL's objects that failed to close are not closed again, which would end the process.
+    # GDAL objects that failed to close must not be closed again, which would end the process.
     gc.collect()

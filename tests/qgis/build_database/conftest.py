@@ -1,4 +1,4 @@
-"""A map and the database built of it, once for all."""
+"""One map and its database."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from made_inputs import write_raster
 
 @pytest.fixture(scope="session")
 def build(run_algorithm, tmp_path_factory):
-    """`build(labels_path, **parameters)` gives the results; DATABASE is a path."""
+    """`build(labels_path, **parameters)` returns the results; DATABASE is a path."""
 
     def run(labels, **parameters):
         defaults = {
@@ -53,6 +53,6 @@ def database(built):
 
 @pytest.fixture
 def query(database):
-    """`query(sql)` gives rows as Python's own sqlite3 reads them."""
+    """`query(sql)` returns rows read with Python's sqlite3."""
     with contextlib.closing(sqlite3.connect(f"file:{database}?mode=ro", uri=True)) as connection:
         yield lambda sql: connection.execute(sql).fetchall()

@@ -1,4 +1,4 @@
-"""The columns of a database have titles: in QGIS in the user's language, for other programs in the file."""
+"""Columns of a database have titles: translated in QGIS, and in the file for other programs."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def test_any_program_finds_them_in_the_geopackage_by_its_own_rules(database):
     for table, titles in COLUMNS.items():
         found = {column: name for one, column, name, _ in rows if one == table}
         assert found.items() >= titles.items()
-        # All except the key, the geometry and missing columns.
+        # All columns but the key and the geometry.
         assert there[table] - set(found) == {"fid", "geom"} and set(found) <= there[table]
     assert all(name == title for *_, name, title in rows)
     assert registered == [("gpkg_data_column_constraints",), ("gpkg_data_columns",)]
@@ -64,6 +64,6 @@ def test_gdal_shows_titles_as_alternative_names(database):
     dataset = ogr.Open(database)
     definition = dataset.GetLayerByName("windows").GetLayerDefn()
     found = [definition.GetFieldDefn(n) for n in range(definition.GetFieldCount())]
-    # GDAL ignores an alias that differs from the column's name in capitals only.
+    # GDAL ignores a title that differs from the column's name only by capitals.
     titles = {name: title for name, title in COLUMNS["windows"].items() if title.lower() != name}
     assert {one.GetName(): one.GetAlternativeName() for one in found}.items() >= titles.items() and len(titles) == 3

@@ -1,4 +1,4 @@
-"""References, overview, classes and parameters of a database."""
+"""Landmarks, overview, classes and parameters of a database."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The database as other programs see it, and how it opens on a canvas."""
+"""The database in other programs and on a canvas."""
 
 from __future__ import annotations
 
@@ -112,7 +112,7 @@ def _rows(path) -> dict[str, int]:
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="limits on files as Unix has them")
 def test_a_disk_that_is_full_at_the_last_pages_is_reported(build, label_map, database, tmp_path):
-    """GDAL writes its last tables when it releases a file; a failure then was not reported."""
+    """GDAL writes its last tables when it closes a file; failures there were not reported."""
     size = Path(database).stat().st_size
     for lacking in range(-4096, 7 * 4096, 4096):
         target = tmp_path / f"{lacking}.gpkg"

@@ -1,4 +1,4 @@
-"""Label maps of other programs give the same database, and oddities are logged."""
+"""Label maps of other programs give the same database, and unusual ones get a note."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A database that is opened when it is built: by QGIS's own way to load outputs, and only where somebody wants it."""
+"""A new database is opened by QGIS's own loading of outputs, and only if requested."""
 
 from __future__ import annotations
 
@@ -21,20 +21,20 @@ from qgis.core import (
 @pytest.fixture
 def project(qgis_app):
     yield QgsProject.instance()
-    # Before its group is deleted.
+    # Before the group is deleted.
     add_layers_to(QgsProject.instance().layerTreeRoot())
     QgsProject.instance().clear()
 
 
 def add_layers_to(group) -> None:
-    """Has QGIS add new layers to a group, as it does where a layer of it is selected."""
+    """Make QGIS add new layers to a group, as if a layer of it were selected."""
     point = QgsLayerTreeRegistryBridge.InsertionPoint(group, 0)
     QgsProject.instance().layerTreeRegistryBridge().setLayerInsertionPoint(point)
 
 
 @pytest.fixture
 def run_as_dialog(project):
-    """`run_as_dialog(id, parameters)` runs and loads as QGIS's dialogs do; gives the results."""
+    """`run_as_dialog(id, parameters)` runs and loads as QGIS's dialogs do; returns the results."""
     from processing.gui.Postprocessing import handleAlgorithmResults
 
     def run(name: str, parameters: dict) -> dict:
@@ -101,19 +101,19 @@ def test_an_updated_database_is_opened_likewise(run_as_dialog, project, label_ma
 
 
 def opened(path) -> QgsProcessingOutputLayerDefinition:
-    """An output that QGIS opens."""
+    """Return an output that QGIS opens."""
     return QgsProcessingOutputLayerDefinition(str(path), QgsProject.instance())
 
 
 def visible(project) -> list:
-    """Names of the layers that are drawn, from top to bottom, with their groups."""
+    """Return the names of the visible layers, from top to bottom, with their groups."""
     nodes = [node for node in project.layerTreeRoot().findLayers() if node.isVisible()]
     return ["/".join(filter(None, (node.parent().name(), node.name()))) for node in nodes]
 
 
 @pytest.fixture
 def make_database(run_as_dialog, tmp_path):
-    """`make_database(name)` runs “Annotation to reference database” on some polygons, with files of that name."""
+    """`make_database(name)` runs “Annotation to reference database” on polygons, with files of that name."""
     features = [(square(70 * (n % 5), 70 * (n // 5) + 3 * n % 17, 12), "building") for n in range(25)]
     polygons = write_layer(tmp_path / "annotation.gpkg", features)
 

@@ -1,4 +1,4 @@
-"""The windows of a database and what is known of each."""
+"""Windows of a database and their columns."""
 
 from __future__ import annotations
 

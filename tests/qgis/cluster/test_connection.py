@@ -1,4 +1,4 @@
-"""A wrong scheduler address is reported soon in a short message, whatever listens there instead."""
+"""Addresses that are no scheduler are refused soon, in one sentence, whatever listens there."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ pytest.importorskip("distributed", reason="Dask is not here (tools/requirements-
 
 @pytest.fixture
 def server():
-    """`server(words)`: the address of a server that answers these words; with None it hangs up at once."""
+    """`server(words)`: address of a server that answers with these words; with None it hangs up at once."""
     opened = []
 
     def serve(listener, words):
@@ -56,7 +56,7 @@ def hasty(connection, monkeypatch):
 
 
 def told(connection, address):
-    """Return code and reason of the message."""
+    """Return the code and the reason of the message."""
     with pytest.raises(SemRefError) as caught:
         connection.require_scheduler(address)
     values = dict(caught.value.sentence.values)
@@ -111,7 +111,7 @@ def test_a_wrong_or_closed_address_is_refused(connection, address, reason):
 
 
 def test_a_scheduler_that_is_just_being_started_is_waited_for(hasty, monkeypatch):
-    """The port is closed at first; what then listens is asked."""
+    """The port is closed at first and opens later."""
     monkeypatch.setattr(hasty, "_REFUSED_FOR_S", 30.0)
     with socket.create_server(("127.0.0.1", 0)) as free:
         port = free.getsockname()[1]

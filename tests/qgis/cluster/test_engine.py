@@ -1,4 +1,4 @@
-"""Tasks that are given out ahead, while workers come and go."""
+"""Tasks are submitted ahead, while workers come and go."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Future:
 
 
 class Client:
-    """Gives every call's number back; its workers change whenever they are counted."""
+    """Client that returns every call's number; its workers change whenever they are counted."""
 
     def __init__(self, threads):
         self.threads = threads

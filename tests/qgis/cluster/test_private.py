@@ -1,4 +1,4 @@
-"""Processes that are started on this machine obey nobody but the run that started them."""
+"""Worker processes on this machine accept only the run that started them."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ psutil = pytest.importorskip("psutil")
 
 @pytest.fixture(scope="module")
 def workers(tmp_path_factory):
-    """(client, ports, folder) of two workers: what they and the scheduler listen on, and where temporary files are."""
+    """Return (client, ports, folder) of two workers: listening ports, and the folder of temporary files."""
     from semref.cluster import engine
 
     folder = tmp_path_factory.mktemp("temporary")
@@ -32,7 +32,7 @@ def workers(tmp_path_factory):
 
 
 def listening():
-    """(address, port) of each socket that this process and its children listen on."""
+    """Return the (address, port) of each listening socket of this process and its children."""
     me = psutil.Process()
     for process in [me, *me.children(recursive=True)]:
         sockets = getattr(process, "net_connections", process.connections)
@@ -47,7 +47,7 @@ def test_nothing_listens_on_other_interfaces(workers):
 
 @pytest.mark.parametrize("scheme", ["tcp", "tls"])
 def test_a_stranger_runs_no_code(workers, scheme):
-    """Neither without a certificate nor with one of another run."""
+    """A stranger has no certificate, or one of another run."""
     client, _, _ = workers
     address = f"{scheme}://{client.scheduler.address.partition('://')[2]}"
     security = distributed.Security.temporary() if scheme == "tls" else None
@@ -68,7 +68,7 @@ def test_every_port_refuses_who_has_no_certificate_and_has_no_pages(workers):
 
 
 def answer(port, page):
-    """The status of a web page; None from a server of something else."""
+    """Return the status of a web page, or None from another kind of server."""
     try:
         with urllib.request.urlopen(f"http://127.0.0.1:{port}/{page}", timeout=5) as found:
             return found.status

@@ -1,4 +1,4 @@
-"""SCHEDULER: the files are those that QGIS makes itself, though a worker is killed, also by workers elsewhere."""
+"""SCHEDULER gives the files of a run in QGIS, even if a worker is killed or runs elsewhere."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from made_inputs import NORTH, WEST, read_pixels, scattered_objects, write_layer
 from made_models import painted, write_model
 from osgeo import gdal, ogr
 
-pytestmark = pytest.mark.slow  # tests/qgis/test_scheduler.py has quick ones
+pytestmark = pytest.mark.slow  # tests/qgis/test_scheduler.py has quick tests.
 
 pytest.importorskip("distributed", reason="Dask is not here (tools/requirements-dev.txt)")
 psutil = pytest.importorskip("psutil")
@@ -29,7 +29,7 @@ CLASSES = "value,name,color,role,draw_order\n" + "".join(
 
 @pytest.fixture
 def losing(feedback):
-    """A feedback that kills a worker when the work has begun; its list has the killed one then."""
+    """Return a feedback that kills a worker when the work has begun, and a list of killed workers."""
     killed = []
 
     def kill(share):
@@ -47,7 +47,7 @@ def losing(feedback):
 
 @pytest.fixture(scope="module")
 def label_map(tmp_path_factory):
-    """Some tiles of a map, with landmarks on every seam."""
+    """Return a map of some tiles, with landmarks on every seam."""
     labels = scattered_objects(1700, 1500, 2500, seed=8)
     labels[500:540, 100:1400] = 2
     labels[200:1600, 1010:1040] = 1
@@ -80,7 +80,7 @@ def test_two_workers_of_which_one_is_killed_build_the_same_database(run_algorith
 
 
 def test_a_scheduler_and_workers_that_have_nothing_of_semref_build_it_too(run_algorithm, asked, built, tmp_path):
-    """Both run elsewhere, in a folder that has no code of ours."""
+    """Both run in a folder without our code."""
     note = tmp_path / "scheduler.json"
     programs = {"scheduler": ["--port", "0", "--no-dashboard"], "worker": ["--nthreads", "1"]}
     running = []
@@ -103,7 +103,7 @@ def test_a_scheduler_and_workers_that_have_nothing_of_semref_build_it_too(run_al
 
 @pytest.fixture(scope="module")
 def annotation(tmp_path_factory):
-    """Overlapping polygons with priorities, features with several parts or without any, on several strips."""
+    """Return overlapping polygons on several strips: with priorities, of several parts or without a part."""
     rng, features = np.random.default_rng(5), []
     for n in range(700):
         x, y = WEST + rng.uniform(0, 4700), NORTH - rng.uniform(0, 8200)
@@ -132,7 +132,7 @@ def test_two_workers_of_which_one_is_killed_burn_the_same_label_map(run_algorith
 
 
 def test_two_workers_of_which_one_is_killed_segment_the_same(run_algorithm, tmp_path, losing):
-    """Some blocks of tiles, a part of them without data."""
+    """The image has some blocks of tiles, partly without data."""
     feedback, killed = losing
     pixels = np.moveaxis(painted(scattered_objects(1150, 930, 900, seed=3, background=0)), 2, 0).copy()
     noise = np.random.default_rng(1).integers(0, 60, pixels.shape).astype(np.uint8)

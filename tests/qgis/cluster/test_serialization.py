@@ -1,4 +1,4 @@
-"""Serialized values are restored as they were, and nothing but core's own classes is restored."""
+"""Serialized values are restored unchanged, and only core's own classes are restored."""
 
 from __future__ import annotations
 

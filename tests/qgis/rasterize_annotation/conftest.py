@@ -1,4 +1,4 @@
-"""Runs of semref:rasterizeannotation."""
+"""Run semref:rasterizeannotation."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from rasterized import (
 
 @pytest.fixture
 def rasterize(run_algorithm, feedback, tmp_path):
-    """`rasterize(layer, **parameters)` returns the results; the label map is in tmp_path/labels.tif."""
+    """`rasterize(layer, **parameters)` returns the results; the label map is tmp_path/labels.tif."""
 
     def run(layer, **parameters):
         source = str(layer) if isinstance(layer, Path) else layer
@@ -32,7 +32,7 @@ def rasterize(run_algorithm, feedback, tmp_path):
 
 @pytest.fixture
 def labels(rasterize):
-    """`labels(layer, **parameters)` gives the pixels of the label map."""
+    """`labels(layer, **parameters)` returns the pixels of the label map."""
     return lambda layer, **parameters: read_pixels(rasterize(layer, **parameters)["OUTPUT"])
 
 

@@ -105,7 +105,7 @@ NAMES = ["Grünland", "reka č", "šuma"]
 
 
 def shapefile_in(encoding: str, folder: Path, cpg: str = "", code_page: int = 0) -> Path:
-    """A shapefile with NAMES as classes and a DBF in ``encoding``, which a .cpg file or the code-page byte states."""
+    """Write a shapefile with NAMES as classes; a .cpg file or a code-page byte states its ``encoding``."""
     features = [(square(10 * n, 0, 10), f"name_{n}" + " " * 20) for n in range(len(NAMES))]
     layer = write_layer(folder / "a.shp", features, geometry=ogr.wkbPolygon)
     table = (folder / "a.dbf").read_bytes()

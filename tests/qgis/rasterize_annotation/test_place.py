@@ -1,4 +1,4 @@
-"""Extent, pixels and format of the label map."""
+"""Extent, CRS and file format of the label map."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Real annotations become label maps."""
+"""Real land-cover layers become label maps."""
 
 from __future__ import annotations
 

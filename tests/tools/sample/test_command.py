@@ -1,4 +1,4 @@
-"""The command that creates the sample area replaces only its own files, and creates nothing twice."""
+"""The command that makes the sample area replaces only its own files and repeats no work."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import pytest
 
 @pytest.fixture
 def run(repository):
-    """Return ``run(*arguments)``, which runs the command and returns the ended process."""
+    """`run(*arguments)` returns the finished process."""
 
     def command(*arguments: str) -> subprocess.CompletedProcess:
         whole = [sys.executable, "-m", "tools.sample", *arguments]

@@ -1,4 +1,4 @@
-"""The same seed gives the same landscape. It fills its extent and has landmarks everywhere."""
+"""Sample landscapes: reproducible, complete, with landmarks everywhere."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""A photo shows the landscape at the right place, with shadows to the north."""
+"""A sample photo shows drawn objects at their place, with shadows to the north."""
 
 import cv2
 import numpy as np
@@ -9,7 +9,7 @@ from sample import landscape, photo, pictures
 
 
 def small_landscape():
-    """Return a landscape of 120 × 100 m with a house of 20 × 10 m on a field, a forest in the north-west and a pond."""
+    """Return a landscape of 120 × 100 m: a house of 20 × 10 m on a field, a forest in the north-west and a pond."""
     box = shapely.box
     drawn = [(5, 10, box(0, 0, 120, 100)), (4, 30, box(0, 60, 60, 100)), (3, 50, box(80, 60, 110, 90))]
     drawn.append((1, 60, box(50, 20, 70, 30)))

@@ -1,4 +1,4 @@
-"""Pictures are cut at the stated place, are on the map, and have unique names."""
+"""Sample pictures show their place, are on the map, and have unique names."""
 
 import numpy as np
 import pytest
