@@ -3276,6 +3276,10 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation type="unfinished" />
   </message>
   <message>
+   <source>Published method (He &amp; Wu 2025)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Purpose</source>
    <translation type="unfinished" />
   </message>
@@ -5142,10 +5146,6 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>Topologievektor</translation>
   </message>
   <message>
-   <source>Topology vector (He &amp; Wu 2025)</source>
-   <translation>Topologievektor (He &amp; Wu 2025)</translation>
-  </message>
-  <message>
    <source>Touches the edge</source>
    <translation>Berührt den Rand</translation>
   </message>
@@ -6828,7 +6828,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>{source} nennt seine Klassen nicht (Metadatenschlüssel class_names); ein Modell wählen, das sie nennt, oder mit einer Klassentabelle in der Reihenfolge der Ausgaben des Netzes segmentieren.</translation>
   </message>
   <message>
-   <source>{source} has format version {version}; this SemRef reads up to version {known}. Update the plugin.</source>
+   <source>{source} has format version {version}, but this SemRef reads up to version {known}; update the plugin.</source>
    <translation type="unfinished" />
   </message>
   <message>

@@ -3276,6 +3276,10 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation type="unfinished" />
   </message>
   <message>
+   <source>Published method (He &amp; Wu 2025)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Purpose</source>
    <translation type="unfinished" />
   </message>
@@ -5142,10 +5146,6 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>Vector topológico</translation>
   </message>
   <message>
-   <source>Topology vector (He &amp; Wu 2025)</source>
-   <translation>Vector topológico (He &amp; Wu 2025)</translation>
-  </message>
-  <message>
    <source>Touches the edge</source>
    <translation>Toca el borde</translation>
   </message>
@@ -6828,7 +6828,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>{source} no nombra sus clases (clave de metadatos class_names); elija un modelo que las nombre o segmente con una tabla de clases en el orden de las salidas de la red.</translation>
   </message>
   <message>
-   <source>{source} has format version {version}; this SemRef reads up to version {known}. Update the plugin.</source>
+   <source>{source} has format version {version}, but this SemRef reads up to version {known}; update the plugin.</source>
    <translation type="unfinished" />
   </message>
   <message>

@@ -3276,6 +3276,10 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation type="unfinished" />
   </message>
   <message>
+   <source>Published method (He &amp; Wu 2025)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Purpose</source>
    <translation type="unfinished" />
   </message>
@@ -5142,10 +5146,6 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>Vecteur topologique</translation>
   </message>
   <message>
-   <source>Topology vector (He &amp; Wu 2025)</source>
-   <translation>Vecteur topologique (He &amp; Wu 2025)</translation>
-  </message>
-  <message>
    <source>Touches the edge</source>
    <translation>Touche le bord</translation>
   </message>
@@ -6828,7 +6828,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>{source} ne nomme pas ses classes (clé de métadonnées class_names) ; choisissez un modèle qui les nomme, ou segmentez avec une table de classes dans l’ordre des sorties du réseau.</translation>
   </message>
   <message>
-   <source>{source} has format version {version}; this SemRef reads up to version {known}. Update the plugin.</source>
+   <source>{source} has format version {version}, but this SemRef reads up to version {known}; update the plugin.</source>
    <translation type="unfinished" />
   </message>
   <message>

@@ -3276,6 +3276,10 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation type="unfinished" />
   </message>
   <message>
+   <source>Published method (He &amp; Wu 2025)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Purpose</source>
    <translation type="unfinished" />
   </message>
@@ -5142,10 +5146,6 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>拓扑向量</translation>
   </message>
   <message>
-   <source>Topology vector (He &amp; Wu 2025)</source>
-   <translation>拓扑向量（He &amp; Wu 2025）</translation>
-  </message>
-  <message>
    <source>Touches the edge</source>
    <translation>接触边缘</translation>
   </message>
@@ -6828,7 +6828,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>{source} 没有给出类别名称（元数据键 class_names）；请选择给出名称的模型，或使用按网络输出顺序排列的类别表进行分割。</translation>
   </message>
   <message>
-   <source>{source} has format version {version}; this SemRef reads up to version {known}. Update the plugin.</source>
+   <source>{source} has format version {version}, but this SemRef reads up to version {known}; update the plugin.</source>
    <translation type="unfinished" />
   </message>
   <message>
