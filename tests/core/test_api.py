@@ -70,6 +70,7 @@ def test_a_photo_is_segmented_by_the_classes_of_a_table(tmp_path):
     assert labels.shape == (40, 50) and sorted(np.unique(labels)) == [7, 9] and len(np.unique(own)) == 2
 
 
+@pytest.mark.slow
 def test_the_images_of_a_flight_are_localized_together(database):
     images = [np.ascontiguousarray(MAP[row : row + SIZE, 150 : 150 + SIZE]) for row in (200, 230, 260)]
     found = core.localize_flight(images, database)

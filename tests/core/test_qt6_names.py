@@ -9,6 +9,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
 from qt6_here import needs_pyqt6
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -96,6 +97,7 @@ def missing_in_qt6(names) -> list[str]:
     return [".".join(found) for found in json.loads(done.stdout)]
 
 
+@pytest.mark.slow
 def test_members_are_found_in_the_source():
     source = (
         "from qgis.PyQt.QtGui import QFontMetricsF, QPainter\n"

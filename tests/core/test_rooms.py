@@ -143,6 +143,7 @@ def named(path: Path) -> str:
     return path.relative_to(ROOT).as_posix()
 
 
+@pytest.mark.slow
 @for_each([path for room in ROOMS for path in source_files(room)])
 def test_a_room_imports_only_its_packages_and_the_rooms_below_it(path):
     """Ruff refuses packages that no shipped file may import (pyproject.toml)."""
@@ -202,6 +203,7 @@ def test_only_exchange_reads_and_writes_files_with_gdal_and_sqlite(path):
     assert "layers" in named(path) or imports_of(path, "osgeo", "sqlite3") == set()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "rooms, unwanted",
     [(["core"], {"qgis", "osgeo", *QT}), (["core", "storage"], {"qgis", *QT})],

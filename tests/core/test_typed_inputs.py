@@ -68,6 +68,7 @@ VALUES = strategies.integers(1, 255)
 NAMES = strategies.text(strategies.characters(codec="utf-8", categories=("L", "N", "P", "S")), min_size=1, max_size=30)
 
 
+@pytest.mark.slow
 @seeded
 @hypothesis.given(strategies.dictionaries(VALUES, NAMES, min_size=1, max_size=6))
 def test_every_class_table_comes_back_from_its_csv(names):

@@ -37,6 +37,7 @@ def broken(monkeypatch):
     monkeypatch.setattr(RasterizeAnnotation, "read_layers", read_layers)
 
 
+@pytest.mark.slow
 def test_a_fault_while_it_is_prepared_is_told_and_ends_the_run(run, broken):
     assert run.start_algorithm(ALGORITHM, {}, "Rasterizing")
     wait_until(lambda: not run.running, "the end")

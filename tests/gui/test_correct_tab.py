@@ -181,6 +181,7 @@ def test_what_is_done_is_remembered_in_the_project_and_not_in_the_table(dock, is
     assert issues.fields().names() == fields
 
 
+@pytest.mark.slow
 def test_a_list_of_many_places_is_filled_without_holding_up_qgis(dock, iface, issues, monkeypatch):
     from qgis.core import QgsFeature, QgsGeometry, QgsProject, QgsRectangle
 

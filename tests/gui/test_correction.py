@@ -82,6 +82,7 @@ def press(dock, box) -> None:
     settle()
 
 
+@pytest.mark.slow
 def test_one_button_makes_the_database_that_a_full_build_would(
     dock, iface, box, annotation, database, run_algorithm, tmp_path
 ):
@@ -203,6 +204,7 @@ def drawn(layer) -> bytes:
     return bytes(bits)
 
 
+@pytest.mark.slow
 def test_an_update_and_its_undo_by_one_button_are_shown_on_the_map(dock, box, annotation, database):
     from qgis.core import QgsProject
 

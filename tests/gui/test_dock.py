@@ -56,6 +56,7 @@ def test_a_bug_gives_one_sentence_and_is_logged_whole(dock, iface, area, monkeyp
     assert "Traceback" not in messages(iface)[0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("begun", [False, True])
 def test_unloading_while_a_run_works_leaves_nothing(plugin, dock, iface, area, slow, begun, tab):
     from qgis.core import QgsApplication
@@ -157,6 +158,7 @@ def test_a_dock_that_is_opened_first_has_room_for_the_titles_of_its_tabs(plugin,
         assert bar.fontMetrics().horizontalAdvance(bar.tabText(tab)) < bar.tabRect(tab).width()
 
 
+@pytest.mark.slow
 def test_layers_removed_and_the_project_closed_while_everything_is_shown_break_nothing(
     dock, iface, area, issues, tab, tmp_path, monkeypatch
 ):

@@ -137,6 +137,7 @@ def set_value(wrapper, value) -> None:
     wrapper.setParameterValue(value, context)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("algorithm", WITH_A_CLASS)
 def test_a_dialog_begins_with_the_class_field_and_not_with_the_first_one(dialog_of, polygons, algorithm):
     layer = polygons("id:integer", "name:string", "Class:string", "zorder:integer")
@@ -159,6 +160,7 @@ def test_the_class_field_follows_the_layer_and_its_style_and_a_layer_without_one
         assert wrappers["CLASS_FIELD"].parameterValue() == field
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("algorithm", [*WITH_A_CLASS, "annotationtodatabase", "correctiontodatabase"])
 def test_a_layer_of_buildings_needs_no_class_field_in_any_dialog(dialog_of, polygons, algorithm):
     buildings, cover = polygons("osm_id:integer", "building:string"), polygons("osm_id:integer", "class:string")

@@ -49,6 +49,7 @@ def flown(dock, tab, database, flight):
     return tab
 
 
+@pytest.mark.slow
 def test_a_flight_is_shown_with_its_track_and_what_each_image_rests_on(flown, dock, iface):
     rows = table(dock)
     assert [row[0] for row in rows] == [f"{n}.png" for n in range(COUNT)]

@@ -18,6 +18,7 @@ def pointed_numbers(dock) -> tuple:
     )
 
 
+@pytest.mark.slow
 def test_the_selected_image_is_shown_with_its_landmarks_and_its_vector(dock, area, tab):
     localize(dock, area.database, [area.image])
     canvas = tab.results.image.canvas
@@ -31,11 +32,13 @@ def test_the_selected_image_is_shown_with_its_landmarks_and_its_vector(dock, are
     assert not canvas._landmarks.isVisible()
 
 
+@pytest.mark.slow
 def test_an_image_that_cannot_be_shown_says_why(dock, area, tab):
     localize(dock, area.database, [area.unreadable])
     wait_until(lambda: "can't be read" in tab.results.image.canvas._text, "the reason")
 
 
+@pytest.mark.slow
 def test_a_photo_is_shown_with_what_the_model_makes_of_it(dock, area, tmp_path, tab):
     from osgeo import gdal
     from qgis.PyQt.QtGui import QColor
@@ -59,6 +62,7 @@ def test_a_photo_is_shown_with_what_the_model_makes_of_it(dock, area, tmp_path, 
     assert QColor(shown_labels.pixel(45, 30)) != QColor(shown_labels.pixel(5, 5))
 
 
+@pytest.mark.slow
 def test_landmarks_that_agree_are_joined_between_the_image_and_the_map(dock, iface, area, tab):
     choose_method(dock, CONSTELLATION)
     localize(dock, area.database, [area.image])
@@ -79,6 +83,7 @@ def test_landmarks_that_agree_are_joined_between_the_image_and_the_map(dock, ifa
     assert len(tab.hit.matches.pairs) == len(marks)
 
 
+@pytest.mark.slow
 def test_the_landmark_under_the_mouse_is_stressed_on_both_sides(dock, iface, area, tab):
     from qgis.PyQt.QtCore import QPoint
     from qgis.PyQt.QtTest import QTest
@@ -99,6 +104,7 @@ def test_the_landmark_under_the_mouse_is_stressed_on_both_sides(dock, iface, are
     iface.canvas.grab()
 
 
+@pytest.mark.slow
 def test_going_through_many_images_quickly_reads_the_first_and_the_last(dock, area, monkeypatch, tmp_path, tab):
     import shutil
 

@@ -156,6 +156,7 @@ def test_what_is_found_out_about_images_does_not_replace_the_end_of_a_run(dock, 
     assert tab.state.text_shown == "2 of 3 images have a position."
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("content", [b"<html>no database</html>", b"", None], ids=["html", "empty", "of others"])
 def test_a_file_that_is_no_database_is_refused_before_a_run(dock, area, tab, tmp_path, content):
     import sqlite3

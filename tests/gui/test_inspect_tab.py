@@ -45,6 +45,7 @@ def test_the_first_press_of_the_next_button_shows_the_first_window(dock, area):
     assert dock.content.inspect.name.text() == str(read_database(area.database).windows.names[-1])
 
 
+@pytest.mark.slow
 def test_the_tables_fit_a_narrow_dock(dock, area):
     inspect = dock.content.inspect
     dock.content.tabs.setCurrentIndex(1)
@@ -71,6 +72,7 @@ def test_an_unknown_window_name_is_said(dock, iface, area):
     assert "no window “1_2”" in messages(iface)[0]
 
 
+@pytest.mark.slow
 def test_an_image_is_compared_with_the_window_element_by_element(dock, area):
     localize(dock, area.database, [area.image])
     wait_until(dock.content.inspect.compare.isEnabled, "the image's vector")

@@ -42,6 +42,7 @@ def test_a_project_of_version_1_brings_dock_layers_and_results_back(dock, iface,
     assert not project.isDirty() and [text for text in messages(iface) if "SemRef" in text] == []
 
 
+@pytest.mark.slow
 def test_a_project_of_version_1_can_be_worked_with(dock, tab, kept):
     from qgis.core import QgsProject
 

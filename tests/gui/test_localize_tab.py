@@ -70,6 +70,7 @@ def test_the_method_is_remembered(dock, qgis_app):
     assert MethodRow().method() == AUTOMATIC
 
 
+@pytest.mark.slow
 def test_the_hit_is_outlined_and_its_center_marked_in_any_crs_of_the_canvas(dock, iface, area):
     from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsProject
 
@@ -84,6 +85,7 @@ def test_the_hit_is_outlined_and_its_center_marked_in_any_crs_of_the_canvas(dock
     assert corners(shown_outline(iface)) == pytest.approx(corners(expected), abs=0.5)
 
 
+@pytest.mark.slow
 def test_an_unreadable_image_has_a_row_with_its_reason_and_no_outline(dock, iface, area, tab):
     localize(dock, area.database, [area.image, area.unreadable])
     tab.results.table.selectRow(1)
@@ -94,6 +96,7 @@ def test_an_unreadable_image_has_a_row_with_its_reason_and_no_outline(dock, ifac
     assert messages(iface) == []
 
 
+@pytest.mark.slow
 def test_a_click_on_a_header_sorts_and_the_selection_stays_true(dock, iface, area, tab):
     from qgis.PyQt.QtCore import Qt
 
@@ -140,6 +143,7 @@ def test_cancel_ends_the_run_without_results(dock, iface, area, slow, tab):
     assert (table(dock), messages(iface)) == ([], [])
 
 
+@pytest.mark.slow
 def test_results_are_saved_to_a_file_and_its_positions_join_the_project(dock, area, tab, tmp_path, monkeypatch):
     from qgis.core import QgsProject
     from qgis.PyQt.QtWidgets import QFileDialog
@@ -178,6 +182,7 @@ def test_the_heading_arrow_points_where_the_top_of_the_image_is(dock, iface, are
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("away_m", "fixes"), [(0, 1), (250, 0)])
 def test_only_the_circle_drawn_on_the_map_is_searched(dock, area, away_m, fixes, tab):
     from qgis.core import QgsPointXY
@@ -193,6 +198,7 @@ def test_only_the_circle_drawn_on_the_map_is_searched(dock, area, away_m, fixes,
     assert tab.prior.parameters() == {}
 
 
+@pytest.mark.slow
 def test_an_image_is_laid_on_the_map_where_it_was_taken(dock, area, tab):
     from qgis.core import QgsProject
 
@@ -205,6 +211,7 @@ def test_an_image_is_laid_on_the_map_where_it_was_taken(dock, area, tab):
     assert layer.opacity() == pytest.approx(0.6)
 
 
+@pytest.mark.slow
 def test_the_places_where_an_ambiguous_image_may_lie_are_outlined(dock, iface, run_algorithm, area, tmp_path):
     labels = label_map()
     twins = np.hstack([labels[:, :300], labels[:, :300]])
@@ -228,6 +235,7 @@ def test_the_places_where_an_ambiguous_image_may_lie_are_outlined(dock, iface, r
     assert iface.canvas.extent().contains(places.boundingBox())
 
 
+@pytest.mark.slow
 def test_the_published_methods_runners_up_are_outlined_paler(dock, iface, area, tab):
     localize(dock, area.database, [area.image])
     wait_until(lambda: "next most similar" in tab.results.details.toPlainText(), "the runners-up")
@@ -262,6 +270,7 @@ def test_a_key_goes_from_image_to_image(dock, iface, area, tab):
     assert tab.results.table.selected().name == "on_window.tif"
 
 
+@pytest.mark.slow
 def test_a_leveled_image_is_laid_on_the_map_as_the_trapezoid_it_shows(dock, area, tab):
     from qgis.core import QgsGeometry, QgsPointXY, QgsProject
 

@@ -59,6 +59,7 @@ def ask_to_draw(tab) -> str:
     return action.text()
 
 
+@pytest.mark.slow
 def test_a_place_framed_on_a_tile_map_is_drawn_and_found(dock, iface, area, tab, tiles, tmp_path):
     from qgis.core import QgsCoordinateReferenceSystem, QgsRectangle
 

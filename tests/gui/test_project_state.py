@@ -44,6 +44,7 @@ def test_a_run_that_ended_just_before_its_project_was_closed_shows_nothing(dock,
     assert table(dock) == []
 
 
+@pytest.mark.slow
 def test_clearing_the_project_clears_the_dock(dock, iface, area, tab):
     from qgis.core import QgsProject, QgsSettings
 
@@ -57,6 +58,7 @@ def test_clearing_the_project_clears_the_dock(dock, iface, area, tab):
     assert QgsSettings().value("semref/dock/database", "", type=str) == area.database
 
 
+@pytest.mark.slow
 def test_the_project_brings_the_dock_back_as_it_was_saved(dock, iface, area, tmp_path, monkeypatch, tab):
     from qgis.core import QgsPointXY, QgsProject
     from qgis.PyQt.QtWidgets import QFileDialog
@@ -85,6 +87,7 @@ def test_the_project_brings_the_dock_back_as_it_was_saved(dock, iface, area, tmp
     assert tab.prior.text.text_shown == "Search area: radius 60 m"
 
 
+@pytest.mark.slow
 def test_a_project_whose_results_are_gone_is_opened_with_a_sentence(dock, iface, saved, tmp_path):
     from qgis.core import QgsProject
 
@@ -138,6 +141,7 @@ def test_other_images_leave_the_results_where_they_are(dock, area, tab):
     assert table(dock) == shown
 
 
+@pytest.mark.slow
 def test_earlier_results_are_shown_until_another_choice(dock, area, tab, tmp_path):
     localize(dock, area.database, [area.image])
     shown = table(dock)
@@ -163,6 +167,7 @@ def test_a_message_that_waits_for_a_click_goes_with_its_project(dock, iface, tab
     assert messages(iface) == []
 
 
+@pytest.mark.slow
 def test_saved_results_that_are_dropped_on_qgis_come_with_all_their_layers(iface, area, saved):
     from qgis.core import QgsProject
 
@@ -173,6 +178,7 @@ def test_saved_results_that_are_dropped_on_qgis_come_with_all_their_layers(iface
     assert {"SemRef footprints", "SemRef positions", "SemRef matches"} <= set(names)
 
 
+@pytest.mark.slow
 def test_results_from_a_stranger_show_only_images_in_their_folder_or_in_the_list(iface, area, saved, monkeypatch, tab):
     from qgis.core import QgsProject
 

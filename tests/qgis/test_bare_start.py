@@ -28,6 +28,7 @@ def start() -> dict:
     return json.loads(done.stdout.splitlines()[-1])
 
 
+@pytest.mark.slow
 def test_nothing_that_starts_with_qgis_imports_a_package_that_qgis_may_lack(start):
     assert start["errors"] == []
 

@@ -106,6 +106,7 @@ def is_tidy(root: Path) -> bool:
 # --- installing ---
 
 
+@pytest.mark.slow
 @needs_pip
 def test_a_package_is_installed_without_a_network_and_can_be_used_at_once(root, wheels, installer):
     numpy_path = np.__file__

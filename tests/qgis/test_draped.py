@@ -39,6 +39,7 @@ def footprint_of(roll, pitch, heading=0.0, pixel_m=0.5):
     return MIDDLE + np.column_stack([ground.real, ground.imag])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("attitude", [(0, 0), (0, 10), (12, 20), (-5, -30)])
 @pytest.mark.parametrize("heading", [0.0, 200.0])
 def test_each_pixel_is_where_a_camera_without_distortion_saw_it(photo, tmp_path, attitude, heading):

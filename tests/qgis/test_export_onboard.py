@@ -218,6 +218,7 @@ def ground_and_colors():
     return writer.Network().convolution(kernels, np.array([0.2, 0, 0, 0]))
 
 
+@pytest.mark.slow
 def test_photos_have_the_same_fixes_with_and_without_qgis(export, run_algorithm, without_qgis, database, tmp_path):
     names = metadata(class_names=["ground", "building", "water", "bare_land"])
     model = str(write_model(tmp_path / "colors.onnx", ground_and_colors(), metadata=names))

@@ -339,6 +339,7 @@ def test_another_kind_of_file_is_never_replaced(run_algorithm, given, tmp_path, 
     assert target.read_bytes() == before
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("writer", list(writers(Path())))
 def test_an_older_output_of_the_same_kind_is_replaced(run_algorithm, given, tmp_path, writer):
     annotation(given)

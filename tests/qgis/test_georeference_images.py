@@ -64,6 +64,7 @@ def agreement(path: Path) -> float:
     return float((on_map == seen[rows, columns]).mean())
 
 
+@pytest.mark.slow
 def test_geotiffs_show_on_the_ground_what_the_map_has_there(georeference):
     result, folder = georeference()
     assert result["IMAGE_COUNT"] == 2

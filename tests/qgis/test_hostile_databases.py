@@ -248,6 +248,7 @@ BAD_VALUES = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("statement", BAD_VALUES)
 def test_an_impossible_value_is_refused_in_one_sentence(read, database, statement):
     spoil(database, statement)

@@ -44,6 +44,7 @@ def localize(run_algorithm, database, tmp_path):
     return run
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("column", "row", "heading", "scale"),
     [(400, 400, 0, 1.0), (333.3, 517.7, 47, 1.0), (612, 455, 200, 1.2), (501, 380, 312, 0.8)],
@@ -62,6 +63,7 @@ def test_an_image_between_windows_is_found_with_heading_and_pixel_size(localize,
     assert (center.GetX(), center.GetY()) == pytest.approx((found["x"], found["y"]), abs=0.1)
 
 
+@pytest.mark.slow
 def test_the_risk_that_is_allowed_decides_and_the_confidence_has_all_its_digits(localize):
     image = view(400, 400, 0)
     found, _ = localize(image)

@@ -88,6 +88,7 @@ def found(localize, flight):
     return localize(ATTITUDE=str(flight.parent / "times.csv"))
 
 
+@pytest.mark.slow
 def test_images_are_taken_in_the_order_of_their_numbers(found):
     rows, _ = found
     assert [Path(row["image"]).stem for row in rows] == [f"image{n}" for n in range(5, 5 + COUNT)]
@@ -155,6 +156,7 @@ def test_the_report_lists_images_times_and_reasons(found):
     assert "image10.png" in page and "from the odometry table" in page and "2025-05-09 10:00:10" in page
 
 
+@pytest.mark.slow
 def test_what_can_not_be_read_is_a_row_with_its_reason_and_the_flight_goes_on(localize, flight, tmp_path, feedback):
     broken = tmp_path / "image7.png"
     broken.write_bytes(b"no image")
@@ -214,6 +216,7 @@ def test_a_mistake_in_the_odometry_stops_before_any_work(localize, tmp_path, tab
         localize(ODOMETRY=str(write_text(tmp_path / "table.csv", table)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("percent", [10, 70])
 def test_a_cancel_stops_at_once_and_leaves_nothing(localize, tmp_path, percent):
     class CancelAt(QgsProcessingFeedback):
@@ -232,6 +235,7 @@ def test_a_cancel_stops_at_once_and_leaves_nothing(localize, tmp_path, percent):
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_reading_a_long_log_ends_at_a_cancel_and_its_thread_with_it(localize, tmp_path):
     zeros = b"ULog\x01\x12\x35\x01" + bytes(60_000_000)
     (tmp_path / "zeros.ulg").write_bytes(zeros)

@@ -104,6 +104,7 @@ def test_a_mistake_in_the_table_stops_before_anything_is_written(localize, tmp_p
     assert not list(tmp_path.glob("*.gpkg"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("heading", [30, 30 - 360, 45, "20"])
 def test_a_rough_heading_is_a_prior(localize, heading):
     (found,), _, _ = localize([ahead(tilt=0)], PRIOR_HEADING=heading, PRIOR_HEADING_RANGE=20)

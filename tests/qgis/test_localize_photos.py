@@ -68,6 +68,7 @@ def localize(run_algorithm, folder, tmp_path, feedback):
     return run
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("heading", [12, 137])
 def test_a_photo_is_found_where_it_was_taken(localize, tmp_path, heading):
     view = turned_view(LABELS, SIZE, 311.4, 207.8, heading)

@@ -74,6 +74,7 @@ def onto_input(folder: Path) -> dict:
 CASES = tuple(onto_input(Path()))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", CASES)
 def test_an_output_that_is_an_input_is_refused_before_any_work(run_algorithm, given, case):
     algorithm, parameters, path = onto_input(given)[case]
@@ -146,6 +147,7 @@ def test_other_layers_of_a_geopackage_are_not_lost(run_algorithm, given):
     assert {dataset.GetLayer(n).GetName() for n in range(dataset.GetLayerCount())} >= {"roads", "rivers", "issues"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("suffix", ["gpkg", "shp", "geojson", "csv", "fgb"])
 def test_layers_of_any_format_are_written_whole(run_algorithm, given, suffix):
     target = given / f"landmarks.{suffix}"
@@ -191,6 +193,7 @@ def small_disk(tmp_path):
         subprocess.run(["umount", "-l", str(folder)], check=False)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kilobytes", [16, 64, 96, 112, 128, 200, 300])
 def test_a_full_disk_is_an_error_and_leaves_the_older_file(run_algorithm, given, small_disk, kilobytes):
     disk = small_disk(kilobytes)

@@ -89,6 +89,7 @@ def annotation(tmp_path) -> Path:
     return path
 
 
+@pytest.mark.slow
 def test_the_zip_has_one_folder_with_what_the_plugin_repository_asks_for(package):
     names = zipfile.ZipFile(package).namelist()
     assert {name.partition("/")[0] for name in names} == {"semref"}

@@ -112,6 +112,7 @@ def lon_lat(east: float, north: float) -> tuple[float, float]:
     return osr.CoordinateTransformation(from_crs, to_crs).TransformPoint(WEST + east, NORTH + north)[:2]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("algorithm", ["semref:localizeimages", "semref:localizeflight"])
 def test_photos_taken_far_away_show_the_distance_with_their_reason(
     run_algorithm, database, tmp_path, feedback, algorithm

@@ -65,6 +65,7 @@ def model(tmp_path_factory):
     return str(write_model(path, brightest_color(3), metadata=metadata(resolution=50, temperature=0.2)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PHOTOS)
 def test_a_photo_has_the_same_labels_and_shares_in_qgis_and_on_board(qgis_app, model, tmp_path, name):
     path = str(PHOTOS[name](tmp_path / "photo.tif"))
@@ -88,6 +89,7 @@ def test_height_and_lens_give_the_same_scale_in_qgis_and_on_board(qgis_app, mode
     assert in_qgis.shares.shares.shape[:2] == (round(0.4 * height), round(0.4 * width))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PHOTOS)
 def test_a_photo_read_once_for_labels_and_motion_is_the_same(qgis_app, model, tmp_path, name, monkeypatch):
     path = str(PHOTOS[name](tmp_path / "photo.tif"))

@@ -91,6 +91,7 @@ def test_a_repaired_layer_has_no_findings_left(repair, run_algorithm, tmp_path):
     assert {row["kind"] for row in left} <= {"same_class_neighbors"} and results["ERROR_COUNT"] == 0
 
 
+@pytest.mark.slow
 def test_the_label_map_changes_only_at_reported_issues(repair, run_algorithm, tmp_path):
     layer = random_layer(tmp_path / "a.gpkg", 3)
     extent = f"{WEST},{WEST + 180},{5_219_800},{5_220_000} [EPSG:32632]"

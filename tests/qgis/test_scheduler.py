@@ -25,6 +25,7 @@ def label_map(tmp_path_factory):
     return write_raster(path, labels, names=["", "building", "water", "bare_land"])
 
 
+@pytest.mark.slow
 @needs_dask
 def test_workers_build_the_database_that_qgis_builds(run_algorithm, label_map, feedback, tmp_path):
     asked = {"LABELS": str(label_map), **SETTINGS}
@@ -67,6 +68,7 @@ def test_a_qgis_without_dask_names_the_package_to_install(run_algorithm, label_m
     assert run_algorithm(BUILD, asked)["WINDOW_COUNT"] > 10
 
 
+@pytest.mark.slow
 @needs_dask
 def test_a_cancel_stops_at_once_and_leaves_neither_files_nor_workers(run_algorithm, label_map, feedback, tmp_path):
     psutil = pytest.importorskip("psutil")
@@ -89,6 +91,7 @@ def test_a_cancel_stops_at_once_and_leaves_neither_files_nor_workers(run_algorit
     assert alive == []
 
 
+@pytest.mark.slow
 @needs_dask
 def test_workers_segment_what_qgis_segments(run_algorithm, tmp_path):
     model = write_model(tmp_path / "colors.onnx")

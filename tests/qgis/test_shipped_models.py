@@ -100,6 +100,7 @@ def translated_texts(repository):
     return set(tool.all_texts())
 
 
+@pytest.mark.slow
 @each_id
 def test_the_names_of_parameters_have_translations(create, translated_texts, name):
     algorithm = create(name)

@@ -130,6 +130,7 @@ def test_ground_outside_the_mask_is_not_learned_from(train, tmp_path, something_
     assert job["ground"]["extent"] == [WEST + 100, NORTH - 550, WEST + 600, NORTH - 50]
 
 
+@pytest.mark.slow
 def test_map_tiles_are_drawn_in_the_extent_before_they_are_learned_from(train, tmp_path):
     kept = tmp_path / "kept"
     layer = write_layer(
@@ -192,6 +193,7 @@ def is_running(pid):
     return stat.exists() and stat.read_text().rpartition(")")[2].split()[0] not in "ZX"
 
 
+@pytest.mark.slow
 def test_a_second_training_of_the_same_model_does_not_touch_the_first(train, tmp_path):
     refused = []
 
@@ -209,6 +211,7 @@ def test_a_second_training_of_the_same_model_does_not_touch_the_first(train, tmp
     assert folders(tmp_path) == []
 
 
+@pytest.mark.slow
 def test_a_canceled_run_of_other_settings_is_not_gone_on_with(train, tmp_path):
     with pytest.raises(QgsProcessingException, match="is saved"):
         train(Said(cancel_at=50), training=f"{EPOCH}; time.sleep(60)")
@@ -224,6 +227,7 @@ def test_a_cancel_before_the_first_epoch_leaves_nothing(train, tmp_path):
     assert folders(tmp_path) == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("training", "said"),
     [
@@ -337,6 +341,7 @@ def test_too_little_ground_is_refused_with_advice(train, tmp_path):
         train(EXTENT=extent)
 
 
+@pytest.mark.slow
 def test_files_of_the_user_in_a_folder_of_that_name_survive(train, tmp_path):
     """This applies to any file name and to a run that is finished, canceled, continued or restarted."""
     names = ["job.json", "last.pt", "tiles/manifest.json", "photos/1.jpg"]
@@ -355,6 +360,7 @@ def test_files_of_the_user_in_a_folder_of_that_name_survive(train, tmp_path):
     assert len(folders(tmp_path)) == 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("as_link", [False, True], ids=["folder", "link"])
 def test_a_folder_put_in_the_place_of_the_run_s_survives(train, tmp_path, as_link):
     with pytest.raises(QgsProcessingException, match="is saved"):
@@ -388,6 +394,7 @@ def test_a_training_is_not_lost_where_its_model_can_t_be_moved_to_its_place(trai
     assert folders(tmp_path) == []
 
 
+@pytest.mark.slow
 def test_a_run_with_an_unreadable_job_is_not_continued(train, tmp_path):
     with pytest.raises(QgsProcessingException, match="is saved"):
         train(Said(cancel_at=50), training=f"{EPOCH}; time.sleep(60)")

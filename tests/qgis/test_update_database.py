@@ -111,6 +111,7 @@ def assert_same_content(database, expected):
     np.testing.assert_array_equal(*overviews)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("areas", [True, False], ids=["with the changed areas", "to compare the whole map"])
 def test_the_result_is_the_rebuilds(update, folder, old, rebuilt, areas):
     before = Path(old).read_bytes()

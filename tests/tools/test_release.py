@@ -97,10 +97,12 @@ def faults(contents, tmp_path):
     return found
 
 
+@pytest.mark.slow
 def test_the_zip_of_this_repository_is_in_order(faults):
     assert faults(metadata.plugin_version()) == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("changed", "told"),
     [
@@ -121,6 +123,7 @@ def test_faults_of_a_zip_are_reported(faults, changed, told):
     assert any(told in fault for fault in faults("", changed))
 
 
+@pytest.mark.slow
 def test_a_zip_of_another_version_than_the_tag_is_refused(faults):
     assert faults("9.9.9") == [f"metadata.txt says version {metadata.plugin_version()}, not 9.9.9."]
 

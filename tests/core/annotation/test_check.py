@@ -140,6 +140,7 @@ def test_rounding_is_no_overlap():
     assert found([feature(square(0, 0, 50)), feature(shapely.box(49.9999, 0, 90, 50), 2)]) == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", [kind for kind in KINDS if kind not in ("stacked", "shaken")])
 @pytest.mark.parametrize("seed", range(3))
 def test_overlaps_have_the_area_of_a_plain_pairwise_intersection(kind, seed):

@@ -78,6 +78,7 @@ def test_on_its_own_output_nothing_changes(kind, seed):
     assert [polygon.feature for polygon in again.polygons] == list(range(len(once.polygons)))
 
 
+@pytest.mark.slow
 @every_kind
 @every_seed
 def test_each_place_keeps_its_top_polygon_unless_a_change_is_reported(kind, seed):

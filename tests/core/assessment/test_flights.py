@@ -26,6 +26,7 @@ def result(assessed_database, localizer):
     return flown(assessed_database, localizer, FlightPlan(2, 220.0, 0.02, 5))
 
 
+@pytest.mark.slow
 def test_over_landmarks_a_flight_soon_has_a_position_and_it_is_right(result):
     first = result.first(0, 1.0)
     assert first is not None and first <= 210

@@ -65,6 +65,7 @@ def test_objects_smaller_than_any_of_the_catalogue_are_no_evidence(ground, share
     assert counts or evidence.log_odds <= 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("heading", [0.0, 33.3, 90.0, 201.7, 359.0])
 @pytest.mark.parametrize("scale", [0.75, 1.0, 1.6])
 def test_a_clean_view_is_found_exactly_at_any_heading_and_scale(ground, heading, scale):

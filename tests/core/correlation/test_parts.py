@@ -34,6 +34,7 @@ def said(reason) -> str:
     return "" if reason is None else reason.template
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PARTS)
 @pytest.mark.parametrize("noise", [None, MODEST])
 def test_the_part_that_shows_another_place_is_named(labels, pyramid, name, noise):
@@ -49,6 +50,7 @@ def test_the_part_that_shows_another_place_is_named(labels, pyramid, name, noise
     assert values["part"].template == f"{name} part" and values["agreement"] < 0.5 * values["whole"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("noise", [None, MODEST, STRONG])
 @pytest.mark.parametrize("center", [HERE, ELSEWHERE, (700.0, 1200.0)])
 def test_an_image_of_one_place_agrees_in_all_its_parts(labels, pyramid, noise, center):

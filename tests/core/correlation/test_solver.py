@@ -151,6 +151,7 @@ def large(pyramid):
     return MapPyramid(pyramid.labels, pyramid.frame, replace(CORRELATION, most_at_once=0))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("center, heading, pixel", [((1500, 700), 123, 0.9), ((1203.7, 905.2), 287, 1.2)])
 def test_a_look_at_larger_pixels_first_finds_the_same_place(labels, pyramid, large, center, heading, pixel):
     image = spoiled(view(labels, center, heading, pixel), replace(MODEST, patch_size=40).in_pixels(pixel), 5)
@@ -220,6 +221,7 @@ def test_shares_count_instead_of_the_labels(labels, pyramid):
     assert by_shares.peaks.score == pytest.approx(by_labels.peaks.score, abs=0.02)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("heading_deg", "pixel"), [(37, 0.9), (200, 1.2)])
 @pytest.mark.parametrize("beyond", [0.45, 0.5, 0.55, 0.7])
 def test_at_the_edge_of_the_map_a_fix_is_right(labels, pyramid, beyond, heading_deg, pixel):

@@ -206,6 +206,7 @@ def test_progress_grows_from_nothing_to_all(labels):
     assert shares[0] >= 0 and shares[-1] == pytest.approx(1)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("steps_taken", [0, 1, 3, 6])
 @pytest.mark.parametrize("threads", [1, 3])
 def test_stopping_half_way_leaves_no_thread_and_no_database(labels, steps_taken, threads):

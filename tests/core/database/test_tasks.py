@@ -85,6 +85,7 @@ def assert_equal(one, other):
     np.testing.assert_array_equal(one.overview, other.overview)
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("small_pieces")
 @pytest.mark.parametrize("runner", [Loop, lambda labels: Threads(ArrayLabels(labels), 3)], ids=["loop", "threads"])
 def test_a_build_in_small_pieces_by_any_runner_is_that_of_large_ones_to_the_last_bit(whole, runner):
@@ -92,6 +93,7 @@ def test_a_build_in_small_pieces_by_any_runner_is_that_of_large_ones_to_the_last
     assert_equal(built(runner(LABELS), LABELS), whole)
 
 
+@pytest.mark.slow
 def test_wide_maps_have_blocks_of_columns_one_after_the_other(monkeypatch):
     settings = replace(SETTINGS, levels=(1.0,))
     narrow = built(Loop(LABELS), LABELS, settings).windows

@@ -174,6 +174,7 @@ def field_with(*shapes):
 RIVER, POND, U = (0, 90, HEIGHT, 4), (60, 60, 10, 10), ((20, 20, 100, 3), (20, 140, 100, 3), (117, 20, 3, 123))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("before", "after", "removed", "added"),
     [

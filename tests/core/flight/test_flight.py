@@ -24,6 +24,7 @@ def poses(flown, localizer):
     return localize_flight(flown.images, flown.links, localizer, FEW)
 
 
+@pytest.mark.slow
 def test_a_flight_is_placed_from_its_first_image_on(poses, flown):
     assert [pose.status for pose in poses] == [Status.FIX] * len(flown.images)
     assert {pose.track for pose in poses} == {1}
@@ -43,12 +44,14 @@ def test_the_radius_contains_most_errors_and_is_no_larger_than_an_image(poses, f
     assert radii.max() < 60
 
 
+@pytest.mark.slow
 def test_a_mirrored_flight_is_nowhere(flown, localizer):
     other = flown.mirrored()
     poses = localize_flight(other.images, other.links, localizer, FEW)
     assert not any(pose.is_fix for pose in poses)
 
 
+@pytest.mark.slow
 def test_a_missing_link_is_bridged(flown, localizer):
     links = [link for link in flown.links if link.second != 5]
     poses = localize_flight(flown.images, links, localizer, FEW)

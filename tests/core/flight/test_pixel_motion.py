@@ -115,6 +115,7 @@ def test_a_homography_gives_the_tilt_and_the_similarity_at_the_center():
     assert link.log_scale == pytest.approx(np.log(1 - 0.5 * (40 * 2.5e-4 - 10 * 1e-4)), abs=0.002)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["photos", "labels"])
 def test_images_of_different_ground_have_no_link_and_a_reason(kind):
     for seed in range(6):

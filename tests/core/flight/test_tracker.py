@@ -18,6 +18,7 @@ from conftest import FEW, errors_m, fly
 sys.path.pop(0)
 
 
+@pytest.mark.slow
 def test_image_by_image_the_flight_is_found_as_well_and_goes_on_after_a_restart(flown, localizer):
     whole, cut_short = FlightTracker(localizer, FEW), FlightTracker(localizer, FEW)
     links = [None, *flown.links]
@@ -55,6 +56,7 @@ def kept(flown, localizer):
     return tracker.state()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "change",
     [
@@ -72,6 +74,7 @@ def test_an_invalid_array_of_a_state_is_refused(kept, localizer, change):
                 FlightTracker.from_state(localizer, {**kept, name: change(array)}, FEW)
 
 
+@pytest.mark.slow
 def test_a_track_that_the_images_contradict_is_lost_and_found_again_under_another_number(labels, flown, localizer):
     """The flight jumps to another place, and the link does not show the jump."""
     other = fly(labels, seed=3, start=(501_400.0, 5_198_700.0))
@@ -103,6 +106,7 @@ def moved_state(tracker, east):
     return {**state, "pool_states": state["pool_states"] + np.eye(4)[0] * east}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("east", [-300.0, 1000.0])
 def test_own_fixes_win_at_once_over_a_past_that_was_moved(labels, localizer, east):
     flown = fly(labels, seed=5, count=7)

@@ -61,6 +61,7 @@ def bent_image(scene, way):
     return scene(x, y).reshape(SHAPE).astype(np.uint8)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("attitude", [Attitude(0, 0), Attitude(4, -7)], ids=["level", "tilted"])
 @pytest.mark.parametrize("lens", [PHANTOM, RATIONAL], ids=["phantom", "rational"])
 def test_what_a_lens_bent_is_straight_again(lens, attitude):

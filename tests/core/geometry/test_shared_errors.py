@@ -56,6 +56,7 @@ def held(results):
     return inside / len(results)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("count", [8, 60])
 def test_the_covariance_covers_independent_errors(count):
     rng = np.random.default_rng(count)

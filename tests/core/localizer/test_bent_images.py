@@ -65,6 +65,7 @@ def seen_at(x: float, y: float) -> np.ndarray:
     return cv2.remap(MAP, pixels.astype(np.float32), None, cv2.INTER_NEAREST)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("where", [(0.5, 0.5), (0.4, 0.6)])
 def test_a_stated_lens_makes_position_and_radius_more_accurate(localizer, where):
     x = 600000.0 + where[0] * MAP.shape[1] * PIXEL_M

@@ -146,6 +146,7 @@ def test_an_image_that_shows_nothing_is_placed_by_the_flight(watch, folder):
     assert off(records[5], 5) < 30 and records[5]["error_95"] > records[4]["error_95"]
 
 
+@pytest.mark.slow
 def test_a_restart_goes_on_where_the_flight_was(watch, folder, tmp_path):
     put(folder, range(5))
     state = str(tmp_path / "flight.npz")
@@ -193,6 +194,7 @@ def test_the_state_does_not_grow_with_the_flight(watch, folder, tmp_path):
     assert not list(tmp_path.glob("*.part"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("data", [b"", bytes(300), b"PK\x03\x04" + bytes(26) + b"header.npy, cut short"])
 def test_a_damaged_state_is_reported_and_the_flight_starts_again(watch, folder, tmp_path, data, capsys):
     state = tmp_path / "flight.npz"
@@ -277,6 +279,7 @@ def test_a_hostile_state_is_reported(watch, tmp_path, method, data, capsys):
     assert told["event"] == "flight_state_not_used" and "not the state of a flight" in told["reason"]
 
 
+@pytest.mark.slow
 def test_a_state_of_another_database_is_not_used(watch, folder, tmp_path, capsys):
     state = tmp_path / "flight.npz"
     put(folder, range(1))
@@ -327,6 +330,7 @@ def events(capsys):
     return [json.loads(line) for line in capsys.readouterr().err.splitlines() if line.startswith("{")]
 
 
+@pytest.mark.slow
 def test_a_state_that_somebody_moved_is_not_used(watch, flown, capsys):
     data = flown.read_bytes()
     arrays = arrays_of(flown)
@@ -341,6 +345,7 @@ def test_a_state_that_somebody_moved_is_not_used(watch, flown, capsys):
         assert len(records) == 4 and records[-1]["track"] in (None, 1)
 
 
+@pytest.mark.slow
 def test_a_state_needs_the_key_that_the_onboard_file_needs(watch, folder, tmp_path, database, capsys):
     keys = []
     for name in ("key", "other"):
@@ -358,6 +363,7 @@ def test_a_state_needs_the_key_that_the_onboard_file_needs(watch, folder, tmp_pa
         assert is_refused == (number in (1, 3)), number
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.name == "nt", reason="rights of POSIX")
 def test_the_secret_of_a_user_is_private_and_another_user_s_state_is_not_used(watch, flown, home, capsys, monkeypatch):
     (secret,) = [path for path in home.rglob("*") if path.is_file() and path.stat().st_size == 32]
@@ -381,6 +387,7 @@ def test_other_types_of_numbers_in_a_state_are_numbers(watch, flown, capsys, kin
     assert "traceback" not in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_a_fault_in_the_flight_is_not_carried_on(watch, folder, monkeypatch, capsys):
     from semref.core.flight.tracker import FlightTracker
 
@@ -415,6 +422,7 @@ def test_a_disk_that_takes_no_state_is_reported_once_and_the_flight_goes_on(watc
 # --- other files at the path of the state ---
 
 
+@pytest.mark.slow
 def test_a_link_with_the_name_of_a_temporary_file_is_not_followed(watch, folder, tmp_path):
     victim = tmp_path / "victim"
     victim.write_text("mine", encoding="utf-8")
@@ -496,6 +504,7 @@ def test_a_table_of_motion_keeps_the_track_without_texture(watch, folder, tmp_pa
     assert (records[3]["track"] == records[0]["track"]) == is_told
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("blind")
 def test_a_restart_goes_on_with_the_table_of_motion(watch, folder, tmp_path):
     table, state = tmp_path / "odometry.csv", str(tmp_path / "flight.npz")

@@ -23,6 +23,7 @@ from semref.core.onboard.format import digest
 from semref.core.onboard.read import read_onboard
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", [Method.CONSTELLATION, Method.TOPOLOGY_VECTOR])
 def test_images_are_found_where_the_whole_database_finds_them(database, written, method):
     whole, onboard = Localizer(database), Localizer(read_onboard(str(written)).database)
@@ -59,6 +60,7 @@ def test_a_truncated_file_is_refused(written, tmp_path, share):
     assert "incomplete" in refusal(cut)
 
 
+@pytest.mark.slow
 def test_a_flipped_bit_is_refused_or_changes_nothing(written, tmp_path):
     """Times and attributes in the zip's directory are not used; checksums cover the rest."""
     data, refused = written.read_bytes(), 0

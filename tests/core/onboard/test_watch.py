@@ -139,6 +139,7 @@ def test_with_once_the_images_beside_a_link_to_itself_are_done(database, folder,
     assert json.loads(capsys.readouterr().out)["status"] == "fix"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("replaced_by_a_file", [True, False])
 def test_a_folder_that_is_gone_is_waited_for(watching, folder, replaced_by_a_file):
     process = watching()

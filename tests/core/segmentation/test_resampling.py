@@ -59,6 +59,7 @@ def test_an_image_of_which_nothing_is_left_is_refused():
         at_resolution(ArrayImage(PHOTO), (0.01, 0.01), 100)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shape_hw", [(30, 48), (61, 50), (20, 96), (7, 5), (1, 1)])
 def test_a_smaller_image_has_the_means_of_the_area_that_each_pixel_covers(shape_hw):
     fine = np.repeat(np.repeat(PHOTO.astype(float), shape_hw[0], 0), shape_hw[1], 1)

@@ -138,6 +138,7 @@ class Undecided:
         return self.field * (bands + np.float32(0.3))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shape", [(8, 9), (64, 48), (200, 131)])
 @pytest.mark.parametrize("overlap", [0, 0.2, 0.75])
 @pytest.mark.parametrize("count", [1, 3])

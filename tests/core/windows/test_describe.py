@@ -156,6 +156,7 @@ MAPS = (nothing, blobs, specks, snakes, rings, corners, combs)
 each_map = pytest.mark.parametrize("make_map", MAPS, ids=[make.__name__ for make in MAPS])
 
 
+@pytest.mark.slow
 @each_map
 @pytest.mark.parametrize(
     ("size", "stride"),

@@ -27,6 +27,7 @@ from qgis.core import (
 )
 
 
+@pytest.mark.slow
 def test_the_good_inputs_are_good(run_algorithm, defaults):
     for algorithm, parameters in defaults.items():
         run_algorithm(algorithm, parameters)

@@ -85,6 +85,7 @@ def small_disk(tmp_path):
     subprocess.run(["umount", "--lazy", str(folder)], check=True)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("algorithm", [RASTERIZE, DECODE, BUILD])
 def test_a_full_disk_is_reported_and_leaves_nothing(run_algorithm, defaults, small_disk, tmp_path, algorithm):
     random = np.random.default_rng(1)

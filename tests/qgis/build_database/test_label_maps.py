@@ -23,6 +23,7 @@ from qgis.core import (
 )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["UInt16", "Int16", "UInt32", "Int32", "Int8", "UInt64", "Int64"])
 def test_label_maps_of_other_integer_types_give_the_same_database(build, database, tmp_path, kind):
     code = gdal.GetDataTypeByName(kind)

@@ -78,6 +78,7 @@ def answer(port, page):
         return None
 
 
+@pytest.mark.slow
 def test_files_of_the_workers_are_private(workers):
     client, _, folder = workers
     (private,) = folder.iterdir()

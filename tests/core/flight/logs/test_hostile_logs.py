@@ -63,6 +63,7 @@ HOSTILE = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", HOSTILE)
 def test_reading_takes_linear_time(name):
     read, made, count = HOSTILE[name]
@@ -112,6 +113,7 @@ LOGS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", LOGS)
 def test_reading_looks_for_a_cancel_all_the_time_and_ends_at_it(tmp_path, name):
     path = tmp_path / name
