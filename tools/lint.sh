@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Checks the code without running it: ruff (rules, format) and mypy, then Bandit, detect-secrets and flake8 on the
+# Checks the code without running it: ruff, mypy and the English of all texts, then Bandit, detect-secrets and flake8 on the
 # unpacked zip with the options of the plugin repository, which rejects a zip with findings.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -12,6 +12,7 @@ python=$repository/.venv/bin/python
     exit 1
 }
 "$python" -m mypy --no-error-summary
+"$python" tools/prose.py
 
 unpacked=$(mktemp -d)
 trap 'rm -rf "$unpacked"' EXIT

@@ -22,7 +22,7 @@ MARKERS = re.compile(
 )
 """Words that earlier texts used in odd senses. Code in backquotes does not count."""
 
-MARKERS_PER_1000, WORDS_PER_SENTENCE, LONGEST_SENTENCE, LONGEST_SUBJECT = 0.5, 20, 40, 72
+MARKERS_PER_1000, WORDS_PER_SENTENCE, LONGEST_SENTENCE, LONGEST_HEADING, LONGEST_SUBJECT = 0.5, 20, 40, 12, 72
 _NOT_PROSE = re.compile(r"```.*?```|``.*?``|`[^`]*`|<!--.*?-->|\]\([^)]*\)|https?://\S+|<[^>]+>", re.DOTALL)
 
 
@@ -66,28 +66,24 @@ def texts_in(path: Path) -> Iterator[str]:
 
 def report(kind: str, texts: list[str], listed: bool) -> bool:
     """Print the figures of a kind of text; return whether they are within the limits."""
-    found = [sentence for text in texts for sentence in sentences(text)]
-    lengths = [words(sentence) for sentence in found]
-    total, marked = max(1, sum(lengths)), [sentence for sentence in found if MARKERS.search(sentence)]
-    rate = 1000 * sum(len(MARKERS.findall(sentence)) for sentence in found) / total
-    long = [sentence for sentence, length in zip(found, lengths) if length > LONGEST_SENTENCE]
-    full = [length for length in lengths if length > 3] or [0]
-    mean = sum(full) / len(full)
+    found = [(sentence, words(sentence)) for text in texts for sentence in sentences(text)]
+    total = max(1, sum(length for _, length in found))
+    full = [length for _, length in found if length > 3] or [0]
+    faults = [f"{', '.join(MARKERS.findall(text))}: {text}" for text, _ in found if MARKERS.search(text)]
+    rate, mean = 1000 * len(faults) / total, sum(full) / len(full)
+    long = [f"{length} words: {text}" for text, length in found if length > LONGEST_SENTENCE]
+    long += [f"heading: {text}" for text, length in found if text.startswith("#") and length > LONGEST_HEADING]
     print(f"{kind}: {total} words, {rate:.2f} markers per 1,000, {mean:.1f} words a sentence, {len(long)} too long")
     good = rate <= MARKERS_PER_1000 and mean <= WORDS_PER_SENTENCE and not long
-    if listed or not good:
-        for sentence in marked:
-            print(f"  {', '.join(MARKERS.findall(sentence))}: {sentence}")
-        for sentence in long:
-            print(f"  {words(sentence)} words: {sentence}")
+    for fault in faults + long if listed or not good else []:
+        print(f"  {fault}")
     return good
 
 
 def main() -> int:
     if paths := [Path(name) for name in sys.argv[1:]]:
         files = [file for path in paths for file in ([path] if path.is_file() else sorted(path.rglob("*.[pm][yd]")))]
-        good = [report(str(file), list(texts_in(file)), listed=True) for file in files]
-        return not all(good)
+        return sum(not report(str(file), list(texts_in(file)), listed=True) for file in files)
     kinds = {
         "docs": [path.read_text(encoding="utf-8") for path in tracked("*.md")],
         "screen": all_texts(),
@@ -96,8 +92,7 @@ def main() -> int:
     }
     good = [report(kind, texts, listed=False) for kind, texts in kinds.items()]
     long = [subject for subject in kinds["commits"] if len(subject) > LONGEST_SUBJECT]
-    for subject in long:
-        print(f"  over {LONGEST_SUBJECT} characters: {subject}")
+    print("".join(f"  over {LONGEST_SUBJECT} characters: {subject}\n" for subject in long), end="")
     return not all([*good, not long])
 
 
