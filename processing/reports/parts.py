@@ -37,7 +37,7 @@ def road_section(summaries: Mapping[str, Sequence[RoadSummary]]) -> str:
     of = {id(one): f"{name}: " if len(summaries) > 1 else "" for name, found in summaries.items() for one in found}
     columns = [
         (tr("Position by"), lambda one: of[id(one)] + worded(one.road.title)),
-        (tr("Correct"), lambda one: page.rate_text(one.right)),
+        (tr("Correct positions"), lambda one: page.rate_text(one.right)),
         (tr("Mean confidence"), lambda one: page.percent(one.told, 2)),
         (tr("Calibration error"), lambda one: page.percent(one.calibration_error, 2)),
         (tr("In the 50 % ellipse"), lambda one: page.rate_text(one.held[0])),

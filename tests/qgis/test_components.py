@@ -279,7 +279,7 @@ def test_a_wheel_with_the_pinned_hash_is_installed(root, wheels, installer, pinn
 def test_another_wheel_under_the_same_name_is_refused(root, installer, pinned):
     pinned("0" * 64)
     installer.start([GOOD])
-    assert "gave another file for semref-made" in end_of(installer)
+    assert "sent a different file for semref-made" in end_of(installer)
     assert is_tidy(root) and components.is_missing(GOOD)
 
 

@@ -68,7 +68,7 @@ def test_a_table_is_not_read_that_is_huge_or_no_file(qgis_app, tmp_path, kind):
     with open(huge, "wb") as file:
         file.truncate(limits.TABLE_BYTES + 1)
     os.mkfifo(pipe)
-    refusals = {huge: "is larger than", pipe: "is no file", tmp_path: "is no file", "a\0b": "can't be read"}
+    refusals = {huge: "is larger than", pipe: "is not a file", tmp_path: "is not a file", "a\0b": "can't be read"}
     for path, said in refusals.items():
         with pytest.raises(SemRefError) as refused:
             read(str(path))
