@@ -2308,7 +2308,7 @@ Das Bild wird auf die Auflösung des Modells umgerechnet, wenn beide bekannt sin
    <translation>Karte der Spur</translation>
   </message>
   <message>
-   <source>Maps where images can be localized with a reference database, from simulated images with the given errors. Each square has an expected success and error, its numbers of landmarks and similar windows, and the reason where localization fails.
+   <source>Maps where images can be localized with a reference database, from simulated images with the given errors. Each square has an expected success and error, numbers of landmarks and similar windows, and the reason where localization fails.
 
 The result is too optimistic if the real errors are larger or the ground has changed. “Evaluate localization” tests with another label map.</source>
    <translation>Kartiert anhand simulierter Bilder mit den angegebenen Fehlern, wo Bilder mit einer Referenzdatenbank lokalisierbar sind. Jedes Quadrat hat einen erwarteten Erfolg und Fehler, die Anzahlen der Landmarken und ähnlicher Fenster sowie den Grund, wo die Lokalisierung scheitert.

@@ -2308,7 +2308,7 @@ La imagen se remuestrea a la resolución del modelo si ambas se conocen, y se pr
    <translation>Mapa de la trayectoria</translation>
   </message>
   <message>
-   <source>Maps where images can be localized with a reference database, from simulated images with the given errors. Each square has an expected success and error, its numbers of landmarks and similar windows, and the reason where localization fails.
+   <source>Maps where images can be localized with a reference database, from simulated images with the given errors. Each square has an expected success and error, numbers of landmarks and similar windows, and the reason where localization fails.
 
 The result is too optimistic if the real errors are larger or the ground has changed. “Evaluate localization” tests with another label map.</source>
    <translation>Muestra en un mapa dónde se pueden localizar imágenes con una base de datos de referencia, a partir de imágenes simuladas con los errores indicados. Cada cuadrado tiene un acierto y un error esperados, sus números de hitos y de ventanas similares, y el motivo cuando la localización falla.

@@ -2308,7 +2308,7 @@ L’image est rééchantillonnée à la résolution du modèle si les deux sont 
    <translation>Carte de la trace</translation>
   </message>
   <message>
-   <source>Maps where images can be localized with a reference database, from simulated images with the given errors. Each square has an expected success and error, its numbers of landmarks and similar windows, and the reason where localization fails.
+   <source>Maps where images can be localized with a reference database, from simulated images with the given errors. Each square has an expected success and error, numbers of landmarks and similar windows, and the reason where localization fails.
 
 The result is too optimistic if the real errors are larger or the ground has changed. “Evaluate localization” tests with another label map.</source>
    <translation>Cartographie où des images peuvent être localisées avec une base de données de référence, d’après des images simulées avec les erreurs indiquées. Chaque carré a une réussite et une erreur attendues, ses nombres de repères visuels et de fenêtres semblables, et la raison des échecs de localisation.

@@ -2308,7 +2308,7 @@ The image is resampled to the resolution of the model if both are known, and pro
    <translation>航迹图</translation>
   </message>
   <message>
-   <source>Maps where images can be localized with a reference database, from simulated images with the given errors. Each square has an expected success and error, its numbers of landmarks and similar windows, and the reason where localization fails.
+   <source>Maps where images can be localized with a reference database, from simulated images with the given errors. Each square has an expected success and error, numbers of landmarks and similar windows, and the reason where localization fails.
 
 The result is too optimistic if the real errors are larger or the ground has changed. “Evaluate localization” tests with another label map.</source>
    <translation>用带有给定误差的模拟影像，绘制影像可用参考数据库定位之处的地图。每个方格给出预期成功率和误差、地标数和相似窗口数，以及定位失败时的原因。

@@ -53,7 +53,7 @@ class AssessDatabase(AssessAlgorithm):
     def summary(self) -> str:
         return tr(
             "Maps where images can be localized with a reference database, from simulated images with the given "
-            "errors. Each square has an expected success and error, its numbers of landmarks and similar windows, and "
+            "errors. Each square has an expected success and error, numbers of landmarks and similar windows, and "
             "the reason where localization fails.\n\nThe result is too optimistic if the real errors are larger or "
             "the ground has changed. “Evaluate localization” tests with another label map."
         )
