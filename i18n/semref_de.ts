@@ -177,11 +177,11 @@
   </message>
   <message>
    <source>Add files…</source>
-   <translation>Dateien hinzufügen…</translation>
+   <translation>Dateien…</translation>
   </message>
   <message>
    <source>Add folder…</source>
-   <translation>Ordner hinzufügen…</translation>
+   <translation>Verzeichnis…</translation>
   </message>
   <message>
    <source>Add image to map</source>
