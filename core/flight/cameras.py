@@ -132,8 +132,9 @@ def row_camera(row: Row, source: str) -> Camera:
         lens = Lens(kinds[0], _positive(row, kinds[0], 180.0 if kinds[0] == "field_of_view" else math.inf))
     attitude = None
     if texts["roll"]:
+        roll, pitch = row.number("roll"), row.number("pitch")
         try:
-            attitude = Attitude(row.number("roll"), row.number("pitch"))
+            attitude = Attitude(roll, pitch)
         except ParameterError as error:
             # Attitude itself does not name the line.
             fault = error.sentence
