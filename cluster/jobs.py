@@ -18,6 +18,8 @@ from ..core.localizer.localizer import Localizer
 from ..core.localizer.search import AskedImage, FoundImage, ImagesJob
 from ..core.localizer.settings import LOCALIZER
 from ..core.pipeline import localize_labels
+from ..core.segmentation.model import SegmentationModel
+from ..core.segmentation.photo_labels import PhotoReader
 from ..storage.database.reader import read_database, read_overview
 from ..storage.file_states import fingerprint
 from ..storage.label_images import LabelImageReader, open_photo
@@ -72,10 +74,6 @@ def _images(content: bytes) -> _Images:
 
 
 def _photo_reader(path: str, table: ClassTable) -> Callable[[AskedImage], SeenLabels]:
-    # Only photos need onnxruntime.
-    from ..core.segmentation.model import SegmentationModel
-    from ..core.segmentation.photo_labels import PhotoReader
-
     # One CPU thread: all workers give equal results.
     reader = PhotoReader(SegmentationModel(path, 1, device="cpu"), table)
 

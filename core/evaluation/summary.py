@@ -122,13 +122,13 @@ def road_summaries(trials: Sequence[Trial]) -> list[RoadSummary]:
 
 def _road(road: Method, fixes: Sequence[Trial]) -> RoadSummary:
     right = [t for t in fixes if t.is_right]
-    told = [t.result.confidence or 0.0 for t in fixes]
-    bins = binned(told, [t.is_right for t in fixes], CONFIDENCE_BINS)
+    confidences = [t.result.confidence or 0.0 for t in fixes]
+    bins = binned(confidences, [t.is_right for t in fixes], CONFIDENCE_BINS)
     apart = sum(abs(one.at - one.rate.successes / one.rate.trials) * one.rate.trials for one in bins)
     return RoadSummary(
         road,
         rate_of(t.is_right for t in fixes),
-        sum(told) / len(told),
+        sum(confidences) / len(confidences),
         apart / len(fixes),
         held_shares(right),
         percentile([t.result.error_95_m for t in right], 50),

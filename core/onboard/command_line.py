@@ -90,7 +90,7 @@ def _refuse(options: argparse.Namespace, reason: str) -> int:
 
 
 def _problem(options: argparse.Namespace) -> str | None:
-    """Return what is wrong with options that are right one by one; None when nothing is."""
+    """Return the fault of a combination of valid options; None without one."""
     near, origin = getattr(options, "near", None), getattr(options, "mavlink_origin", None)
     if near and not near[2] > 0:
         return f"argument --near: the radius is {near[2]:g}; it must be more than 0 m"
@@ -211,9 +211,7 @@ def _add_watch(watch: argparse.ArgumentParser) -> None:
     watch.add_argument("folder", metavar="FOLDER", help="folder where the camera stores images")
     where = "a file to append to, “-” for stdout, or udp:PORT on this computer (127.0.0.1)"
     place, text = _place(check_sink), f"JSON lines: {where} (default: stdout)"
-    watch.add_argument(
-        "--fixes", type=place, metavar="WHERE", default="-", help=f"JSON lines: {where} (default: stdout)"
-    )
+    watch.add_argument("--fixes", type=place, metavar="WHERE", default="-", help=text)
     watch.add_argument("--gga", type=place, metavar="WHERE", help=f"NMEA GGA sentences: {where}")
     where = "udp:PORT of this computer, udp:HOST:PORT, or serial:DEVICE[:BAUD]"
     text = f"positions for an autopilot (needs pymavlink): {where}"

@@ -20,6 +20,8 @@ from ..localization import Localization, Method
 from ..localizer.record import record
 from ..pipeline import LabelReader, Pipeline
 from ..segmentation.devices import AUTO
+from ..segmentation.model import SegmentationModel
+from ..segmentation.photo_labels import PhotoReader
 from ..sentences import english
 from .cameras import Cameras
 from .format import OnboardDatabase
@@ -45,10 +47,6 @@ def label_reader(model_path: str | None, threads: int, table: ClassTable, device
             return SeenLabels(read_label_image(path, table))
 
         return read
-    # Only photos need onnxruntime.
-    from ..segmentation.model import SegmentationModel
-    from ..segmentation.photo_labels import PhotoReader
-
     model = SegmentationModel(model_path, threads, device=device)
     for fallback in model.fallbacks:
         log_event(logging.WARNING, "device", reason=english(fallback))
