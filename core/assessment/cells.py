@@ -57,7 +57,7 @@ def ground_cells(database: ReferenceDatabase, size: float) -> Cells:
             count=width * height,
             least=1.01 * least,
         )
-    empty = ~_labeled(database, size, width, height)
+    empty = ~_labeled_squares(database, size, width, height)
     positions = database.references.positions
     columns = np.clip(((positions[:, 0] - x0) / size).astype(int), 0, width - 1)
     rows = np.clip(((y0 - positions[:, 1]) / size).astype(int), 0, height - 1)
@@ -70,7 +70,7 @@ def ground_cells(database: ReferenceDatabase, size: float) -> Cells:
     return Cells(size, centers, columns, rows)
 
 
-def _labeled(database: ReferenceDatabase, size: float, width: int, height: int) -> np.ndarray:
+def _labeled_squares(database: ReferenceDatabase, size: float, width: int, height: int) -> np.ndarray:
     """Return (height, width) bool: squares with a labeled pixel of the overview; all squares without overview."""
     overview = database.overview
     if overview is None:

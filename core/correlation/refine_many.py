@@ -43,7 +43,7 @@ def refine_many(
     seen = image.evidence - image.evidence.mean(axis=(0, 1))
     for step in range(steps + 1):
         patches, known = _maps_under(image, pyramid, poses)
-        scores, gains, there = _scored(seen, patches, known, quiet)
+        scores, gains, there = _score(seen, patches, known, quiet)
         poses = [replace(pose, score=float(score)) for pose, score in zip(poses, scores)]
         best = [pose if pose.score > kept.score else kept for pose, kept in zip(poses, best)]
         if step < steps:
@@ -86,7 +86,7 @@ def _places(image: EvidenceLevel, poses: list[ScoredPose], level_pixel_m: float)
     return columns.reshape(-1, width).astype(np.float32), rows.reshape(-1, width).astype(np.float32)
 
 
-def _scored(
+def _score(
     seen: np.ndarray, patches: np.ndarray, known: np.ndarray, quiet: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return (N,) scores, (N,) gains of the image in the map, and the map (N, h, w, C) without its means."""

@@ -46,7 +46,7 @@ class RateAt:
 
     Attributes:
         at: Mean of the values.
-        low: Begin of the bin.
+        low: Start of the bin.
         high: End of the bin.
     """
 

@@ -152,7 +152,7 @@ class FlightSolver:
         """Store the smoothed poses of a track in ``poses``; yields before each repeated measurement.
 
         Images are measured again at the place that all others expect unless they were measured there. This corrects
-        images that the ones before had led astray. Measurements that contradict the others are dropped.
+        images that got a wrong place from the ones before. Measurements that contradict the others are dropped.
         """
         settings, numbers = self.settings, range(track.first, track.last + 1)
         looked = [self._looked[number] for number in numbers]

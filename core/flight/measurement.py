@@ -91,7 +91,7 @@ def measure_by_areas(
     errors = localizer.errors.with_biases(image.biases)
     found = []
     for pose, share in likely:
-        one = _measured_at(evidence, pyramid, pose, errors, settings) if share >= LEAST_SHARE else None
+        one = _measure_at(evidence, pyramid, pose, errors, settings) if share >= LEAST_SHARE else None
         if one is not None:
             found.append((one, share))
     if not found:
@@ -103,7 +103,7 @@ def measure_by_areas(
     return whole if distance(whole, state, covariance) <= GATE else None
 
 
-def _measured_at(
+def _measure_at(
     image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, errors: SharedErrors, settings: FlightSettings
 ) -> Measurement | None:
     """Return the measurement at a place; None if class areas do not determine the whole pose."""

@@ -136,7 +136,7 @@ def link_over(before: int, after: int, steps: Sequence[OdometryRow]) -> Link:
     places = []
     for step in steps:
         places.append(place)
-        place += complex(step.right_m, step.up_m) * _turned(heading)
+        place += complex(step.right_m, step.up_m) * _direction(heading)
         heading += step.turn_deg
         # The product of many scales would overflow.
         log_scale += math.log(step.scale)
@@ -151,7 +151,7 @@ def link_over(before: int, after: int, steps: Sequence[OdometryRow]) -> Link:
         # The table has the reverse order of the flight.
         before, after = after, before
         sigma_m = math.hypot(sigma_m, abs(place) * math.radians(sigma_turn))
-        place, heading, log_scale = -place / _turned(heading), -heading, -log_scale
+        place, heading, log_scale = -place / _direction(heading), -heading, -log_scale
     return Link.of_odometry(
         before,
         after,
@@ -166,6 +166,6 @@ def link_over(before: int, after: int, steps: Sequence[OdometryRow]) -> Link:
     )
 
 
-def _turned(heading_deg: float) -> complex:
+def _direction(heading_deg: float) -> complex:
     """Return the complex direction of a heading, for right + i up."""
     return complex(math.cos(math.radians(heading_deg)), -math.sin(math.radians(heading_deg)))

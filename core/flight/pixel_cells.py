@@ -45,7 +45,7 @@ class SharedGround:
         shared = cv2.warpPerspective(known, self._matrix, (width, height), flags=cv2.INTER_NEAREST)
         if first.is_known_hw is not None:
             shared &= first.is_known_hw.astype(np.uint8)
-        self.corners = self._textured(shared)
+        self.corners = self._textured_cells(shared)
 
     def _forward(self, mapping: Mapping) -> np.ndarray:
         """Return (3, 3) from pixels of the second picture to those of the first, in OpenCV's coordinates."""
@@ -55,7 +55,7 @@ class SharedGround:
             (corners + second).astype(np.float32), (mapping(corners) + first).astype(np.float32)
         )
 
-    def _textured(self, shared: np.ndarray) -> np.ndarray:
+    def _textured_cells(self, shared: np.ndarray) -> np.ndarray:
         """Return the cells inside the overlap with enough texture to match."""
         step = CELL_PX
         inside = float(shared.sum())

@@ -75,7 +75,7 @@ def motion_between(first: Features, second: Features, numbers: tuple[int, int] =
     """
     if min(len(first.points), len(second.points)) < LEAST_CORNERS:
         return Motion(None, Sentence("One of the two images has too little texture to match it with the other."))
-    proposed = _proposed(first, second)
+    proposed = _propose(first, second)
     if proposed is None:
         return Motion(None, Sentence("No common motion matches the two images. They may show different ground."))
     mapping: Mapping = partial(similarity, proposed)
@@ -111,7 +111,7 @@ def evidence(agreeing: int, cells: int) -> float:
     return cells * (share * math.log(share / CHANCE) + others)
 
 
-def _proposed(first: Features, second: Features) -> np.ndarray | None:
+def _propose(first: Features, second: Features) -> np.ndarray | None:
     """Return (4,) parameters of the similarity that most matching corners agree with; None if too few agree."""
     found = cv2.BFMatcher(cv2.NORM_HAMMING).knnMatch(second.descriptors, first.descriptors, k=2)
     pairs = [(best.queryIdx, best.trainIdx) for best, rival in found if best.distance < RATIO * rival.distance]

@@ -51,8 +51,8 @@ def clip_database(database: ReferenceDatabase, mask: np.ndarray) -> ReferenceDat
     overview = database.overview
     return replace(
         database,
-        references=_chosen(references, kept),
-        windows=_chosen(windows, centered),
+        references=_select(references, kept),
+        windows=_select(windows, centered),
         overview=None if overview is None else np.where(mask, overview, np.uint8(UNLABELED)),
     )
 
@@ -64,7 +64,7 @@ def _in(mask: np.ndarray, points_xy: np.ndarray, parameters: BuildParameters) ->
     return mask[rows, columns]
 
 
-def _chosen(items: _Rows, chosen: np.ndarray) -> _Rows:
+def _select(items: _Rows, chosen: np.ndarray) -> _Rows:
     """Return the windows or landmarks of a mask."""
     arrays = {item.name: getattr(items, item.name) for item in fields(items)}
     return replace(items, **{name: array[chosen] for name, array in arrays.items() if array is not None})

@@ -44,7 +44,7 @@ class Cameras:
         log = self._log(moment[1])
         if log is None:
             return camera
-        logged = log_cameras(log, *self._asked([moment]))[-1]
+        logged = log_cameras(log, *self._from_first([moment]))[-1]
         return complete_camera(camera, logged, with_attitude=True)
 
     def time_s(self, path: str, camera: Camera) -> float | None:
@@ -61,13 +61,13 @@ class Cameras:
         log = self._log(now[1])
         if log is None:
             return None
-        links = log_links(log, *self._asked([before, now]))
+        links = log_links(log, *self._from_first([before, now]))
         return next((link for link in links if link.second == 2), None)
 
     def _log(self, time_s: float | None) -> Telemetry | None:
         return self.log if self.growing is None else self.growing.until(time_s)
 
-    def _asked(self, images: list[tuple[str, float | None]]) -> tuple[list[str], list[float | None]]:
+    def _from_first(self, images: list[tuple[str, float | None]]) -> tuple[list[str], list[float | None]]:
         """Return names and times after those of the flight's first image: the time zone is that of the whole flight."""
         if self.first_s is None:
             self.first_s = images[0][1]

@@ -111,7 +111,7 @@ def cut(source: LabelSource | np.ndarray, frame: MapFrame, view: View) -> np.nda
         for place, at, offset in zip(places, center, offsets):
             # Rounding keeps quarter turns exact: cos 90° ≈ 6e-17 could push a sample over a pixel's edge.
             place[strip] = np.floor(np.round(at + offset, 6))
-    return _sampled(source, *places)
+    return _sample(source, *places)
 
 
 def lies_on(frame: MapFrame, view: View) -> bool:
@@ -224,7 +224,7 @@ def _in_the_image(view: View, right: np.ndarray, up: np.ndarray) -> tuple[np.nda
     )
 
 
-def _sampled(source: LabelSource | np.ndarray, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
+def _sample(source: LabelSource | np.ndarray, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
     """Return (h, w[, bands]) pixels of a raster at integer places (h, w), 0 beyond it. Reads only the needed part."""
     height, width = source.shape[:2] if isinstance(source, np.ndarray) else source.shape_hw
     left, top = max(int(columns.min()), 0), max(int(rows.min()), 0)
