@@ -6320,6 +6320,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>{path} kann nicht gelesen werden: {reason}.</translation>
   </message>
   <message>
+   <source>{path} can't be replaced, and its older files can't be renamed back. They are in {folder}; move them back.</source>
+   <translation>{path} kann nicht ersetzt werden, und die älteren Dateien können nicht zurückbenannt werden. Sie liegen in {folder}; verschieben Sie sie zurück.</translation>
+  </message>
+  <message>
    <source>{path} can't be replaced; it may be open in this or another program: close or remove it, or choose another name.</source>
    <translation>{path} kann nicht ersetzt werden; vielleicht ist es in diesem oder einem anderen Programm geöffnet: Schließen oder entfernen Sie es oder wählen Sie einen anderen Namen.</translation>
   </message>

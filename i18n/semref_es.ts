@@ -6320,6 +6320,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>No se puede leer {path}: {reason}.</translation>
   </message>
   <message>
+   <source>{path} can't be replaced, and its older files can't be renamed back. They are in {folder}; move them back.</source>
+   <translation>No se puede reemplazar {path}, y sus archivos anteriores no se pueden devolver a su lugar. Están en {folder}; muévalos de vuelta.</translation>
+  </message>
+  <message>
    <source>{path} can't be replaced; it may be open in this or another program: close or remove it, or choose another name.</source>
    <translation>No se puede reemplazar {path}; quizá esté abierto en este u otro programa: ciérrelo, elimínelo o elija otro nombre.</translation>
   </message>

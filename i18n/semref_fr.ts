@@ -6320,6 +6320,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>{path} ne peut pas être lu : {reason}.</translation>
   </message>
   <message>
+   <source>{path} can't be replaced, and its older files can't be renamed back. They are in {folder}; move them back.</source>
+   <translation>{path} ne peut pas être remplacé, et ses anciens fichiers ne peuvent pas être remis en place. Ils sont dans {folder} ; remettez-les en place.</translation>
+  </message>
+  <message>
    <source>{path} can't be replaced; it may be open in this or another program: close or remove it, or choose another name.</source>
    <translation>{path} ne peut pas être remplacé ; il est peut-être ouvert dans ce programme ou un autre : fermez-le ou supprimez-le, ou choisissez un autre nom.</translation>
   </message>

@@ -6320,6 +6320,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>无法读取 {path}：{reason}。</translation>
   </message>
   <message>
+   <source>{path} can't be replaced, and its older files can't be renamed back. They are in {folder}; move them back.</source>
+   <translation>无法替换 {path}，也无法将其旧文件重命名回原处。它们位于 {folder}；请将其移回。</translation>
+  </message>
+  <message>
    <source>{path} can't be replaced; it may be open in this or another program: close or remove it, or choose another name.</source>
    <translation>无法替换 {path}；它可能已在本程序或其他程序中打开：请关闭或删除它，或选择其他名称。</translation>
   </message>

@@ -39,6 +39,7 @@ class _Staged:
         require_free: Function that raises ParameterError if the target may not be replaced.
         is_folder: Whether the output is a folder.
         replaces_folder: Whether an older folder is replaced.
+        keeps_older: Whether the workplace has the only copy of an older output.
         identity: State of the new workplace.
     """
 
@@ -47,6 +48,7 @@ class _Staged:
     require_free: Callable[[], None]
     is_folder: bool = False
     replaces_folder: bool = False
+    keeps_older: bool = False
     identity: os.stat_result = field(init=False)
 
     def __post_init__(self) -> None:
@@ -147,15 +149,25 @@ class Batch:
             try:
                 _rename_folder(staged) if staged.is_folder else _rename_files(staged)
             except OSError as error:
+                if staged.keeps_older:
+                    raise ParameterError(
+                        "{path} can't be replaced, and its older files can't be renamed back. They are in {folder}; "
+                        "move them back.",
+                        path=staged.final,
+                        folder=staged.workplace / _OLDER,
+                    ) from None
                 if error.errno in (errno.ENOSPC, errno.EDQUOT):
                     raise
                 raise not_replaceable(staged.final) from None
             _flush_folder(staged.final.parent)
 
     def close(self) -> None:
-        """Remove the private folders with all files that were not renamed."""
+        """Remove the private folders with all files that were not renamed.
+
+        A folder with an older output that could not be renamed back is kept.
+        """
         for staged in self._staged:
-            if staged.is_ours():
+            if staged.is_ours() and not staged.keeps_older:
                 shutil.rmtree(staged.workplace, ignore_errors=True)
         self._staged = []
 
@@ -206,17 +218,20 @@ def require_empty(folder: Path) -> None:
 
 def _rename_folder(staged: _Staged) -> None:
     final, older = staged.final, staged.workplace / _OLDER
-    if staged.replaces_folder and os.path.lexists(final):
-        os.replace(final, older)
-    elif final.is_dir():
-        # The system refuses this if the folder is no longer empty, and refuses to rename onto such a folder.
-        final.rmdir()
     try:
+        if staged.replaces_folder and os.path.lexists(final):
+            staged.keeps_older = True
+            os.replace(final, older)
+        elif final.is_dir():
+            # The system refuses this if the folder is no longer empty, and refuses to rename onto such a folder.
+            final.rmdir()
         os.replace(staged.made, final)
     except OSError:
         if os.path.lexists(older):
             os.replace(older, final)
+        staged.keeps_older = False
         raise
+    staged.keeps_older = False
 
 
 def _rename_files(staged: _Staged) -> None:
@@ -236,6 +251,7 @@ def _rename_files(staged: _Staged) -> None:
     made = [final.name] if staged.made.exists() else []
     # Replace an older file last. Rename a new file first: companions without it would look like foreign files.
     names = [*written, *made] if os.path.lexists(final) else [*made, *written]
+    staged.keeps_older = bool(older)
     try:
         for name in older:
             os.replace(final.with_name(name), workplace / _OLDER / name)
@@ -248,7 +264,9 @@ def _rename_files(staged: _Staged) -> None:
             os.replace(final.with_name(name), workplace / name)
         for name in aside:
             os.replace(workplace / _OLDER / name, final.with_name(name))
+        staged.keeps_older = False
         raise
+    staged.keeps_older = False
 
 
 def _flush(folder: Path) -> None:

@@ -281,6 +281,30 @@ def test_parts_of_a_file_go_back_when_one_cant_be_replaced(tmp_path, monkeypatch
     assert content(tmp_path) == before
 
 
+@pytest.mark.parametrize("is_folder", [False, True])
+def test_older_files_that_cant_be_renamed_back_are_not_deleted(tmp_path, monkeypatch, is_folder):
+    refused = tmp_path / ("a" if is_folder else "a.dbf")
+    folder = refused if is_folder else tmp_path
+    folder.mkdir(exist_ok=True)
+    for end in ("shp", "dbf"):
+        (folder / f"a.{end}").write_bytes(b"\0\0\x27\x0aold" + end.encode())
+    replace = os.replace
+
+    def refuse(source, target):
+        if Path(target) == refused:
+            raise PermissionError(13, "Permission denied", str(target))
+        replace(source, target)
+
+    monkeypatch.setattr(os, "replace", refuse)
+    with Batch() as batch, pytest.raises(ParameterError, match=r"They are in .*\.older"):
+        made = Path(batch.folder(str(folder), replaces=True) if is_folder else batch.file(str(tmp_path / "a.shp")))
+        for end in ("shp", "dbf"):
+            (made / "a" if is_folder else made).with_suffix(f".{end}").write_bytes(b"new")
+        batch.commit()
+    left = {path.read_bytes()[4:] for path in tmp_path.rglob("a.*") if path.is_file()}
+    assert {b"oldshp", b"olddbf"} <= left
+
+
 # --- existing files of the same name ---
 
 
