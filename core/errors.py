@@ -17,14 +17,14 @@ class SemRefError(Exception):
         sentence: The message.
     """
 
-    def __init__(self, said: str | Sentence, /, **values: object) -> None:
+    def __init__(self, message: str | Sentence, /, **values: object) -> None:
         """Make the error.
 
         Args:
-            said: The template, or a complete sentence.
+            message: The template, or a complete sentence.
             values: Values of the template's placeholders.
         """
-        self.sentence = said if isinstance(said, Sentence) else Sentence(said, **values)
+        self.sentence = message if isinstance(message, Sentence) else Sentence(message, **values)
         super().__init__(self.sentence)
 
     def __str__(self) -> str:

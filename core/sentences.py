@@ -66,9 +66,9 @@ def filled(sentence: Sentence, translated: Callable[[str], str]) -> str:
     return translated(sentence.template).format(**shown)
 
 
-def english(said: object) -> str:
+def english(value: object) -> str:
     """Return a sentence, or a value of one, in English, for the command line and logs."""
-    return str(_shown(said, str))
+    return str(_shown(value, str))
 
 
 class _Worded(str):

@@ -8,9 +8,6 @@ import numpy as np
 
 from .neighbors import nearest_larger
 
-DESCRIPTORS = 5
-"""Numbers that describe a triangle in addition to its three labels."""
-
 # Vertex order A, B, C for each of the six orders of a triple's members.
 ORDERS = np.array([(0, 1, 2), (0, 2, 1), (1, 0, 2), (1, 2, 0), (2, 0, 1), (2, 1, 0)], np.int64)
 

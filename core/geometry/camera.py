@@ -155,13 +155,6 @@ class Camera:
         way = leveling(attitude, self.focal_length_px(shape_hw), shape_hw, self.distortion)
         return way if self.attitude is not None else replace(way, nadir=None)
 
-    def unbending(self, shape_hw: tuple[int, int]) -> Leveling | None:
-        """Return how to correct the lens distortion only; None without a known distortion.
-
-        Raises as ``leveling`` does.
-        """
-        return None if self.distortion is None else replace(self, attitude=None, problem=None).leveling(shape_hw)
-
     def focal_length_px(self, shape_hw: tuple[int, int]) -> float:
         """Return the focal length in pixels of an image of ``shape_hw``: from the calibration if there is one, or 0."""
         if self.distortion is not None:
