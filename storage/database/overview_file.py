@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 from collections.abc import Iterator
+from html import escape
 
 import numpy as np
 from osgeo import gdal
@@ -47,7 +48,8 @@ class OverviewFile(WrittenRaster):
         height, width = self._shape_hw
         made = gdal.GetDriverByName("VRT").Create("", width, height, 1, gdal.GDT_Byte)
         source = (
-            f'<SimpleSource><SourceFilename relativeToVRT="0">{self._path}</SourceFilename><SourceBand>1</SourceBand>'
+            f'<SimpleSource><SourceFilename relativeToVRT="0">{escape(self._path, quote=False)}</SourceFilename>'
+            f"<SourceBand>1</SourceBand>"
             f'<SourceProperties RasterXSize="{width}" RasterYSize="{height}" DataType="Byte"/></SimpleSource>'
         )
         made.GetRasterBand(1).SetMetadataItem("source_0", source, "new_vrt_sources")

@@ -69,8 +69,10 @@ def test_an_overview_too_large_for_memory_uses_a_temporary_file(build, label_map
     monkeypatch.setattr(
         overview_file.OverviewFile, "put", lambda *piece: caches.append(gdal.GetCacheMax()) or put(*piece)
     )
-    built = build(label_map, DATABASE=str(tmp_path / "filed.gpkg"))
+    folder = tmp_path / "R&D"
+    folder.mkdir()
+    built = build(label_map, DATABASE=str(folder / "filed.gpkg"))
     overview = gdal.Open(f"GPKG:{built['DATABASE']}:overview")
     np.testing.assert_array_equal(overview.ReadAsArray(), most_frequent(map_labels(), 4))
     assert set(caches) == {overview_file.CACHE_BYTES} and gdal.GetCacheMax() == before
-    assert [path.name for path in tmp_path.iterdir() if path.suffix != ".qml"] == ["filed.gpkg"]
+    assert [path.name for path in folder.iterdir() if path.suffix != ".qml"] == ["filed.gpkg"]
