@@ -64,7 +64,7 @@ _EXAMPLES = """examples:
 
 def main(arguments: list[str] | None = None) -> int:
     """Run one command and return its exit code; a wrong command line ends the program as argparse does."""
-    parser = _parser()
+    parser = command_parser()
     options = parser.parse_args(arguments)
     if problem := _problem(options):
         parser.error(problem)
@@ -144,7 +144,8 @@ def _write(text: str) -> None:
         ) from None
 
 
-def _parser() -> argparse.ArgumentParser:
+def command_parser() -> argparse.ArgumentParser:
+    """Return the parser of all commands and options."""
     raw = argparse.RawDescriptionHelpFormatter
     program = "python -m core" if os.path.basename(sys.argv[0]) == "__main__.py" else "semref"
     parser = argparse.ArgumentParser(

@@ -13,9 +13,9 @@ folder. [On board](../how-to/on_board.md) explains how to use it in an aircraft.
 
 def page() -> str:
     """Return the whole page."""
-    from semref.core.onboard.command_line import _parser
+    from semref.core.onboard.command_line import command_parser
 
-    parser = _parser()
+    parser = command_parser()
     parser.prog = "semref"
     commands = next(action for action in parser._actions if isinstance(action, argparse._SubParsersAction))
     about = {choice.dest: choice.help for choice in commands._choices_actions}
