@@ -130,6 +130,6 @@ def prepared(photo: Photo, data: Path, pixel_m: float, folder: Path) -> tuple[Pa
     burnt = gdal.GetDriverByName("GTiff").Create(str(labels), made.RasterXSize, made.RasterYSize, 1)
     burnt.SetGeoTransform(made.GetGeoTransform())
     burnt.SetProjection(made.GetProjection())
-    polygons = ogr.Open(str(data / photo.labels))  # a layer does not keep what it lies in
+    polygons = ogr.Open(str(data / photo.labels))  # the layer does not keep its data source
     gdal.RasterizeLayer(burnt, [1], polygons.GetLayer(0), burn_values=[BUILDING])
     return image, labels

@@ -19,12 +19,11 @@ OUTPUT = ROOT / "demo"
 WINDOW_SIZE_M, STRIDE_M, MINIMUM_AREA_M2 = 640, 160, 50
 RIGHT_WITHIN_M = 10.0
 MODEL = ROOT / "models" / "sample_area.onnx"
-METHODS = (("positions", 0, "constellation"), ("published", 1, "topology vector"))
+METHODS = (("positions", 0, "constellation"), ("published", 1, "published method"))
 """Output, METHOD of semref:localizeimages, and column title."""
 ABOUT_OFF_GRID = """
-   Pictures between windows (off_grid) are matched with a wrong window by the published method, and it does
-   not notice: a distance below 2 counts as a match. The constellation verifies its fixes:
-   docs/explanation/method.md."""
+   The published method matches images between windows (off_grid) with a wrong window: it accepts each
+   distance below 2. Constellation verifies its positions: docs/explanation/method.md."""
 PHOTO_METHODS = (("photo_positions", 0, "photo → network → position"),)
 
 
@@ -120,7 +119,7 @@ def read_truth(path: Path) -> list[dict]:
 
 def print_fixes(found: dict[str, dict[str, dict]], truth: list[dict], methods) -> None:
     """Print a line for each image, then the number of right positions of each kind."""
-    print(f"\n   {'picture':32s}" + "".join(f" | {title:44s}" for _, _, title in methods))
+    print(f"\n   {'image':32s}" + "".join(f" | {title:44s}" for _, _, title in methods))
     right: dict[str, list[list[bool]]] = defaultdict(list)
     for row in truth:
         name = Path(row["image"]).name

@@ -104,7 +104,7 @@ def test_the_zip_of_this_repository_is_in_order(faults):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("changed", "told"),
+    ("changed", "message"),
     [
         ({check_zip.HELP_START: None}, "guide is missing"),
         ({check_zip.SAMPLE_MARKER: None}, "sample area is missing"),
@@ -113,19 +113,19 @@ def test_the_zip_of_this_repository_is_in_order(faults):
         ({"other/x.py": b""}, "is not in the folder semref"),
         ({"semref/core/new.py": b"match x:\n    case 1: pass\n"}, "new.py"),
         ({"semref/help/x.html": b"\xff\xfe"}, "x.html"),
-        ({"semref/CITATION.cff": b"version: 9.9.9\n"}, "CITATION.cff does not say version"),
+        ({"semref/CITATION.cff": b"version: 9.9.9\n"}, "CITATION.cff does not have version"),
         ({"semref/CHANGELOG.md": b"## [9.9.9]\n"}, "CHANGELOG.md does not begin with"),
         ({"semref/resources/icon.svg": None}, "icon resources/icon.svg is missing"),
         ({"semref/metadata.txt": b"[general]\nabout=100 %\n"}, "about has a per cent sign"),
     ],
 )
-def test_faults_of_a_zip_are_reported(faults, changed, told):
-    assert any(told in fault for fault in faults("", changed))
+def test_faults_of_a_zip_are_reported(faults, changed, message):
+    assert any(message in fault for fault in faults("", changed))
 
 
 @pytest.mark.slow
 def test_a_zip_of_another_version_than_the_tag_is_refused(faults):
-    assert faults("9.9.9") == [f"metadata.txt says version {metadata.plugin_version()}, not 9.9.9."]
+    assert faults("9.9.9") == [f"metadata.txt has version {metadata.plugin_version()}, not 9.9.9."]
 
 
 HABITS = [*(ROOT / ".github").rglob("*.yml"), ROOT / "CITATION.cff"]

@@ -20,8 +20,8 @@ def test_lanes_run_at_the_same_time_and_are_printed_in_order(tmp_path):
     first = f"first: until [ -e {tmp_path}/b ]; do sleep 0.1; done; echo one; touch {tmp_path}/a"
     second = f"second: echo two; touch {tmp_path}/b; until [ -e {tmp_path}/a ]; do sleep 0.1; done; echo three >&2"
     done = run(first, "last: echo four", "--", second)
-    told = [line for line in done.stdout.splitlines() if " s  " not in line]
-    assert told == ["=== first", "one", "=== last", "four", "=== second", "two", "three", "=== All"]
+    printed = [line for line in done.stdout.splitlines() if " s  " not in line]
+    assert printed == ["=== first", "one", "=== last", "four", "=== second", "two", "three", "=== All"]
     assert done.returncode == 0 and done.stdout.count("passed") == 3
 
 

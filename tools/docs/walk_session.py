@@ -34,7 +34,7 @@ from qgis.PyQt.QtWidgets import QAction, QApplication, QDialogButtonBox, QDouble
 
 JOB = json.loads(Path(os.environ["SEMREF_WALK"]).read_text(encoding="utf-8"))
 sys.path.append(JOB["tools"])
-from screenshot_window import Session, settle, wait_until  # noqa: E402 - where it lies the job tells
+from screenshot_window import Session, settle, wait_until  # noqa: E402 - its folder is in the job
 
 WINDOW_PX, DIALOG_PX = (1280, 900), (1000, 880)
 LIMIT_S, CRITICAL = 3600, 2

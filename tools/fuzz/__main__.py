@@ -79,7 +79,7 @@ def search(door: Door, examples: int, seed: int, folder: Path) -> tuple[Counter,
         if not last:
             raise
         verdict, made = last[0]
-        return counts, f"{verdict.outcome} {verdict.where}: {error}\n{repr(made)[:2000]}\n{verdict.told}"
+        return counts, f"{verdict.outcome} {verdict.where}: {error}\n{repr(made)[:2000]}\n{verdict.details}"
     return counts, ""
 
 

@@ -167,7 +167,7 @@ class Verdict:
 
     outcome: str
     where: str = ""
-    told: str = ""
+    details: str = ""
 
 
 def tried(attempt: Callable[[Any], Any], made: Any, world: World, refusals: tuple) -> Verdict:

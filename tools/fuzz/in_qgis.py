@@ -182,7 +182,7 @@ def projects(world: World) -> Tools:
             state = read_state(project)
         project.clear()
         if not read or state is None:
-            raise Refused("QGIS tells why.")
+            raise Refused("QGIS refused the project.")
         require(all(isinstance(text, str) for text in (state.database, state.model, *state.images)), "a path")
         require(isinstance(state.method, int) and 0 <= state.method < 10, f"method {state.method}")
         require(0 <= state.opacity <= 100, f"opacity {state.opacity}")

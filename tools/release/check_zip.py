@@ -82,21 +82,21 @@ def _of_metadata(contents: dict[str, bytes], version: str) -> list[str]:
     text = contents.get("semref/metadata.txt", b"[general]").decode("utf-8")
     found = general(text)
     keys = [*REQUIRED, *(f"{key}[{language}]" for key in ("description", "about") for language in LANGUAGES)]
-    told = [f"metadata.txt lacks {key}." for key in keys if not found.get(key)]
+    wrong = [f"metadata.txt lacks {key}." for key in keys if not found.get(key)]
     # QGIS reads the file with Python's interpolation, which fails at this sign.
-    told += [f"metadata.txt: {key} has a per cent sign." for key in found if "%" in found[key]]
+    wrong += [f"metadata.txt: {key} has a per cent sign." for key in found if "%" in found[key]]
     has = found.get("version", "")
     if version and has != version:
-        told.append(f"metadata.txt says version {has}, not {version}.")
+        wrong.append(f"metadata.txt has version {has}, not {version}.")
     newest = (releases(contents.get("semref/CHANGELOG.md", b"").decode("utf-8")) or [None])[0]
     if newest is None or (newest.version, bool(newest.date), bool(newest.news)) != (has, True, True):
-        told.append(f"CHANGELOG.md does not begin with {has}, its date and its news.")
+        wrong.append(f"CHANGELOG.md does not begin with {has}, its date and its news.")
     cited = re.search(r"^version: (\S+)$", contents.get("semref/CITATION.cff", b"").decode("utf-8"), re.MULTILINE)
     if cited is None or cited[1] != has:
-        told.append(f"CITATION.cff does not say version {has}.")
+        wrong.append(f"CITATION.cff does not have version {has}.")
     if found.get("icon") and f"semref/{found['icon']}" not in contents:
-        told.append(f"The icon {found['icon']} is missing.")
-    return told
+        wrong.append(f"The icon {found['icon']} is missing.")
+    return wrong
 
 
 def main() -> None:

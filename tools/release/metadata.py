@@ -30,8 +30,8 @@ def plugin_version(root: Path = ROOT) -> str:
 def placeholders(text: str) -> list[str]:
     """Return the addresses that the owner has not filled in yet, as ``key=value``."""
     found = general(text)
-    told = {key: found.get(key, PLACEHOLDER) for key in ADDRESSES}
-    return [f"{key}={address}" for key, address in told.items() if PLACEHOLDER in address]
+    addresses = {key: found.get(key, PLACEHOLDER) for key in ADDRESSES}
+    return [f"{key}={address}" for key, address in addresses.items() if PLACEHOLDER in address]
 
 
 def shipped_metadata(root: Path = ROOT) -> str:

@@ -22,7 +22,7 @@ SIZE_XY = (4000.0, 3000.0)  # meters
 ORIGIN_XY = (548_000.0, 5_420_000.0)  # south-west corner, in hills east of the Neckar
 EPSG = 25832  # ETRS89 / UTM 32N
 PRECISION_M = 0.01  # of written coordinates: what a GNSS survey gives
-ZORDER = {"parcel": 10, GRASS: 20, FOREST: 30, BARE_LAND: 40, WATER: 50, BUILDING: 60}  # higher lies on top
+ZORDER = {"parcel": 10, GRASS: 20, FOREST: 30, BARE_LAND: 40, WATER: 50, BUILDING: 60}  # higher is on top
 
 FILL_WINDOW_M, FILL_STEP_M, FILL_OBJECTS = 640.0, 160.0, 13  # so many objects in every window, where there is room
 FILL_ROUNDS = 70
