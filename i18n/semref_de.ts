@@ -181,7 +181,7 @@
   </message>
   <message>
    <source>Add folder…</source>
-   <translation>Verzeichnis…</translation>
+   <translation>Ordner…</translation>
   </message>
   <message>
    <source>Add image to map</source>

