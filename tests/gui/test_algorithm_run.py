@@ -38,7 +38,7 @@ def broken(monkeypatch):
 
 
 @pytest.mark.slow
-def test_a_fault_while_it_is_prepared_is_told_and_ends_the_run(run, broken):
+def test_an_error_in_preparation_is_reported_and_ends_the_run(run, broken):
     assert run.start_algorithm(ALGORITHM, {}, "Rasterizing")
     wait_until(lambda: not run.running, "the end")
     settle()
@@ -46,7 +46,7 @@ def test_a_fault_while_it_is_prepared_is_told_and_ends_the_run(run, broken):
     assert name == "broke" and "a fault in preparing" in report
 
 
-def test_a_run_that_was_canceled_before_its_fault_was_told_is_canceled(run, broken):
+def test_a_run_that_is_canceled_before_its_error_is_reported_is_canceled(run, broken):
     assert run.start_algorithm(ALGORITHM, {}, "Rasterizing")
     run.cancel()
     wait_until(lambda: not run.running, "the end")
@@ -54,7 +54,7 @@ def test_a_run_that_was_canceled_before_its_fault_was_told_is_canceled(run, brok
     assert run.ends == [("canceled",)]
 
 
-def test_parameters_that_are_missing_are_told(run):
+def test_missing_parameters_are_reported(run):
     assert run.start_algorithm(ALGORITHM, {}, "Rasterizing")
     wait_until(lambda: not run.running, "the end")
     settle()
@@ -62,7 +62,7 @@ def test_parameters_that_are_missing_are_told(run):
     assert name == "failed" and sentence
 
 
-def test_a_run_whose_task_qgis_never_begins_is_started_anew_and_ends_once(run, first_task_lost, monkeypatch):
+def test_a_run_whose_task_qgis_never_starts_is_started_again_and_ends_once(run, first_task_lost, monkeypatch):
     from qgis.core import QgsVectorLayer
 
     begun, parameters = [], {"INPUT": QgsVectorLayer("Point?crs=EPSG:32632", "p", "memory"), "OUTPUT": "memory:"}

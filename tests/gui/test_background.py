@@ -36,7 +36,7 @@ def test_what_was_asked_is_answered_once(reader):
     assert ended(reader) == [("answered", 4)]
 
 
-def test_a_sentence_and_a_bug_are_told_apart(reader):
+def test_errors_for_the_user_and_bugs_have_different_signals(reader):
     from semref.core.errors import LabelMapError
 
     def refuses():
@@ -66,7 +66,7 @@ def test_of_many_that_are_asked_while_one_runs_the_last_is_answered(reader):
     assert read == [0, 4]
 
 
-def test_a_reading_whose_task_qgis_never_begins_is_started_anew(reader, first_task_lost):
+def test_a_function_whose_task_qgis_never_starts_is_started_again(reader, first_task_lost):
     reader.read("Reading", len, "four")
     assert ended(reader) == [("answered", 4)]
     assert len(first_task_lost) == 1
@@ -80,7 +80,7 @@ def test_what_was_asked_since_is_read_instead_of_a_lost_one(reader, first_task_l
     assert read == [2] and len(first_task_lost) == 1
 
 
-def test_a_lost_reading_that_was_forgotten_is_not_begun_anew_and_the_next_is_read(reader, first_task_lost):
+def test_a_lost_task_that_was_discarded_is_not_restarted_and_the_next_one_runs(reader, first_task_lost):
     read = []
     reader.read("Reading", read.append, 1)
     reader.forget()

@@ -84,7 +84,7 @@ def test_classes_are_added_with_the_next_free_value_and_removed(editor, accepted
     assert [c.value for c in accepted()] == [2, 4]
 
 
-def test_classes_that_make_no_table_are_told_and_the_window_stays(editor):
+def test_invalid_classes_are_reported_and_the_window_stays_open(editor):
     from semref.ui.class_table import VALUE
 
     editor.rows.item(1, VALUE).setText("1")
@@ -120,7 +120,7 @@ def test_the_button_beside_a_file_box_edits_the_file_in_place(plugin, file, tmp_
     assert [path.name for path in tmp_path.iterdir()] == ["classes.csv"]
 
 
-def test_a_table_that_cannot_be_read_is_told_and_left_alone(plugin, file, monkeypatch):
+def test_a_table_that_cannot_be_read_is_reported_and_not_changed(plugin, file, monkeypatch):
     from qgis.gui import QgsFileWidget
 
     from semref.ui import class_table

@@ -78,7 +78,7 @@ def test_every_word_of_the_list_is_seen_without_scrolling_whatever_it_takes(page
     assert below < listed.viewport().height() < below + 2 * metrics.height()
 
 
-def test_the_dock_says_what_is_missing_until_it_is_installed(plugin, iface, lacking):
+def test_the_dock_shows_missing_packages_until_they_are_installed(plugin, iface, lacking):
     from qgis.PyQt.QtWidgets import QTabWidget
 
     from semref.ui.entry import PAGE
@@ -108,7 +108,7 @@ def test_the_page_keeps_which_python_trains(page):
     page.apply()
 
 
-def test_what_goes_wrong_with_the_environment_is_shown_and_can_be_tried_again(page, iface, plugin):
+def test_errors_of_the_environment_are_shown_and_the_user_can_try_again(page, iface, plugin):
     installer = plugin._entry._training_installer
     installer.began.emit("Making the training environment…")
     assert page.training.state.text() == "Making the training environment…"

@@ -332,7 +332,7 @@ def test_repair_all_edits_the_annotation_in_one_step_that_can_be_undone(dock, an
     assert listed(tab) == ["no class"]
 
 
-def test_a_layer_that_can_t_be_edited_is_not_repaired_and_says_so(dock, iface, annotation, found, monkeypatch):
+def test_a_layer_that_can_t_be_edited_is_reported_and_not_repaired(dock, iface, annotation, found, monkeypatch):
     from dock_area import messages
 
     settle()

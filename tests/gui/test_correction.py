@@ -135,7 +135,7 @@ def test_the_next_update_rasterizes_and_compares_only_what_was_changed_since(
     assert landmarks(database) == landmarks(str(tmp_path / "rebuilt.gpkg"))
 
 
-def test_a_bug_between_the_steps_of_an_update_ends_it_and_is_told(dock, box, database, monkeypatch):
+def test_a_bug_between_the_steps_of_an_update_ends_it_and_is_reported(dock, box, database, monkeypatch):
     from semref.ui.running import correction_run
 
     reports = []

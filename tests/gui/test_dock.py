@@ -269,7 +269,7 @@ def test_an_image_that_is_laid_on_the_map_has_its_crs_always(qgis_app, tmp_path)
     QgsProject.instance().clear()
 
 
-def test_an_image_that_is_laid_on_the_map_is_above_everything_else(qgis_app, area, tmp_path):
+def test_an_image_that_is_added_to_the_map_is_above_all_other_layers(qgis_app, area, tmp_path):
     import numpy as np
     from made_inputs import write_raster
     from qgis.core import QgsLayerTreeRegistryBridge, QgsProject

@@ -61,7 +61,7 @@ def test_texts_that_repeat_are_classes_and_unique_ones_are_not(guess, layer):
     assert guess(layer(number=("integer", lambda n: n), label=UNIQUE, kind=KINDS)) == ("kind", "")
 
 
-def test_without_a_field_that_could_tell_there_is_none(guess, layer):
+def test_without_a_suitable_field_none_is_chosen(guess, layer):
     yes = ("text", lambda n: ["yes", "no"][n % 2])
     assert guess(layer(number=("integer", lambda n: 7 * n), label=UNIQUE, checked=yes)) == ("", "")
 

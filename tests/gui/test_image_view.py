@@ -33,7 +33,7 @@ def test_the_selected_image_is_shown_with_its_landmarks_and_its_vector(dock, are
 
 
 @pytest.mark.slow
-def test_an_image_that_cannot_be_shown_says_why(dock, area, tab):
+def test_the_view_shows_why_an_image_cannot_be_shown(dock, area, tab):
     localize(dock, area.database, [area.unreadable])
     wait_until(lambda: "can't be read" in tab.results.image.canvas._text, "the reason")
 

@@ -38,7 +38,7 @@ def test_a_raster_layer_of_the_project_is_an_image(dock, area, tab):
     assert tab.images.paths() == [area.image]
 
 
-def test_layers_dropped_on_the_list_are_images_and_others_are_said(dock, iface, area, issues, tab):
+def test_layers_dropped_on_the_list_become_images_and_others_are_reported(dock, iface, area, issues, tab):
     layer = add_raster_layer(area.image, "aerial image")
     assert dropped(tab.images.list, from_the_layer_tree(layer, issues))
     assert tab.images.paths() == [area.image]

@@ -65,7 +65,7 @@ def test_the_tables_fit_a_narrow_dock(dock, area):
     assert last.length() == inspect.look_alikes.viewport().width()
 
 
-def test_an_unknown_window_name_is_said(dock, iface, area):
+def test_an_unknown_window_name_is_reported(dock, iface, area):
     dock.content.database.file.setFilePath(area.database)
     dock.content.inspect.show_window("1_2")
     wait_until(lambda: messages(iface), "a message")

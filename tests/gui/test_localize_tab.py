@@ -31,7 +31,7 @@ from dock_area import (
 )
 
 
-def test_an_empty_dock_says_what_to_do(dock, area, tab):
+def test_an_empty_dock_shows_what_to_do(dock, area, tab):
     assert tab.state.text() == "Choose a database and add images."
     assert tab.results.image.canvas._text == "The selected image appears here."
     dock.content.database.file.setFilePath(area.database)
@@ -291,7 +291,7 @@ def test_a_leveled_image_is_laid_on_the_map_as_the_trapezoid_it_shows(dock, area
     assert known == {True: 2, False: 2}
 
 
-def test_what_a_run_says_is_in_the_log_panel_and_a_hidden_dock_tells_the_outcome(dock, iface, area, tab):
+def test_messages_of_a_run_are_in_the_log_panel_and_a_hidden_dock_reports_the_result(dock, iface, area, tab):
     from qgis.core import QgsApplication
 
     logged = []

@@ -81,7 +81,7 @@ def test_a_place_framed_on_a_tile_map_is_drawn_and_found(dock, iface, area, tab,
     assert (x, y) == pytest.approx((middle.x(), middle.y()), abs=2)
 
 
-def test_without_a_model_it_is_said_what_to_do(dock, iface, tab, tiles):
+def test_without_a_model_a_message_shows_what_to_do(dock, iface, tab, tiles):
     tab.images.model.setFilePath("")
     ask_to_draw(tab)
     assert "Choose a model first" in messages(iface)[-1]

@@ -70,7 +70,7 @@ def test_a_click_shows_the_card(dialog):
     assert "does not state its training" in dialog.models.card.toPlainText()
 
 
-def test_what_is_no_model_says_so_and_can_t_be_used(dialog):
+def test_a_file_that_is_not_a_model_is_marked_and_can_t_be_used(dialog):
     dialog.models.list.setCurrentItem(dialog.models.list.topLevelItem(2))
     assert "is not an ONNX model" in dialog.models.card.toPlainText()
     assert not dialog.use.isEnabled() and dialog.models.path() == ""

@@ -80,7 +80,7 @@ def test_runs_that_came_to_nothing_displace_no_results(qgis_app):
     Path(found.file).unlink()
 
 
-def test_a_plugin_that_is_loaded_anew_has_the_open_projects_dock(plugin, dock, iface, area, tab):
+def test_a_plugin_that_is_loaded_again_restores_the_dock_of_the_open_project(plugin, dock, iface, area, tab):
     from qgis.core import QgsProject
 
     choose_method(dock, CONSTELLATION)
@@ -112,7 +112,7 @@ def test_a_reset_makes_the_dock_new_and_forgets_settings(dock, iface, area, tab,
     assert len(table(dock)) == 1
 
 
-def test_a_run_says_how_long_it_still_takes(qgis_app):
+def test_a_run_shows_the_remaining_time(qgis_app):
     from semref.processing.base.time_left import remaining_text
 
     assert remaining_text(1.0, 50) == "" and remaining_text(100, 1) == "" and remaining_text(100, 100) == ""

@@ -59,7 +59,7 @@ def test_of_several_layers_the_one_with_classes_is_taken(add, project):
     assert annotation_at_hand(project) == {"INPUT": layer.id(), "CLASS_FIELD": "class"}
 
 
-def test_the_only_text_field_tells_classes_and_numbers_do_not(add, project):
+def test_the_only_text_field_is_the_class_field_and_number_fields_are_not(add, project):
     from semref.ui.proposals import annotation_at_hand
 
     layer = add("cover", [("number", "integer"), ("kind", "text")])
@@ -89,7 +89,7 @@ def models(tmp_path, qgis_app):
     choose_models_folder("")
 
 
-def test_a_model_of_other_ground_that_knows_the_classes_is_the_base(add, project, models):
+def test_a_model_of_another_area_with_the_same_classes_is_the_base(add, project, models):
     from semref.ui.proposals import training_at_hand
 
     add("cover", [("class", "text")])

@@ -33,7 +33,7 @@ def headings(table) -> list[str]:
     return [model.headerData(c, header.orientation()) for c in columns if not table.isColumnHidden(c)]
 
 
-def test_a_wide_dock_has_all_columns_that_say_something(dock, iface, found):
+def test_a_wide_dock_shows_all_columns_that_are_not_empty(dock, iface, found):
     as_wide_as(dock, iface, 800)
     table = found.results.table
     assert not table.is_narrow and table.horizontalHeader().isVisible()
@@ -94,7 +94,7 @@ def test_an_image_s_name_is_kept_rather_than_a_status_that_its_mark_shows(dock, 
     assert other.strip().endswith("· No match") and other.startswith("p")
 
 
-def test_photos_of_a_flight_are_told_apart_where_their_names_do_not_fit(dock, iface, found):
+def test_photos_of_a_flight_are_distinguishable_if_their_names_do_not_fit(dock, iface, found):
     from semref.ui.tabs.localize.results_table import fit_name
 
     metrics, odds = found.results.table.fontMetrics(), " · error below 1 in 10,000"

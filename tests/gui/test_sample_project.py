@@ -133,7 +133,7 @@ def test_an_empty_folder_is_used_itself(tmp_path):
     assert sample_folder(tmp_path) == tmp_path / "semref_sample"
 
 
-def test_another_folder_of_that_name_is_left_alone_and_said(open_sample, iface, tmp_path):
+def test_another_folder_of_that_name_is_reported_and_not_changed(open_sample, iface, tmp_path):
     from qgis.core import Qgis
 
     (tmp_path / "semref_sample").mkdir()
@@ -156,7 +156,7 @@ def test_cancel_in_the_message_bar_opens_nothing(open_sample, iface, tmp_path):
     assert not is_open()
 
 
-def test_a_user_who_keeps_the_open_project_is_told_where_the_sample_is(plugin, iface, tmp_path):
+def test_a_message_shows_the_path_of_the_sample_if_the_user_keeps_the_open_project(plugin, iface, tmp_path):
     from qgis.core import QgsProject, QgsVectorLayer
 
     from semref.ui.sample_project import DATABASE_FILE, MARKER
@@ -170,7 +170,7 @@ def test_a_user_who_keeps_the_open_project_is_told_where_the_sample_is(plugin, i
     assert str(tmp_path) in messages(iface)[0][1]
 
 
-def test_a_copy_of_the_plugin_without_the_sample_says_so(open_sample, iface, tmp_path, monkeypatch):
+def test_a_copy_of_the_plugin_without_the_sample_reports_that(open_sample, iface, tmp_path, monkeypatch):
     from semref.ui import sample_project
 
     monkeypatch.setattr(sample_project, "SAMPLE", tmp_path / "nowhere")

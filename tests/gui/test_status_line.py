@@ -18,12 +18,12 @@ def line(qgis_app):
     line.close()
 
 
-def test_a_wide_line_says_both(line):
+def test_a_wide_line_shows_both_sentences(line):
     line.resize(2000, 20)
     assert line.text() == f"{SAID} {ASIDE}"
 
 
-def test_a_narrow_line_leaves_what_is_said_beside_to_the_tool_tip(line):
+def test_a_narrow_line_shows_the_second_sentence_in_the_tool_tip_only(line):
     line.resize(line.fontMetrics().horizontalAdvance(SAID) + 5, 20)
     assert line.text() == SAID
     assert line.toolTip() == line.text_shown == f"{SAID} {ASIDE}"

@@ -109,7 +109,7 @@ def test_every_menu_entry_answers(walk):
     assert "Diagnostics are on the clipboard" in said and "The sample project needs OpenCV" in said
 
 
-def test_every_algorithm_opens_and_the_toolbox_says_where_to_install_what_is_missing(walk):
+def test_every_algorithm_opens_and_the_toolbox_shows_where_to_install_missing_packages(walk):
     assert walk["dialogs"]["opened"] > 20
     # QGIS shows it as HTML: a < would end it.
     assert walk["dialogs"]["shown"].endswith("Install it under Settings ▸ Options ▸ SemRef.")
