@@ -198,6 +198,41 @@ def test_only_the_circle_drawn_on_the_map_is_searched(dock, area, away_m, fixes,
     assert tab.prior.parameters() == {}
 
 
+@pytest.fixture
+def show_in(iface):
+    """Set the CRS of the canvas."""
+    canvas = iface.mapCanvas()
+    before = canvas.mapSettings().destinationCrs()
+    yield canvas.setDestinationCrs
+    canvas.setDestinationCrs(before)
+
+
+@pytest.mark.slow
+def test_a_circle_in_a_custom_crs_is_measured_in_meters_and_ignored_outside_its_area(dock, tab, show_in):
+    from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY
+
+    globe = QgsCoordinateReferenceSystem.fromProj("+proj=ortho +lat_0=48 +lon_0=8 +datum=WGS84")
+    assert globe.isValid() and not globe.authid()
+    show_in(globe)
+    tab.prior.set_circle(QgsPointXY(9e6, 9e6), QgsPointXY(9.1e6, 9e6))
+    assert tab.prior.parameters() == {}
+    tab.prior.set_circle(QgsPointXY(0, 0), QgsPointXY(60, 0))
+    assert tab.prior.parameters()["PRIOR_RADIUS"] == pytest.approx(60, abs=0.1)
+
+
+@pytest.mark.slow
+def test_a_circle_in_a_project_without_crs_has_the_coordinates_of_the_database(dock, tab, show_in):
+    from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY
+
+    show_in(QgsCoordinateReferenceSystem())
+    tab.prior.set_circle(QgsPointXY(400100, 5399900), QgsPointXY(400160, 5399900))
+    assert tab.prior.parameters() == {"PRIOR_POINT": "400100.0,5399900.0 []", "PRIOR_RADIUS": 60}
+    saved = tab.prior.circle()
+    tab.prior.forget()
+    tab.prior.restore(saved)
+    assert tab.prior.circle() == saved
+
+
 @pytest.mark.slow
 def test_an_image_is_laid_on_the_map_where_it_was_taken(dock, area, tab):
     from qgis.core import QgsProject

@@ -12,6 +12,7 @@ from qgis.core import (
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtWidgets import QWidget
 
+from ....processing.layers.reference_systems import transformed_point
 from ....processing.messages.numbers import LocalTemplate
 from ....processing.translation import tr
 from ...canvas.prior_tool import PriorTool
@@ -52,11 +53,14 @@ class PriorRow(QWidget):
     def set_circle(self, middle: QgsPointXY, edge: QgsPointXY) -> None:
         """Set the circle by center and edge point in the canvas's CRS. Its radius is measured on the ellipsoid."""
         crs = self._canvas.mapSettings().destinationCrs()
-        if not crs.authid():
+        if crs.isValid() and not crs.authid():
             # A custom CRS has no key that a project or a parameter could name.
             wgs84 = QgsCoordinateReferenceSystem("EPSG:4326")
             way = QgsCoordinateTransform(crs, wgs84, QgsProject.instance())
-            middle, edge, crs = way.transform(middle), way.transform(edge), wgs84
+            middle, edge, crs = transformed_point(way, middle), transformed_point(way, edge), wgs84
+            if middle is None or edge is None:
+                # Drawn outside the area of the CRS, such as beside a globe: there is no such place.
+                return
         self.restore((middle.x(), middle.y(), edge.x(), edge.y(), crs.authid()))
         self._canvas.unsetMapTool(self.tool)
 
@@ -65,16 +69,20 @@ class PriorRow(QWidget):
         return self._circle
 
     def restore(self, circle: Prior | None) -> None:
-        """Search in a circle; in the whole database for None and for a circle in an unknown CRS."""
+        """Search in a circle; in the whole database for None and for a circle in an unknown CRS.
+
+        A circle of a project without CRS has no authid. Its coordinates are those of the database.
+        """
         crs = QgsCoordinateReferenceSystem() if circle is None else QgsCoordinateReferenceSystem(circle[4])
-        if not crs.isValid():
+        if circle is None or (circle[4] and not crs.isValid()):
             self.forget()
             return
         self._circle = circle
         middle, edge = QgsPointXY(*circle[:2]), QgsPointXY(*circle[2:4])
         measure = QgsDistanceArea()
         measure.setSourceCrs(crs, QgsProject.instance().transformContext())
-        measure.setEllipsoid(QgsProject.instance().ellipsoid() or "WGS84")
+        # Not the project's ellipsoid, which may be none: degrees would be taken for meters.
+        measure.setEllipsoid(crs.ellipsoidAcronym() or "EPSG:7030" if crs.isValid() else "NONE")
         self._radius_m = measure.measureLine(middle, edge)
         self.tool.circle.show(middle, edge, crs)
         self.text.show_text(LocalTemplate(tr("Search area: radius {radius:.0f} m")).format(radius=self._radius_m))
