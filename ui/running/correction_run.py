@@ -232,6 +232,8 @@ class CorrectionRun(QObject):
 
     def _stop(self) -> None:
         self.running = False
+        # The steps hold a source of the layer's features, which may keep its file open.
+        self._steps = None
         if self._workplace is not None:
             self._workplace.close()
 
