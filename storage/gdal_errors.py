@@ -15,6 +15,9 @@ from ..core.sentences import Sentence
 
 _Read = TypeVar("_Read")
 
+_CUT_JPEG = "Premature end of JPEG file"
+"""Part of the warning of libjpeg about missing pixels."""
+
 
 def gdal_failure(error: object = None) -> str | Sentence:
     """Return GDAL's last error, or ``error``, as a value of a sentence."""
@@ -40,27 +43,29 @@ def read_by_gdal(
     Raises:
         kind: GDAL raises an error or returns None.
     """
-    error: object = None
-    try:
+    found = None
+    with gdal_failures() as failures:
         found = read(*arguments, **keywords)
-        if found is not None:
-            return found
-    except RuntimeError as raised:
-        error = raised
-    raise kind(Sentence("{path} is damaged or cut short: {reason}.", path=path, reason=gdal_failure(error)))
+    if found is not None and _CUT_JPEG not in failures:
+        return found
+    reason = gdal_failure(failures[-1] if failures else None)
+    raise kind(Sentence("{path} is damaged or cut short: {reason}.", path=path, reason=reason))
 
 
 @contextlib.contextmanager
 def gdal_failures() -> Iterator[list[str]]:
     """Collect the errors of GDAL in the block and this thread, whether GDAL raises them or not.
 
-    GDAL's last error is not enough: warnings and later calls replace it.
+    GDAL's last error is not enough: warnings and later calls replace it. A JPEG that was cut short is an error here;
+    GDAL only warns and returns gray pixels.
     """
     failures: list[str] = []
 
     def remember(kind: int, number: int, text: str) -> None:
         if kind >= gdal.CE_Failure:
             failures.append(text)
+        elif _CUT_JPEG in text:
+            failures.append(_CUT_JPEG)
 
     gdal.PushErrorHandler(remember)
     try:

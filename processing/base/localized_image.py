@@ -30,6 +30,9 @@ ERROR = "error"
 FAR_M = 1000.0
 """Distance from the border of the ground; nearer, a tilted camera may see it."""
 
+LOOKED_AT = 5
+"""Largest number of images whose colors are counted, if their names are not those of photos."""
+
 FIELDS = (
     ("image", "text"),
     ("status", "text"),
@@ -109,6 +112,13 @@ class LocalizedImage:
 def is_photo(path: str) -> bool:
     """Return whether a file has a format of cameras, which label images do not have."""
     return path.lower().endswith((".jpg", ".jpeg"))
+
+
+def has_photos(paths: Sequence[str]) -> bool:
+    """Return whether some of the images are photos, by their names or their colors."""
+    from ...storage.label_images import has_photo_colors
+
+    return any(map(is_photo, paths)) or any(map(has_photo_colors, paths[:LOOKED_AT]))
 
 
 class LabelImages:
@@ -208,7 +218,7 @@ def with_far_photos(
     from ...storage.photo_position import photo_lon_lat
     from ..layers.reference_systems import meters_from
 
-    told = []
+    checked = []
     for item in localized:
         check_canceled(feedback)
         place = None if item.result is None else photo_lon_lat(item.path)
@@ -216,8 +226,8 @@ def with_far_photos(
         if away is not None and away > FAR_M:
             item = replace(item, gps_distance_m=away)
             feedback.pushWarning(f"{os.path.basename(item.path)}: {far_sentence(away)}")
-        told.append(item)
-    return told
+        checked.append(item)
+    return checked
 
 
 def row(item: LocalizedImage) -> dict[str, Any]:
@@ -227,12 +237,12 @@ def row(item: LocalizedImage) -> dict[str, Any]:
         return {"image": item.path, "status": ERROR, "reason": item.error}
     from ...core.localizer.record import record
 
-    told = record(result, worded)
+    values = record(result, worded)
     if item.gps_distance_m is not None:
-        told["reason"] = " ".join(filter(None, (far_sentence(item.gps_distance_m), told["reason"])))
+        values["reason"] = " ".join(filter(None, (far_sentence(item.gps_distance_m), values["reason"])))
     return {
         "image": item.path,
-        **told,
+        **values,
         "camera_x": result.nadir and result.nadir[0],
         "camera_y": result.nadir and result.nadir[1],
         "jump": item.jump,

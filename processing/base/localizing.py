@@ -24,7 +24,7 @@ from ..messages.sentences import worded
 from ..translation import tr
 from . import parameters, priors
 from .algorithm import LOCALIZATION, SemRefAlgorithm, cancelable
-from .localized_image import LabelImages, LocalizedImage, is_photo
+from .localized_image import LabelImages, LocalizedImage, has_photos
 from .parameters import with_help
 from .scheduler import with_progress, workers
 
@@ -195,7 +195,7 @@ class LocalizeAlgorithm(SemRefAlgorithm):
         paths = image_files(values.files(self.IMAGES))
         if needed and not paths:
             raise ParameterError("“Images” is empty. Select at least one image or a folder with images.")
-        if not values.file(self.MODEL) and any(map(is_photo, paths)):
+        if not values.file(self.MODEL) and has_photos(paths):
             feedback.pushWarning(
                 tr("The images are photos, but no model is selected.")
                 + " "

@@ -8,9 +8,6 @@ from dataclasses import dataclass
 
 from ...core.errors import DatabaseInUseError
 
-LOOKED_AT = 5
-"""Largest number of images whose colors are counted, if their names are not those of photos."""
-
 TIMES_READ = 12
 """Largest number of photos whose times are read, spread evenly over all photos in order of name."""
 
@@ -42,13 +39,11 @@ def count_images(paths: Sequence[str]) -> ChosenImages:
     Raises:
         LabelMapError: A folder has no images, or cannot be read.
     """
-    from ...storage.label_images import has_photo_colors
     from ...storage.rasters import image_files
-    from ..base.localized_image import is_photo
+    from ..base.localized_image import has_photos
 
     files = image_files(list(paths))
-    has_photos = any(map(is_photo, files)) or any(map(has_photo_colors, files[:LOOKED_AT]))
-    return ChosenImages(len(files), has_photos, looks_like_flight(files))
+    return ChosenImages(len(files), has_photos(files), looks_like_flight(files))
 
 
 def looks_like_flight(files: Sequence[str]) -> int:

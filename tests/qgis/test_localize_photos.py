@@ -113,6 +113,32 @@ def test_photos_without_a_model_get_a_warning(localize, tmp_path, feedback):
     assert feedback.textLog().count("The images are photos") == before
 
 
+def test_photos_are_known_by_their_colors_as_well(localize, tmp_path, feedback):
+    colors = np.random.default_rng(3).integers(0, 255, (3, SIZE, SIZE), np.uint8)
+    localize([write_raster(tmp_path / "a.tif", colors, transform=None)], MODEL=None)
+    assert "The images are photos, but no model is selected." in feedback.textLog()
+
+
+def test_a_photo_that_was_cut_short_is_unreadable(localize, tmp_path):
+    photo, plain = tmp_path / "a.jpg", write_raster(tmp_path / "a.png", photo_of(LABELS), transform=None)
+    gdal.Translate(str(photo), str(plain), format="JPEG")
+    content = photo.read_bytes()
+    photo.write_bytes(content[:2000])
+    for model in ({}, {"MODEL": None}):
+        (found,) = localize([photo], **model)
+        assert found["status"] == "error"
+        assert found["reason"] == f"{photo} is damaged or cut short: Premature end of JPEG file."
+
+
+def test_a_photo_with_other_warnings_stays_readable(localize, tmp_path):
+    photo, plain = tmp_path / "a.jpg", write_raster(tmp_path / "a.png", photo_of(LABELS[:SIZE, :SIZE]), transform=None)
+    gdal.Translate(str(photo), str(plain), format="JPEG")
+    content = photo.read_bytes()
+    photo.write_bytes(content[:-2] + bytes(9) + content[-2:])
+    (found,) = localize([photo])
+    assert found["status"] != "error"
+
+
 def test_a_model_without_the_databases_classes_is_refused(localize, tmp_path):
     model = write_model(tmp_path / "m.onnx", metadata=metadata(class_names=["building", "water", "snow"]))
     photo = write_raster(tmp_path / "a.png", photo_of(LABELS[:SIZE, :SIZE]), transform=None)
