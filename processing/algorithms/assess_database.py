@@ -172,8 +172,8 @@ class AssessDatabase(AssessAlgorithm):
         renderer = cells_renderer(threshold, results[0].footprint, len(results) == 1)
         with outputs.layer(self.OUTPUT, FIELDS, POLYGON, crs, "cells", renderer=renderer) as sink:
             for result in results:
-                told = database.windows, result.footprint, result.estimates, threshold, worded
-                for (x, y), row in zip(cells.centers.tolist(), square_rows(cells, *told)):
+                arguments = database.windows, result.footprint, result.estimates, threshold, worded
+                for (x, y), row in zip(cells.centers.tolist(), square_rows(cells, *arguments)):
                     square = QgsGeometry.fromRect(QgsRectangle(x - half, y - half, x + half, y + half))
                     sink.add(square, row)
 

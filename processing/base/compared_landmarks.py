@@ -60,9 +60,9 @@ def measure_errors(
 
 def _landmark_classes(match: ClassMatch, comparison: LabelComparison) -> list[int]:
     """Return the values of the annotated classes that are landmarks."""
-    told = () if match.table is None else match.table.reference_values
+    references = () if match.table is None else match.table.reference_values
     there = [value for value in comparison.values if value and comparison.annotated[value]]
-    return [value for value in there if value in told] or there
+    return [value for value in there if value in references] or there
 
 
 def _numbers(
@@ -122,8 +122,8 @@ def log_shifts(shifts: MeasuredShifts, feedback: QgsProcessingFeedback) -> None:
         text = tr("{name}: class offset {across:+.2f}, {along:+.2f} {unit} ({axes}), {count} landmarks.")
         axes = tr("right, down") if shifts.in_image else tr("east, north")
         across, along = row.along
-        told = text.format(name=row.name, across=across, along=along, unit=shifts.unit, axes=axes, count=row.pairs)
-        feedback.pushInfo(told)
+        numbers = {"across": across, "along": along, "count": row.pairs}
+        feedback.pushInfo(text.format(name=row.name, unit=shifts.unit, axes=axes, **numbers))
 
 
 def model_with_biases(path: str, shifts: MeasuredShifts, sun_deg: float | None) -> bytes:

@@ -87,14 +87,14 @@ def with_log(
     if log is None:
         return list(cameras)
     names, times_s = [stem_of(path) for path in paths], [camera.time_s for camera in cameras]
-    told = log_cameras(log, names, times_s)
-    if all(one == NoCamera() for one in told) and not log_links(log, names, times_s):
+    logged = log_cameras(log, names, times_s)
+    if all(one == NoCamera() for one in logged) and not log_links(log, names, times_s):
         raise ParameterError(
             "The flight log contains no entry for these images, for example {image}, by name or by time. Select the "
             "log of this flight, or a camera table with times.",
             image=os.path.basename(paths[0]),
         )
-    return [complete_camera(camera, one, with_attitude) for camera, one in zip(cameras, told)]
+    return [complete_camera(camera, one, with_attitude) for camera, one in zip(cameras, logged)]
 
 
 class FlightReader:

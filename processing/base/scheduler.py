@@ -140,7 +140,7 @@ class Workers:
 
         common, waiting, given = os.path.join(self._folder, "shared"), iter(calls), 0
         write(common, shared)
-        self._tell({"task": task, "shared": common, "in_order": in_order})
+        self._send({"task": task, "shared": common, "in_order": in_order})
         while (event := self._next())["event"] != "end":
             if event["event"] == "next":
                 call, file = next(waiting, None), None
@@ -148,7 +148,7 @@ class Workers:
                     file = os.path.join(self._folder, f"call_{given}")
                     write(file, call)
                     given += 1
-                self._tell(file)
+                self._send(file)
             elif event["event"] == "result":
                 # Only files in the folder of this run are read and removed, whatever the process reports.
                 file = os.path.join(self._folder, f"result_{event['number']}")
@@ -156,7 +156,7 @@ class Workers:
                 os.unlink(file)
                 yield event["number"], result
 
-    def _tell(self, value: object) -> None:
+    def _send(self, value: object) -> None:
         self._process.write(json.dumps(value).encode("ascii") + b"\n")
         self._process.waitForBytesWritten(_WRITTEN_WITHIN_MS)
 

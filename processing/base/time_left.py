@@ -18,7 +18,7 @@ _ROUND_S = 5
 _WORTH_S = 20.0
 """Seconds below which the progress bar is enough."""
 
-_TOLD_AGAIN = 0.5
+_SHOWN_AGAIN = 0.5
 """The estimate is shown again if it has halved, or grown by half since it was shown: dialogs write each text into their
 log."""
 
@@ -35,7 +35,7 @@ class TimeLeftFeedback(QgsProcessingMultiStepFeedback):
         self._is_silent = bool(getattr(feedback, "shows_time_left", False))
         self._began = time.monotonic()
         self._what, self._percent = "", 0.0
-        self._told_s: float | None = None
+        self._shown_s: float | None = None
 
     def isCanceled(self) -> bool:
         # The user may have canceled before this object existed.
@@ -43,7 +43,7 @@ class TimeLeftFeedback(QgsProcessingMultiStepFeedback):
 
     def setProgressText(self, text: str) -> None:
         self._what = text
-        left_s = None if self._told_s is None else self._left_s()
+        left_s = None if self._shown_s is None else self._left_s()
         self._show(left_s)
 
     def setProgress(self, progress: float) -> None:
@@ -57,13 +57,13 @@ class TimeLeftFeedback(QgsProcessingMultiStepFeedback):
         return _left_s(time.monotonic() - self._began, self._percent)
 
     def _is_news(self, left_s: float) -> bool:
-        return self._told_s is None or not _TOLD_AGAIN < left_s / self._told_s < 1 + _TOLD_AGAIN
+        return self._shown_s is None or not _SHOWN_AGAIN < left_s / self._shown_s < 1 + _SHOWN_AGAIN
 
     def _show(self, left_s: float | None) -> None:
         """Show what is being done and, if known, the end time."""
         texts = [self._what] if self._what else []
         if left_s is not None:
-            self._told_s = left_s
+            self._shown_s = left_s
             end = QDateTime.currentDateTime().addSecs(round(left_s)).time()
             clock = QLocale().toString(end, QLocale.FormatType.ShortFormat)
             texts.append(tr("{left}, until {time}").format(left=_words(left_s), time=clock))

@@ -88,8 +88,7 @@ class Values:
 
         Raises:
             ParameterError: It is NaN or infinity, which QGIS accepts, or another text, which QGIS replaces by the
-                default
-                or 0.
+                default or 0.
         """
         given = self.raw(key)
         if isinstance(given, str) and given and not _NUMBER.fullmatch(given.strip()):

@@ -51,8 +51,7 @@ class RasterizePlan(NamedTuple):
     Attributes:
         grid: CLASS_TABLE, PIXEL_SIZE, EXTENT and TARGET_CRS of semref:rasterizeannotation for the map of the database.
         drawn: Features of the layer by id, in their order; None if each feature affects distant ground, as with a
-            single
-            class, where ground without a polygon is class “other”.
+            single class, where ground without a polygon is class “other”.
         checksums: Checksums that the database to update states.
     """
 
