@@ -204,5 +204,8 @@ def test_a_label_map_carries_the_bias_of_the_network_that_made_it(run_algorithm,
     (from_photo,) = localize([photo], MODEL=off_by(2.0, -1.0), LABELS=str(tmp_path / "kept"))
     kept = str(tmp_path / "kept" / "photo.tif")
     (again,) = localize([kept], MODEL=None)
-    assert [again[key] for key in ("x", "y", "error_95")] == [from_photo[key] for key in ("x", "y", "error_95")]
+    # The last digits of the radius vary from run to run.
+    assert [again[key] for key in ("x", "y", "error_95")] == pytest.approx(
+        [from_photo[key] for key in ("x", "y", "error_95")], rel=1e-12
+    )
     assert json.loads(stated_biases(labels)) == json.loads(stated_biases(kept)) != {}
