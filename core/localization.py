@@ -22,6 +22,9 @@ LEAST_RISK = 1e-12
 """Smallest error probability that is reported; a confidence of 1 − a smaller one would round to 1."""
 
 
+LIKELY_RISK = 0.2
+"""Largest error probability of a likely position, which is shown although it is not certain enough for a fix."""
+
 MORE_LIKELY_WRONG = 0.5
 """Error probability above which positions are no candidates: ``ambiguous`` means that two positions are plausible."""
 
@@ -58,6 +61,7 @@ class Status(_Keyed):
     """Outcome of localizing an image; each member equals its key, the text of the column ``status``."""
 
     FIX = "fix", Sentence("Position")
+    LIKELY = "likely", Sentence("Likely position")
     AMBIGUOUS = "ambiguous", Sentence("Ambiguous")
     NO_MATCH = "no_match", Sentence("No match")
     TOO_FEW_REFERENCES = "too_few_references", Sentence("Too few landmarks")
@@ -228,10 +232,11 @@ class Localization:
         status: Outcome.
         method: The method that found the fix, or was tried first.
         references: Number of landmarks described.
-        reason: Why there is no fix; for a fix, the part of the image that it is not valid for, if any.
+        reason: Why there is no fix; for a fix, the part of the image that it is not valid for, if any. A likely position
+            has the reason why it is no fix.
         best: The best candidate, also if it is not good enough for a fix.
-        confidence: Of a fix: probability that it is right, 1 − ``risk``. For topology vectors 1 − d/T, as published,
-            which is not a probability.
+        confidence: Of a fix or likely position: probability that it is right, 1 − ``risk``. For topology vectors
+            1 − d/T, as published, which is not a probability.
         risk: Error probability of the best candidate, from all evidence, calibrated on trials; also without a fix.
             None for topology vectors.
         is_doubted: Only the error probability prevents a fix: more evidence could make it one.
@@ -247,7 +252,7 @@ class Localization:
         window: Name of the matched window.
         window_index: Its number in the database.
         footprint: (4, 2) map coordinates of the ground at the image's corners of a fix, upper left first, clockwise;
-            the window's corners where only these are known. Ignored when results are compared.
+            the window's corners where only these are known. Also of a likely position. Ignored when results are compared.
         nadir: Map (x, y) straight below the camera of a leveled image.
     """
 
@@ -279,21 +284,31 @@ class Localization:
         return self.status is Status.FIX
 
     @property
-    def place(self) -> Place | None:
+    def is_likely(self) -> bool:
+        """Whether the best candidate is shown as a likely position; flights and autopilots never use one."""
+        return self.status is Status.LIKELY
+
+    @property
+    def fix(self) -> Place | None:
         """The accepted candidate; None without a fix."""
         return self.best if self.is_fix else None
 
     @property
+    def place(self) -> Place | None:
+        """The candidate that is shown: of a fix or a likely position."""
+        return self.best if self.is_fix or self.is_likely else None
+
+    @property
     def position(self) -> tuple[float, float] | None:
-        """Map (x, y) of the image's center; None without a fix."""
+        """Map (x, y) of the image's center, of a fix or a likely position."""
         return None if self.place is None else self.place.position
 
     @property
     def heading_deg(self) -> float | None:
-        """Direction of the image's top, clockwise from grid north; None without a fix, and for topology vectors."""
+        """Direction of the image's top, clockwise from grid north; None for topology vectors."""
         return None if self.place is None else self.place.heading_deg
 
     @property
     def pixel_size_m(self) -> float | None:
-        """Ground sampling distance; None without a fix, and for topology vectors."""
+        """Ground sampling distance; None for topology vectors."""
         return None if self.place is None else self.place.pixel_size_m

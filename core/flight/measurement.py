@@ -64,10 +64,10 @@ def full_covariance(known: PoseCovariance, pixel_size: float) -> np.ndarray | No
 
 def own_measurement(own: Localization | None, pyramid: MapPyramid) -> Measurement | None:
     """Return the fix of an image by itself as a measurement; None without a fix."""
-    if own is None or own.place is None or own.covariance is None or own.place.heading_deg is None:
+    if own is None or own.fix is None or own.covariance is None or own.fix.heading_deg is None:
         return None
-    full = full_covariance(own.covariance, own.place.oriented[1])
-    return None if full is None else Measurement(state_of(own.place, pyramid.frame.origin), full)
+    full = full_covariance(own.covariance, own.fix.oriented[1])
+    return None if full is None else Measurement(state_of(own.fix, pyramid.frame.origin), full)
 
 
 def measure_by_areas(

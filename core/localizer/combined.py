@@ -13,7 +13,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..localization import MORE_LIKELY_WRONG, Localization, Place, Prior, Status, log_odds_of, risk_of
+from ..localization import LIKELY_RISK, MORE_LIKELY_WRONG, Localization, Place, Prior, Status, log_odds_of, risk_of
 from ..sentences import Sentence
 from .settings import LOCALIZER, LocalizerSettings
 
@@ -190,6 +190,13 @@ def combine_without_fix(
         alternatives=objects.alternatives + others,
         peaks=areas.peaks,
     )
+
+
+def show_likely(found: Localization) -> Localization:
+    """Return a candidate as a likely position if only its error probability, at most LIKELY_RISK, prevents a fix."""
+    if not found.is_doubted or found.risk is None or found.risk > LIKELY_RISK:
+        return found
+    return replace(found, status=Status.LIKELY, confidence=1 - found.risk, alternatives=())
 
 
 def _within(place: Place, prior: Prior) -> bool:

@@ -33,7 +33,15 @@ from ..windows.topology_vector import (
     vector_confidence,
     vector_distances,
 )
-from .combined import check_by_areas, combine_agreeing, combine_without_fix, confirm, prior_near, with_search_range
+from .combined import (
+    check_by_areas,
+    combine_agreeing,
+    combine_without_fix,
+    confirm,
+    prior_near,
+    show_likely,
+    with_search_range,
+)
 from .settings import LOCALIZER, LocalizerSettings
 
 
@@ -362,7 +370,7 @@ class Localizer:
             biases: Class offsets of the labels; ignored by the topology vector.
 
         Returns:
-            A fix has its footprint.
+            A fix or likely position has its footprint.
 
         Raises:
             DatabaseError: The database can't support the method.
@@ -376,6 +384,7 @@ class Localizer:
             found = self.localize_automatically(labels_hw, prior, shares, biases)
         else:
             found = self.localize_by_constellation(labels_hw, prior, biases)
+        found = show_likely(found)
         place = found.place
         if place is None:
             return self._with_search_range(found, method, _shape(labels_hw), prior or Prior())

@@ -36,7 +36,7 @@ def record(result: Localization, wording: Callable[[Sentence], str] = english) -
         "inliers": best and best.inliers,
         "references": result.references,
         "log_odds": best and best.log_odds,
-        "error_95": result.error_95_m if result.is_fix else None,
+        "error_95": result.error_95_m if result.place else None,
         "window": result.window,
         "method": result.method.key,
         "reason": _reason(result, wording),
@@ -87,14 +87,14 @@ def radius_parts(known: PoseCovariance) -> Sentence | None:
 
 def _reason(result: Localization, wording: Callable[[Sentence], str]) -> str:
     """Return why there is no position; for a position the part of the image it is not valid for, and its budget."""
-    parts = radius_parts(result.covariance) if result.is_fix and result.covariance is not None else None
+    parts = radius_parts(result.covariance) if result.place and result.covariance is not None else None
     return " ".join(wording(part) for part in (result.reason, parts) if part is not None)
 
 
 def _deviations(result: Localization) -> dict[str, Any]:
     """Return the uncertainty of a position in addition to ``error_95``, its 95 % radius."""
     known = result.covariance
-    if not result.is_fix or known is None or known.ellipse_95 is None:
+    if result.place is None or known is None or known.ellipse_95 is None:
         return {}
     return {
         "error_95_minor": known.ellipse_95.semi_minor,

@@ -1,4 +1,4 @@
-"""Localization results: only a fix has a position, and statuses and methods are texts of files."""
+"""Localization results: only fixes and likely positions have a position, and statuses and methods are texts of files."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from semref.core.localization import Localization, Matches, Method, Place, Status
+from semref.core.localizer.combined import show_likely
 
 FIX = Localization(Status.FIX, Method.CONSTELLATION, best=Place((1.0, 2.0), heading_deg=30.0, pixel_size_m=0.5))
 
@@ -16,7 +17,7 @@ def test_a_fix_has_the_position_of_the_image():
     assert (FIX.is_fix, FIX.position, FIX.heading_deg, FIX.pixel_size_m) == (True, (1.0, 2.0), 30.0, 0.5)
 
 
-@pytest.mark.parametrize("status", [status for status in Status if status is not Status.FIX])
+@pytest.mark.parametrize("status", [status for status in Status if status not in (Status.FIX, Status.LIKELY)])
 def test_the_best_place_is_kept_without_a_fix_but_is_no_position(status):
     found = replace(FIX, status=status)
     assert found.best == FIX.best
@@ -42,3 +43,20 @@ def test_what_explains_a_result_is_no_part_of_a_comparison():
     explained = replace(FIX, matches=matches, footprint=np.zeros((4, 2)))
     assert (len(matches), explained == FIX) == (3, True)
     assert replace(FIX, references=1) != FIX
+
+
+@pytest.mark.parametrize(("risk", "expected"), [(0.19, Status.LIKELY), (0.21, Status.NO_MATCH)])
+def test_a_doubted_candidate_is_a_likely_position_up_to_a_fifth(risk: float, expected: Status) -> None:
+    doubted = Localization(Status.NO_MATCH, Method.CONSTELLATION, best=Place((1.0, 2.0)), risk=risk, is_doubted=True)
+
+    found = show_likely(doubted)
+
+    assert found.status is expected
+    assert (found.position == (1.0, 2.0)) == found.is_likely
+    assert found.fix is None
+
+
+def test_an_inaccurate_candidate_is_no_likely_position() -> None:
+    flawed = Localization(Status.AMBIGUOUS, Method.CONSTELLATION, best=Place((1.0, 2.0)), risk=0.01)
+
+    assert show_likely(flawed) == flawed
