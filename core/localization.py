@@ -232,8 +232,8 @@ class Localization:
         status: Outcome.
         method: The method that found the fix, or was tried first.
         references: Number of landmarks described.
-        reason: Why there is no fix; for a fix, the part of the image that it is not valid for, if any. A likely position
-            has the reason why it is no fix.
+        reason: Why there is no fix, also for a likely position; for a fix, the part of the image that it is not valid
+            for, if any.
         best: The best candidate, also if it is not good enough for a fix.
         confidence: Of a fix or likely position: probability that it is right, 1 − ``risk``. For topology vectors
             1 − d/T, as published, which is not a probability.
@@ -252,7 +252,8 @@ class Localization:
         window: Name of the matched window.
         window_index: Its number in the database.
         footprint: (4, 2) map coordinates of the ground at the image's corners of a fix, upper left first, clockwise;
-            the window's corners where only these are known. Also of a likely position. Ignored when results are compared.
+            the window's corners where only these are known. A likely position has it too. Ignored when results are
+            compared.
         nadir: Map (x, y) straight below the camera of a leveled image.
     """
 

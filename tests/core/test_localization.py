@@ -1,4 +1,4 @@
-"""Localization results: only fixes and likely positions have a position, and statuses and methods are texts of files."""
+"""Localization results: fixes and likely positions have a position; statuses and methods are texts of files."""
 
 from __future__ import annotations
 
