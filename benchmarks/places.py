@@ -19,10 +19,6 @@ TILE_CLASSES = (
 BUILDINGS = ("building",)
 ALL_CLASSES = ("building", "land_unpaved", "road", "vegetation", "water")
 BUILDING, OTHER = 1, 0
-OAM_LICENSE = (
-    "photos CC BY 4.0 (OpenAerialMap), buildings ODbL (OpenStreetMap), as such sets are published by HOTOSM; to be "
-    "confirmed before weights are published"
-)
 
 
 @dataclass(frozen=True)
@@ -52,14 +48,12 @@ class Place:
     Attributes:
         name: Name of the place.
         about: Location and description.
-        license: License of photos and labels.
         drawn: Classes that were drawn completely.
         photos: Photos of the place.
     """
 
     name: str
     about: str
-    license: str
     drawn: tuple[str, ...]
     photos: tuple[Photo, ...]
 
@@ -67,14 +61,12 @@ class Place:
 def _banepa(side: str, part: tuple[float, float]) -> Place:
     photo = Photo("banepa/banepa_photo.tif", "banepa/banepa_buildings.gpkg", part)
     about = f"Banepa, Nepal, {side} half: a dense old town of terraces, 0.15 m"
-    return Place(
-        f"banepa_{side}", about, "photos CC BY 4.0 (OpenAerialMap), buildings ODbL (OpenStreetMap)", BUILDINGS, (photo,)
-    )
+    return Place(f"banepa_{side}", about, BUILDINGS, (photo,))
 
 
 def _scattered(name: str, about: str, photos: tuple[str, ...]) -> Place:
     found = (Photo(f"oam_buildings/{photo}.tif", f"oam_buildings/{name}_buildings.gpkg") for photo in photos)
-    return Place(name, about, OAM_LICENSE, BUILDINGS, tuple(found))
+    return Place(name, about, BUILDINGS, tuple(found))
 
 
 PLACES = (
@@ -88,7 +80,6 @@ PLACES = (
     Place(
         "dubai",
         "Dubai: six mosaics seen from space or high above; town, desert, shore",
-        "Humans in the Loop / MBRSC; not confirmed",
         ALL_CLASSES,
         tuple(Photo(f"{TILES}/tile{n}_image.tif", f"{TILES}/tile{n}_label.tif") for n in range(1, 7)),
     ),

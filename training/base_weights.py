@@ -128,11 +128,14 @@ def _from_onnx(path: Path) -> Base | None:
         for node in model.graph.node
         if node.op_type == "Constant" and node.attribute and node.attribute[0].name == "value"
     }
+    # 16-bit weights are converted when the network is loaded.
+    casts = [node for node in model.graph.node if node.op_type == "Cast" and node.input[0] in stored]
+    stored |= {node.output[0]: stored[node.input[0]] for node in casts}
     if any(map(uses_external_data, stored.values())):
         # SemRef's models are one file. External data could name any file of the user.
         return None
     weights = [
-        [numpy_helper.to_array(stored[name]) for name in node.input[1:]]
+        [numpy_helper.to_array(stored[name]).astype(np.float32) for name in node.input[1:]]
         for node in model.graph.node
         if node.op_type == "Conv"
     ]

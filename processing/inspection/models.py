@@ -14,6 +14,9 @@ if TYPE_CHECKING:
 
 SHIPPED = Path(__file__).resolve().parents[2] / "models"
 
+PHOTO_MODEL = SHIPPED / "buildings.onnx"
+"""The plugin's model for real photos: buildings."""
+
 MOST_LISTED = 200
 """Largest number of listed models of a folder, because reading them takes time."""
 
@@ -47,7 +50,9 @@ def listed_models(folder: Path) -> list[ModelCard]:
 
 
 def base_model(chosen: str, here: set[str], class_names: Callable[[], set[str]]) -> str:
-    """Return a base model for “Train model”: the selected one, or the folder's only one that fits; empty without one.
+    """Return a base model for “Train model”: the selected one, the folder's only one that fits, or the plugin's.
+
+    Empty if none fits.
 
     Args:
         chosen: Path of the dock's model; may be empty.
@@ -58,11 +63,15 @@ def base_model(chosen: str, here: set[str], class_names: Callable[[], set[str]])
 
     files = [chosen, *(str(path) for path in model_files(models_folder()))]
     own = [path for path in dict.fromkeys(files) if path and Path(path).parent != SHIPPED]
+    own += [str(PHOTO_MODEL)] if PHOTO_MODEL.is_file() else []
     cards = [card for card in map(read_card, own) if card.can_be_base]
     cards = [card for card in cards if not here & {ground.place for ground in card.trained_on}]
     wanted = class_names() if cards else set()
     fitting = [card.file for card in cards if wanted and wanted <= {name.casefold() for name in card.classes}]
-    return chosen if chosen in fitting else fitting[0] if len(fitting) == 1 else ""
+    if chosen in fitting:
+        return chosen
+    users = [file for file in fitting if file != str(PHOTO_MODEL)]
+    return users[0] if len(users) == 1 else next((file for file in fitting if file not in users), "")
 
 
 def resolve_model(path: str) -> str:

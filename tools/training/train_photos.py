@@ -6,8 +6,8 @@
 The script reads banepa, oam_buildings and dubai_aerial ($SEMREF_DATA or ../shared/data). It writes
 OUTPUT_FOLDER/photos.onnx (buildings.onnx with --without-dubai) with the model's card, also as .json and .md.
 --leave-out trains without a place and tests on it: NAME_without_PLACE.onnx. The card of the network of all places has
-the results. The weights are not part of SemRef. Confirm the licenses of the training data before you share the weights
-(docs/reference/networks.md).
+the results. buildings.onnx has 16-bit weights and is models/buildings.onnx of SemRef. Confirm the licenses of Dubai's
+mosaics before you share photos.onnx (docs/reference/networks.md).
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ from plugin_package import ROOT, load_plugin_package
 load_plugin_package()
 import numpy as np  # noqa: E402
 from training.card_page import card_page  # noqa: E402
+from training.half_weights import halve_weights  # noqa: E402
 
 from benchmarks import places  # noqa: E402
 from benchmarks.places import ALL_CLASSES, BUILDINGS, PLACES, Place  # noqa: E402
@@ -48,6 +49,12 @@ Dubai, finer pixels separate terraced houses."""
 TILE_PX, STRIDE_PX, DUBAI_TILE_PX, SHOWN_TILE_PX = 256, 128, 512, 512
 VALIDATION_FRACTION = 0.15
 BATCH, LIGHT, MANY_EPOCHS = 4, 1.5, 10_000
+LICENSES = {
+    PHOTOS: "Weights of what they were trained on; the license of Dubai's mosaics is not confirmed.",
+    BUILDINGS_ONLY: "CC BY 4.0. Imagery © contributors of the Open Imagery Network/OpenAerialMap, CC BY 4.0; buildings "
+    "© OpenStreetMap contributors, ODbL, as published by HOTOSM. HOTOSM's catalog states CC BY 4.0 for Banepa. For the "
+    "other places the statement is OpenAerialMap's general one; the metadata of single images could not be looked up.",
+}
 GOOD_FOR = {
     PHOTOS: "A start: buildings from straight above; a base model to go on from on your own ground (Train model).",
     BUILDINGS_ONLY: "Buildings seen from straight above by a drone, at 0.1 to 0.4 m; a base model to go on from.",
@@ -162,13 +169,12 @@ def train(options: argparse.Namespace, name: str, model: Path, tiles: dict[str, 
 def card_of(name: str, title: str, places: list[Place]) -> dict:
     """Return the limits that users of the network should know."""
     unlike = list(dict.fromkeys(places))
-    licenses = " ".join(f"{one.name}: {one.license}." for one in unlike)
     return {
         "name": title,
         "trained_on": [{"place": one.name, "about": one.about, "classes": list(one.drawn)} for one in unlike],
         "good_for": GOOD_FOR[name],
         "not_for": NOT_FOR[name],
-        "license": f"Weights of what they were trained on. {licenses} Encoder: EfficientNet-Lite0, Apache 2.0.",
+        "license": f"{LICENSES[name]} Encoder: EfficientNet-Lite0, Apache 2.0.",
     }
 
 
@@ -207,6 +213,7 @@ def write_card(folder: Path, name: str) -> None:
     card["tested_on"] = [json.loads(one.read_text("utf-8")) for one in left_out if not one.name.endswith(".job.json")]
     data = with_metadata(data, KEY, json.dumps(card))
     path.write_bytes(data)
+    halve_weights(path)
     path.with_suffix(".json").write_text(json.dumps(card, indent=1) + "\n", encoding="utf-8")
     page = card_page(card_of_texts(read_metadata(data), path.name))
     path.with_suffix(".md").write_text(page, encoding="utf-8")

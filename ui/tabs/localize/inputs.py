@@ -23,6 +23,7 @@ from ....core.localization import Method
 from ....processing.base.algorithm import REPORTS_AS_FILES
 from ....processing.base.localized_image import is_photo
 from ....processing.inspection.chosen import ChosenImages, count_images
+from ....processing.inspection.models import PHOTO_MODEL
 from ....processing.messages.sentences import worded
 from ....processing.translation import tr
 from ...fields.recent_files import MODEL, note_used
@@ -149,6 +150,8 @@ class ImageBox(FoldingBox):
         """Show the number of images, and whether they may be a flight; the user decides."""
         self.chosen = chosen
         count, flight = (chosen.count, chosen.flight) if chosen is not None else (0, 0)
+        if chosen is not None and chosen.has_photos and not self.model_path():
+            self.model.setFilePath(str(PHOTO_MODEL))
         self.setTitle(tr("Images ({count})").format(count=count) if count else tr("Images"))
         looks = tr("One flight? {count} photos in sequence").format(count=flight)
         self.flight.setText(looks if flight else tr("These images are one flight"))
