@@ -65,23 +65,31 @@ def combine_agreeing(
 ) -> Localization | None:
     """Return the fix of two methods that searched the whole map independently and found the same position, or None.
 
+    Two wrong positions are rarely the same one, so agreement is evidence of its own (``agreement_worth``).
+
     Args:
         objects: Of the constellation, without class areas.
         areas: Of map correlation.
         settings: Tolerance for the same position, and the maximum error probability.
     """
-    if objects.best is None or areas.best is None or objects.risk is None or areas.risk is None:
+    risk = _risk_of_agreement(objects, areas, shorter_edge_px, settings)
+    if risk is None or risk > settings.allowed_risk:
         return None
-    if not (objects.is_doubted or areas.is_doubted or areas.is_fix) or not _same(
-        objects.best, areas, shorter_edge_px, settings
-    ):
-        return None
-    risk = risk_of(log_odds_of(objects.risk) + log_odds_of(areas.risk))
-    if risk > settings.allowed_risk:
-        return None
-    exact = objects if objects.is_doubted else replace(areas, references=objects.references)
-    fix = _as_fix(exact, risk)
+    fix = _as_fix(objects if objects.is_doubted else replace(areas, references=objects.references), risk)
     return replace(fix, reason=fix.reason or (areas.reason if areas.is_fix else None), peaks=areas.peaks)
+
+
+def _risk_of_agreement(
+    objects: Localization, areas: Localization, shorter_edge_px: int, settings: LocalizerSettings
+) -> float | None:
+    """Return the error probability of a position that both methods found; None if they did not."""
+    if objects.best is None or objects.risk is None or areas.risk is None:
+        return None
+    if not (objects.is_doubted or areas.is_doubted or areas.is_fix):
+        return None
+    if not _same(objects.best, areas, shorter_edge_px, settings):
+        return None
+    return risk_of(log_odds_of(objects.risk) + log_odds_of(areas.risk) + settings.agreement_worth)
 
 
 def _as_fix(found: Localization, risk: float) -> Localization:
@@ -161,9 +169,10 @@ def confirm(areas: Localization, objects: Localization, closer: Prior) -> Locali
 def combine_without_fix(
     objects: Localization, areas: Localization, shorter_edge_px: int, settings: LocalizerSettings = LOCALIZER
 ) -> Localization:
-    """Return one result with both reasons if neither method has a fix.
+    """Return one result with both reasons if neither method has a fix: the more probable candidate.
 
-    A candidate that both methods found is listed once, as the constellation found it.
+    A candidate that both methods found is listed once, as the constellation found it. Of two different candidates at
+    most one is right, so each makes the other less probable.
 
     Args:
         objects: Of the constellation.
@@ -179,8 +188,15 @@ def combine_without_fix(
             for other in known
         )
     )
+    risk, best = _risk_of_agreement(objects, areas, shorter_edge_px, settings), objects
+    if risk is None:
+        other, best = sorted((areas, objects), key=_odds)
+        risk = (1 + _odds(other)) / (1 + _odds(other) + _odds(best)) if best.is_doubted else best.risk
+    best = best if best.is_doubted or not areas.is_doubted else areas
     return replace(
-        objects,
+        best,
+        references=objects.references,
+        risk=risk,
         status=Status.AMBIGUOUS if areas.status is Status.AMBIGUOUS else objects.status,
         reason=Sentence(
             "{constellation} Map correlation found no position either: {correlation:clause}",
@@ -197,6 +213,11 @@ def show_likely(found: Localization) -> Localization:
     if not found.is_doubted or found.risk is None or found.risk > LIKELY_RISK:
         return found
     return replace(found, status=Status.LIKELY, confidence=1 - found.risk, alternatives=())
+
+
+def _odds(found: Localization) -> float:
+    """Return the odds that a doubted candidate is right; 0 for others."""
+    return float(np.exp(log_odds_of(found.risk))) if found.is_doubted and found.risk is not None else 0.0
 
 
 def _within(place: Place, prior: Prior) -> bool:

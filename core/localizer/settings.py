@@ -26,6 +26,9 @@ class LocalizerSettings:
         agreement_curve: Weight of the correlation of class areas at the constellation's candidate, ln of the
             likelihood ratio of right against wrong candidates: offset, slope per unit of Fisher's z, minimum, maximum
             [Liechtenstein, north; probability].
+        agreement_worth: Additional log odds of a position that both methods found independently. Of 179 such positions
+            all were right, also the 20 whose error probability was above 0.5 by the constellation [photos of Uganda,
+            parts of Liechtenstein; probability on photos].
         near_errors: Largest distance between the positions of both methods for equal poses, in 95 % radii of map
             correlation [Liechtenstein, north; automatic, north, with evidence].
         near_share: Smallest limit of that distance, as a share of the image's ground [the definition of a right
@@ -39,6 +42,7 @@ class LocalizerSettings:
     correlation: CorrelationSettings = CorrelationSettings()
     allowed_risk: float = RISK
     agreement_curve: tuple[float, float, float, float] = (-25.0, 50.0, -30.0, 4.0)
+    agreement_worth: float = 4.0
     near_errors: float = 1.25
     near_share: float = 0.02
     near_heading_deg: float = 5.0

@@ -261,8 +261,8 @@ def test_two_independent_methods_with_one_place_lower_the_risk():
     stars, areas = replace(STARS, risk=0.01, **doubted), replace(AREAS, risk=0.003, **doubted)
     found = combine_agreeing(stars, areas, 1000)
     assert (found.status, found.position, found.reason) == (Status.FIX, STARS.position, None)
-    assert found.risk == pytest.approx(3e-5, rel=0.05)
-    assert combine_agreeing(stars, replace(areas, risk=0.1), 1000) is None
+    assert found.risk == pytest.approx(3e-5 / np.exp(LOCALIZER.agreement_worth), rel=0.05)
+    assert combine_agreeing(stars, replace(areas, risk=0.9), 1000) is None
     assert combine_agreeing(replace(stars, best=replace(PLACE, position=(900.0, 200.0))), areas, 1000) is None
     assert combine_agreeing(replace(stars, best=replace(PLACE, heading_deg=60.0)), areas, 1000) is None
     # Across north, 359.5° and 0.2° differ by 0.7°.
@@ -313,6 +313,27 @@ def test_a_place_that_both_methods_found_is_listed_once():
     stars = Localization(Status.AMBIGUOUS, Method.CONSTELLATION, 30, SAID, alternatives=(PLACE,))
     areas = Localization(Status.AMBIGUOUS, Method.MAP_CORRELATION, 0, SAID, alternatives=(beside, apart))
     assert combine_without_fix(stars, areas, round(100 / PLACE.pixel_size_m)).alternatives == (PLACE, apart)
+
+
+def doubted(found, risk, place=None):
+    unsure = {"status": Status.NO_MATCH, "reason": SAID, "confidence": None, "is_doubted": True}
+    return replace(found, risk=risk, best=place or found.best, **unsure)
+
+
+def test_without_a_fix_the_more_probable_of_two_places_is_kept():
+    far = replace(PLACE, position=(900.0, 200.0))
+    stars, areas = doubted(STARS, 0.5, far), doubted(AREAS, 0.1)
+    found = combine_without_fix(stars, areas, 1000)
+    assert (found.method, found.best, found.references) == (Method.MAP_CORRELATION, AREAS.best, STARS.references)
+    # Odds of 1 and 9 against neither.
+    assert found.risk == pytest.approx(2 / 11)
+    assert combine_without_fix(doubted(STARS, 0.05, far), areas, 1000).best == far
+
+
+def test_without_a_fix_agreement_of_both_methods_lowers_the_risk():
+    found = combine_without_fix(doubted(STARS, 0.9), doubted(AREAS, 0.9), 1000)
+    assert (found.method, found.best) == (Method.CONSTELLATION, STARS.best)
+    assert found.risk == pytest.approx(1 / (1 + np.exp(LOCALIZER.agreement_worth) / 81))
 
 
 def test_a_prior_without_a_place_confirms_wherever_the_constellation_looks():
