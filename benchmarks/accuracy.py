@@ -80,6 +80,8 @@ class Row:
         heading_known_deg: The same for the heading.
         level_error_deg: Error of the known roll and pitch; negative for an image that is not leveled.
         photos: ``sample``, ``tileN``, or a place and the number of its photo (``kenya.1``); empty for labels.
+        other_km2: Area of buildings of another country that the map of a photo's place also has.
+        part_km2: Area of a part of the map to use as a small map, in the middle of its landmarks; 0 for the whole map.
         network: Part of the name of the network in --models; empty for the shipped network.
         labels: Labels of photos, ``network`` or ``true``.
         right_m: A position is right within this distance; 0 for 2 % of the footprint.
@@ -104,6 +106,8 @@ class Row:
     heading_known_deg: float = 0.0
     level_error_deg: float = -1.0
     photos: str = ""
+    other_km2: float = 0.0
+    part_km2: float = 0.0
     network: str = ""
     labels: str = "network"
     right_m: float = 0.0
@@ -180,6 +184,8 @@ class Source:
         self.method = next(one for one in Method if one.key == row.method)
         self.photos = photos.of(world, row) if row.photos else None
         self.ground: Ground = self.photos.ground if self.photos else world.ground(row.database, row.images, row.half)
+        if row.part_km2:
+            self.ground = self.ground.part(row.part_km2)
         self.known = self.ground.known_elsewhere() if row.foreign == "other half" else self.ground
         known = {one.name for one in fields(Wanted)}
         self.wanted = Wanted(**{k: tuple(v) if isinstance(v, list) else v for k, v in row.wanted.items() if k in known})

@@ -114,6 +114,17 @@ class Ground:
         other.extent, other.references, other.spoiled_values = self.extent, self.references, self.spoiled_values
         return other
 
+    def part(self, area_km2: float) -> Ground:
+        """Return the square of a map around its median landmark as a small map of its own."""
+        pixel = self.frame.pixel_size
+        half = round(500 * math.sqrt(area_km2) / pixel)
+        x, y = np.median(self.references.positions, axis=0)
+        column, row = (round(float(at)) for at in self.frame.to_pixels((x, y)))
+        labels = self.labels_hw[max(row - half, 0) : row + half, max(column - half, 0) : column + half]
+        window = self.size_px * pixel / 2
+        sizes = window, window / 4, self.database.parameters.minimum_area
+        return memory_ground(np.ascontiguousarray(labels), self.database.class_table.to_csv(), sizes, pixel)
+
     def draw(self, wanted: Wanted, rng: np.random.Generator, is_of_map: bool = True) -> Image:
         """Draw an image of the wanted kind.
 

@@ -28,7 +28,7 @@ SHIPPED = ROOT / "models" / "sample_area.onnx"
 SAMPLE_SEED = 1671
 """Seed of an area on which the shipped network was not trained."""
 
-PLACE_PIXEL_M = 0.25
+PLACE_PIXEL_M, GAP_PX = 0.25, 400
 OTHER = 2
 BUILDINGS_ONLY = "value,name,color,role\n1,building,#3c1098,reference\n2,other,#8429f6,background\n"
 SEARCHED = (0.7, 1.4)
@@ -70,7 +70,8 @@ class Photos:
         image = self.ground.draw(self.wanted, rng)
         if self.model is None:
             return image
-        found = self.seen(shown(self.ground, self.picture, image.view))
+        picture = shown(self.ground, self.picture, image.view)
+        found = self.seen(np.ascontiguousarray(picture[:, ::-1]) if image.view.is_mirrored else picture)
         return replace(image, labels_hw=found.labels_hw, shares=found.shares, biases=self._biases)
 
     def seen(self, photo_hw3: np.ndarray) -> SeenLabels:
@@ -86,15 +87,14 @@ class Photos:
         return SeenLabels(labels, ClassShares(values, np.concatenate([buildings, FULL - buildings], axis=2)))
 
     def _stay_inside(self) -> None:
-        """Draw a view that shows only the allowed part of the ground."""
+        """Keep the centers so far inside the allowed part of the photo that all of an image shows it."""
         pixel = self.ground.frame.pixel_size
         reach = max(self.wanted.sizes_px) * self.wanted.scales[1] * np.sqrt(0.5) * pixel
-        left, bottom, right, top = self.ground.frame.extent
-        first, last = (pixel * column for column in self.columns)
-        if min(top - bottom, last - first) < 2 * reach:
+        left, _, _, top = self.ground.frame.extent
+        height, (first, last) = pixel * self.picture.shape[0], (pixel * column for column in self.columns)
+        if min(height, last - first) < 2 * reach:
             raise ValueError("The place has no room for images of this size.")
-        first, last = first + reach * (first > 0), last - reach * (last < right - left)
-        self.ground.extent = (left + first, bottom, left + last, top)
+        self.ground.extent = (left + first + reach, top - height + reach, left + last - reach, top - reach)
 
 
 def of(world: World, row: Row) -> Photos:
@@ -106,7 +106,8 @@ def of(world: World, row: Row) -> Photos:
     if row.photos == "sample":
         return SamplePhotos(*_sample(), _model(world, row), Wanted(), None)
     sizes = tuple(row.wanted.get("sizes_px", (512, 640, 768)))
-    wanted = Wanted((0.9, 1.1), landmarks=(0, 10**9), sizes_px=sizes, is_inside=True)
+    is_mirrored = row.foreign == "mirrored"
+    wanted = Wanted((0.9, 1.1), landmarks=(0, 10**9), sizes_px=sizes, is_inside=True, is_mirrored=is_mirrored)
     if row.photos.startswith("tile"):
         path = world.data / "dubai_aerial" / f"{row.photos}_label.tif"
         if not path.exists():
@@ -126,10 +127,32 @@ def _of_place(world: World, row: Row, wanted: Wanted) -> Photos:
     picture = _rgb(read(image))
     truth = np.where(read(labels) == BUILDING, BUILDING, OTHER)
     truth[~picture.any(axis=2)] = 0
-    ground = memory_ground(truth.astype(np.uint8), BUILDINGS_ONLY, (64, 16, 3.75), PLACE_PIXEL_M)
+    labels = truth.astype(np.uint8)
+    if row.other_km2:
+        labels = side_by_side(labels, other_buildings(world, row.other_km2))
+    ground = memory_ground(labels, BUILDINGS_ONLY, (64, 32 if row.other_km2 else 16, 3.75), PLACE_PIXEL_M)
     searched = tuple(PLACE_PIXEL_M * scale for scale in SEARCHED)
     columns = tuple(round(share * picture.shape[1]) for share in photo.part)
     return Photos(ground, picture, _model(world, row), wanted, searched, columns, True)
+
+
+def other_buildings(world: World, area_km2: float) -> np.ndarray:
+    """Return a square of Liechtenstein's buildings around its densest town, (H, W) uint8 at the pixels of places."""
+    labels = read(world.label_map("liechtenstein")) == BUILDING
+    edge = round(1000 * area_km2**0.5)
+    density = cv2.boxFilter(labels.astype(np.float32), -1, (edge, edge), borderType=cv2.BORDER_CONSTANT)
+    row, column = np.unravel_index(density.argmax(), density.shape)
+    rows, columns = (slice(max(at - edge // 2, 0), at + edge // 2) for at in (row, column))
+    town = np.where(labels[rows, columns], BUILDING, OTHER).astype(np.uint8)
+    return town.repeat(round(1 / PLACE_PIXEL_M), axis=0).repeat(round(1 / PLACE_PIXEL_M), axis=1)
+
+
+def side_by_side(left: np.ndarray, right: np.ndarray) -> np.ndarray:
+    """Return two label maps beside each other, with unlabeled ground between them."""
+    height = max(len(left), len(right))
+    both = np.zeros((height, left.shape[1] + GAP_PX + right.shape[1]), np.uint8)
+    both[: len(left), : left.shape[1]], both[: len(right), -right.shape[1] :] = left, right
+    return both
 
 
 def _model(world: World, row: Row) -> SegmentationModel | None:
