@@ -108,7 +108,9 @@ class FlightPose:
         """Return the pose as a localization, for rows, JSON, NMEA and the dock."""
         own = self.own or Localization(self.status, Method.AUTOMATIC)
         if self.place is None:
-            return replace(own, status=self.status, reason=self.reason, confidence=None, alternatives=())
+            return replace(
+                own, status=self.status, reason=self.reason, confidence=None, alternatives=(), footprint=None
+            )
         # Matches of another place are no evidence for this one.
         is_own = self.source is PoseSource.OWN
         return Localization(

@@ -48,7 +48,7 @@ FARTHEST = 1e9
 
 _EXIT_CODES = f"""exit codes:
   {ALL_FIXED}  every image has a fix (watch: it was ended by Ctrl+C)
-  {SOME_WITHOUT_FIX}  at least one image has no fix; the output states the reason
+  {SOME_WITHOUT_FIX}  at least one image has no fix (a likely position is not a fix); the output states the reason
   {WRONG_USAGE}  the command line is wrong
   {REFUSED}  a file or image can't be used, a result can't be written, or the program failed
   {INTERRUPTED}  localize was ended by Ctrl+C"""
@@ -355,7 +355,8 @@ def _line(found: dict[str, Any]) -> str:
         texts.append(f"confidence {found['confidence']:.2f}")
     else:
         texts.append(f"error probability {error_probability(found['confidence'])}")
-    return f"{found['image']}: {found['status']}, {found['x']:.2f} {found['y']:.2f}, {', '.join(texts)}"
+    text = f"{found['image']}: {found['status']}, {found['x']:.2f} {found['y']:.2f}, {', '.join(texts)}"
+    return text if found["status"] == Status.FIX else f"{text}. {found['reason']}"
 
 
 # --- watch ---

@@ -19,6 +19,7 @@ import numpy as np
 
 from ..errors import ParameterError, reason_of
 from ..geometry.lon_lat import LonLatPolynomial, local_axes, meters_from
+from ..localization import Status
 from .sinks import LOOPBACK, Sink
 
 MESSAGES = ("odometry", "vision", "external")
@@ -115,6 +116,9 @@ class MavlinkSink(Sink):
             kind, pilot = dialect.MAV_TYPE_ONBOARD_CONTROLLER, dialect.MAV_AUTOPILOT_INVALID
             self._mavlink.heartbeat_send(kind, pilot, 0, 0, dialect.MAV_STATE_ACTIVE)
             self._heartbeat_s = now
+        if found.get("status") != Status.FIX:
+            # An autopilot never gets a likely position.
+            return
         is_external = self._options.message == "external"
         if found.get("longitude") is None or (found.get("heading") is None and not is_external):
             return

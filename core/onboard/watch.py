@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, Callable
 
 from ..errors import ParameterError, reason_of
 from ..labels.image_files import is_image_name
+from ..localization import Status
 from ..localizer.record import gga_sentence
 from .log import json_line, log_event
 from .sinks import open_sink
@@ -73,6 +74,9 @@ def watch(  # noqa: PLR0913 - each sink is a place of its own
 
 def _gga(found: dict[str, Any]) -> str:
     taken = datetime.fromisoformat(found["time"]) if found["time"] else datetime.now(timezone.utc)
+    if found["status"] != Status.FIX:
+        # Likely positions are for people only.
+        return gga_sentence(taken)
     return gga_sentence(taken, found.get("longitude"), found.get("latitude"), found.get("inliers") or 0)
 
 

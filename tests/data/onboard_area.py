@@ -40,6 +40,8 @@ def scattered(height=700, width=700, count=420):
 MAP = scattered()
 HERE = np.ascontiguousarray(np.rot90(MAP[300 : 300 + SIZE, 150 : 150 + SIZE]))
 CENTER = (600250.0, 5199600.0)
+SMALL = np.ascontiguousarray(HERE[:110, :110])
+"""A part of HERE that shows so few landmarks that its error probability is well above 1e-12."""
 NOTHING = np.full((SIZE, SIZE), 4, np.uint8)
 
 

@@ -29,6 +29,13 @@ def test_an_own_fix_that_the_flight_does_not_take_is_no_fix():
     assert not told.is_fix and told.confidence is None and told.reason == LOST
 
 
+@pytest.mark.parametrize("status", [Status.FIX, Status.LIKELY])
+def test_an_image_that_the_flight_does_not_place_has_no_footprint(status):
+    own = Localization(status, Method.CONSTELLATION, best=Place((0.0, 0.0), 0.0, 1.0), footprint=np.zeros((4, 2)))
+    told = FlightPose(Status.NO_MATCH, LOST, own=own).localization()
+    assert (told.status, told.position, told.footprint) == (Status.NO_MATCH, None, None)
+
+
 def test_an_image_without_pixels_is_refused():
     with pytest.raises(ParameterError, match=r"a\.png"):
         FlightImage("a.png", np.zeros((0, 3), np.uint8))

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from semref.core.errors import ParameterError
+from semref.core.flight.model import PoseSource
 from semref.core.flight.tracker import FlightTracker
 from semref.core.geometry.pose import PoseCovariance
 from semref.core.localization import Localization, Method, Place, Status
@@ -133,6 +134,26 @@ def test_own_fixes_in_a_row_win_over_a_long_past(labels, localizer, step, risk, 
     errors = errors_m(poses, other.views)
     assert not (errors > 20).any(), "a wrong position was reported"
     assert np.flatnonzero(np.isfinite(errors))[0] < most and poses[-1].track == 2
+
+
+@pytest.mark.slow
+def test_a_likely_position_of_an_image_is_no_fix_for_the_flight(labels, localizer):
+    """The last images contradict the track at one place; only fixes may do that."""
+    flown = fly(labels, seed=3, count=8)
+    images = with_own(flown)[:5] + [
+        replace(image, own=own_fix(view, off=400.0)) for image, view in zip(flown.images[5:], flown.views[5:])
+    ]
+
+    def followed(status):
+        tracker = FlightTracker(localizer, FEW)
+        given = [replace(image, own=replace(image.own, status=status)) for image in images]
+        return [tracker.add(*pair) for pair in zip(given, [None, *flown.links])], tracker.state()
+
+    likely, state = followed(Status.LIKELY)
+    refused, expected = followed(Status.NO_MATCH)
+    assert [pose.source for pose in likely] == [PoseSource.FLIGHT] * 8
+    assert [(pose.status, pose.place) for pose in likely] == [(pose.status, pose.place) for pose in refused]
+    assert all(np.array_equal(state[name], expected[name]) for name in expected)
 
 
 @pytest.mark.slow

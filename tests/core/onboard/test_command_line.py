@@ -12,7 +12,7 @@ import cv2
 import numpy as np
 import pytest
 from made_models import metadata, write_model
-from onboard_area import CENTER, HERE, NOTHING, copy_core, linear, write_area
+from onboard_area import CENTER, HERE, NOTHING, SMALL, copy_core, linear, write_area
 
 from semref.core.localization import Method
 from semref.core.localizer.localizer import Localizer
@@ -76,6 +76,18 @@ def test_an_image_without_a_fix_has_a_reason(database, image, capsys):
     assert code == SOME_WITHOUT_FIX
     assert [row["status"] for row in rows] == ["fix", "too_few_references"]
     assert rows[1]["reason"] and rows[1]["x"] is None
+
+
+def test_a_likely_position_is_shown_but_is_no_fix(database, image, capsys):
+    arguments = ["localize", image("a.png", SMALL), "--database", database, "--risk", "1e-12"]
+    assert main([*arguments, "--json"]) == SOME_WITHOUT_FIX
+    found = json.loads(capsys.readouterr().out)
+    # The image is the upper left part of HERE, whose top points east.
+    assert (found["status"], found["x"], found["y"]) == ("likely", pytest.approx(600295, abs=3), pytest.approx(5199645, abs=3))
+    assert found["error_95"] > 0 and 0.8 <= found["confidence"] < 1 and 9 < found["longitude"] < 9.01
+    assert "error probability" in found["reason"]
+    assert main(arguments) == SOME_WITHOUT_FIX
+    assert re.search(r"a\.png: likely, 6002\d\d\.\d+ .*, error probability .*\. The best", capsys.readouterr().out)
 
 
 def test_a_bad_image_does_not_stop_the_others(database, image, tmp_path, capsys):

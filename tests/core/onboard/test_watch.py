@@ -15,7 +15,7 @@ from pathlib import Path
 
 import cv2
 import pytest
-from onboard_area import HERE, NOTHING, copy_core, write_area
+from onboard_area import HERE, NOTHING, SMALL, copy_core, write_area
 
 from semref.core.onboard import watch
 from semref.core.onboard.command_line import ALL_FIXED, REFUSED, SOME_WITHOUT_FIX, main
@@ -79,6 +79,16 @@ def test_watch_writes_json_lines_and_sentences_into_files(database, folder, tmp_
     # 9.003125° E, 46.996396…° N
     assert re.fullmatch(r"\$GPGGA,\d{6}\.\d\d,4659\.78\d{3},N,00900\.18\d{3},E,6,\d\d,,,M,,M,,\*[0-9A-F]{2}", first)
     assert re.fullmatch(r"\$GPGGA,\d{6}\.\d\d,,,,,0,00,,,M,,M,,\*[0-9A-F]{2}", second)
+
+
+def test_a_likely_position_is_in_the_json_lines_but_not_in_the_sentences(database, folder, tmp_path):
+    cv2.imwrite(str(folder / "a.png"), SMALL)
+    fixes, gga = tmp_path / "fixes.jsonl", tmp_path / "fixes.nmea"
+    where = ["--fixes", str(fixes), "--gga", str(gga), "--risk", "1e-12"]
+    assert main(["watch", str(folder), "--database", database, "--once", *where]) == SOME_WITHOUT_FIX
+    row = json.loads(fixes.read_text(encoding="utf-8"))
+    assert row["status"] == "likely" and row["longitude"] > 9 and row["error_95"] > 0
+    assert re.fullmatch(r"\$GPGGA,\d{6}\.\d\d,,,,,0,00,,,M,,M,,\*[0-9A-F]{2}\r\n", gga.read_bytes().decode("ascii"))
 
 
 def test_watch_sends_sentences_to_a_port_of_this_computer(database, tmp_path):
