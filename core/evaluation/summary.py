@@ -32,6 +32,7 @@ class MethodSummary:
         right: Fixes at the right place, of the images of the map.
         wrong: Fixes at a wrong place, of the same images.
         false_accepts: Fixes of mirrored images.
+        likely: Likely positions at the right place, of all likely positions of images of the map. They are not fixes.
         median_error: 50th percentile of right fixes (CEP50), m.
         error_95: 95th percentile of right fixes (CEP95), m.
         heading_error_deg: Median of right fixes.
@@ -44,6 +45,7 @@ class MethodSummary:
     right: Rate
     wrong: Rate
     false_accepts: Rate
+    likely: Rate
     median_error: float | None
     error_95: float | None
     heading_error_deg: float | None
@@ -66,6 +68,7 @@ def summarize(trials: Sequence[Trial], method: str) -> MethodSummary:
         rate_of(t.is_right for t in tried),
         rate_of(t.is_wrong for t in tried),
         rate_of(t.is_fix for t in of_method(trials, method, MIRRORED)),
+        rate_of(t.is_likely_right for t in tried if t.result.is_likely),
         percentile([t.error for t in right], 50),
         percentile([t.error for t in right], 95),
         percentile([t.heading_error_deg for t in right], 50),

@@ -60,13 +60,14 @@ class Trial:
     Attributes:
         method: Requested method.
         is_right: Whether it is a fix at the right place.
-        error: Distance of the position from the true one, m.
+        error: Distance of the position from the true one, m; also of a likely position.
         heading_error_deg: Smaller angle between both headings.
         scale_error: Of the pixel size, relative.
         radius_ratio: Error in units of the stated 95 % ellipse or circle in its direction; at most 1 inside.
         window: Matched window, or the one nearest to the position.
         landmarks: Landmarks of the map, whole in view or in the window, before any errors; None if not counted.
         seconds: Processor time of localizing; NaN if not measured.
+        is_likely_right: Whether it is a likely position at the right place, which is no fix.
     """
 
     query: Query
@@ -80,6 +81,7 @@ class Trial:
     window: str | None = None
     landmarks: int | None = None
     seconds: float = math.nan
+    is_likely_right: bool = False
 
     @property
     def status(self) -> Status:
@@ -88,12 +90,12 @@ class Trial:
 
     @property
     def is_fix(self) -> bool:
-        """Whether the result has a position."""
+        """Whether the result is a fix. A likely position is none: it is neither right nor wrong."""
         return self.result.is_fix
 
     @property
     def is_wrong(self) -> bool:
-        """Whether the result has a wrong position."""
+        """Whether the result is a fix at a wrong place."""
         return self.is_fix and not self.is_right
 
     @property
@@ -128,11 +130,12 @@ def judge(  # noqa: PLR0913 - the last three are notes that a trial carries alon
         heading_error = abs((result.heading_deg - view.heading_deg + 180) % 360 - 180)
         scale_error = abs(result.pixel_size_m * view.width_px / view.footprint - 1)
     within = RIGHT_SHARE * view.footprint if right_within is None else right_within
+    is_there = query.can_be_right and error <= within
     return Trial(
         query,
         method,
         result,
-        query.can_be_right and result.is_fix and error <= within,
+        is_there and result.is_fix,
         error,
         heading_error,
         scale_error,
@@ -140,6 +143,7 @@ def judge(  # noqa: PLR0913 - the last three are notes that a trial carries alon
         result.window,
         landmarks,
         seconds,
+        is_there and result.is_likely,
     )
 
 

@@ -128,6 +128,7 @@ class EvaluationReport:
             (tr("Correct positions"), lambda s: page.rate_text(s.right)),
             (tr("Wrong positions"), lambda s: page.rate_text(s.wrong)),
             (tr("False accepts"), lambda s: page.rate_text(s.false_accepts)),
+            (tr("Correct likely positions"), lambda s: page.rate_text(s.likely)),
             ("CEP50", lambda s: page.number(s.median_error, "m")),
             ("CEP95", lambda s: page.number(s.error_95, "m")),
             (tr("Heading error"), lambda s: page.number(s.heading_error_deg, "°", 2)),
@@ -253,7 +254,8 @@ def _definitions() -> str:
     return tr(
         "A position is correct within the distance under “Settings”. With the published method, which finds only "
         "windows, it is correct if it is the window nearest to the image’s center. False accepts are positions of "
-        "mirrored images, which are always wrong. CEP50 and CEP95: 50 % and 95 % of the correct positions have at most "
+        "mirrored images, which are always wrong. Likely positions are neither correct nor wrong positions; the table "
+        "shows how many of them are correct. CEP50 and CEP95: 50 % and 95 % of the correct positions have at most "
         "this error. Heading and scale: median errors of correct positions."
     )
 

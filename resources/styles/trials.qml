@@ -4,6 +4,7 @@
    <rule symbol="0" filter="&quot;right&quot; = 1" label="correct position"/>
    <rule symbol="1" filter="&quot;status&quot; = 'fix' AND &quot;right&quot; = 0" label="wrong position"/>
    <rule symbol="2" filter="&quot;status&quot; = 'ambiguous'" label="ambiguous"/>
+   <rule symbol="4" filter="&quot;status&quot; = 'likely'" label="likely position"/>
    <rule symbol="3" filter="ELSE" label="no position"/>
   </rules>
   <symbols>
@@ -46,6 +47,16 @@
       <Option name="outline_color" value="255,255,255,255" type="QString"/>
       <Option name="outline_width" value="0.2" type="QString"/>
       <Option name="size" value="1.2" type="QString"/>
+     </Option>
+    </layer>
+   </symbol>
+   <symbol name="4" type="marker">
+    <layer class="SimpleMarker">
+     <Option type="Map">
+      <Option name="color" value="224,138,0,255" type="QString"/>
+      <Option name="outline_color" value="255,255,255,255" type="QString"/>
+      <Option name="outline_width" value="0.2" type="QString"/>
+      <Option name="size" value="2.2" type="QString"/>
      </Option>
     </layer>
    </symbol>

@@ -44,9 +44,10 @@ def trial(right=True, error=1.0, confidence=0.9, status="fix", kind=MAP, ratio=N
         Method.CONSTELLATION,
         result,
         right and is_fix,
-        error if is_fix else None,
+        error if is_fix or status == "likely" else None,
         radius_ratio=ratio,
         landmarks=landmarks,
+        is_likely_right=right and status == "likely",
     )
 
 
@@ -67,6 +68,22 @@ def test_rates_and_errors_are_of_the_right_trials():
     assert summary.median_error == 2 and summary.statuses == {"ambiguous": 1, "fix": 4}
     errors, shares = error_curve(every, Method.CONSTELLATION)
     assert errors.tolist() == [1, 2, 30, 900] and shares.tolist() == [0.2, 0.4, 0.6, 0.8]
+
+
+def test_likely_positions_change_no_rate_or_error_of_fixes():
+    fixes = [trial(error=e) for e in (1, 2, 30)] + [trial(False, 900)]
+    likely = [trial(error=7, status="likely", ratio=3.0), trial(False, 5000, status="likely", ratio=9.0)]
+    refused = [trial(status="no_match")] * 2
+    mirrored = [trial(False, 5000, status="likely", kind=MIRRORED)]
+    found, expected = (summarize(fixes + others, Method.CONSTELLATION) for others in (likely, refused))
+    assert (found.likely, expected.likely) == (Rate(1, 2), Rate(0, 0))
+    assert (found.right, found.wrong, found.covered) == (expected.right, expected.wrong, expected.covered)
+    assert (found.median_error, found.error_95) == (expected.median_error, expected.error_95)
+    assert summarize(mirrored, Method.CONSTELLATION).false_accepts == Rate(0, 1)
+    every = fixes + likely + mirrored
+    assert error_curve(every, Method.CONSTELLATION)[0].tolist() == [1, 2, 30, 900]
+    assert road_summaries(every) == road_summaries(fixes)
+    assert sum(one.rate.trials for one in reliability(every, Method.CONSTELLATION)) == 4
 
 
 def test_coverage_counts_only_trials_with_a_radius():

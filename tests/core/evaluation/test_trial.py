@@ -34,6 +34,14 @@ def test_right_is_within_two_percent_of_the_ground_shown(away, right):
     assert trial.error_share == pytest.approx(away / 160)
 
 
+@pytest.mark.parametrize(("away", "right"), [(3.1, True), (3.3, False)])
+def test_a_likely_position_is_neither_right_nor_wrong_and_counted_apart(away, right):
+    trial = told(away=(0.0, away), status=Status.LIKELY, confidence=0.9)
+    assert (trial.is_fix, trial.is_right, trial.is_wrong, trial.is_likely_right) == (False, False, False, right)
+    assert trial.error == pytest.approx(away)
+    assert not told(away=(0.0, away)).is_likely_right
+
+
 def test_errors_of_heading_and_scale_are_measured_the_short_way_and_relative():
     trial = told(heading_deg=359.0, pixel_size_m=0.51)
     assert trial.heading_error_deg == pytest.approx(2) and trial.scale_error == pytest.approx(0.02)
