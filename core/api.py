@@ -163,7 +163,8 @@ def localize(  # noqa: PLR0913 - what is known of the images
         risk: Maximum error probability of a fix.
 
     Returns:
-        One result for each image, in order: ``status``, ``position``, ``error_95_m``, ``risk``, ``reason``, …
+        One result for each image, in order: ``status``, ``position``, ``error_95_m``, ``risk``, ``reason``, … A likely
+        position (``is_likely``) has a ``position`` and no ``fix``.
 
     Raises:
         SemRefError: A file can't be used.

@@ -88,11 +88,16 @@ class Finding:
     @property
     def speaks_against(self) -> str:
         """Evidence against the position in a few words; empty without any. ``reason`` has the details."""
-        if self.status != Status.FIX:
+        if self.center is None:
             return ""
         if self.gps_distance is not None:
             return tr("contradicts GPS")
         return tr("too far from other images") if self.jump else ""
+
+    @property
+    def is_likely(self) -> bool:
+        """Whether it is a likely position: shown, but not certain enough for a position."""
+        return self.status == Status.LIKELY
 
     @property
     def is_by_vector(self) -> bool:
@@ -101,8 +106,8 @@ class Finding:
 
     @property
     def probability(self) -> float | None:
-        """Probability that a verified position is right; None without one."""
-        return self.confidence if self.status == Status.FIX and self.is_verified else None
+        """Probability that a verified or likely position is right; None without one."""
+        return self.confidence if self.status in (Status.FIX, Status.LIKELY) and self.is_verified else None
 
     @property
     def corners(self) -> tuple[Point, ...] | None:
@@ -201,6 +206,7 @@ def _status_alone(finding: Finding) -> str:
         return tr("Unreadable")
     titles = {
         Status.FIX.key: tr("Position"),
+        Status.LIKELY.key: tr("Likely position"),
         Status.AMBIGUOUS.key: tr("No position: ambiguous"),
         Status.NO_MATCH.key: tr("No position: no match"),
         Status.TOO_FEW_REFERENCES.key: tr("No position: too few landmarks"),

@@ -15,6 +15,7 @@ from qgis.core import (
 )
 
 from ...core.errors import ImageError, SemRefError, UnwritableError
+from ...core.localization import Status
 from ...core.sentences import legible
 from ..base.algorithm import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
 from ..base.localized_image import unique_names
@@ -56,8 +57,9 @@ class GeoreferenceImages(SemRefAlgorithm):
     def summary(self) -> str:
         return tr(
             "Georeferences images with the positions of “Localize images”: as GeoTIFFs, with world files, or with "
-            "control points for the Georeferencer.\n\nImages without a position are left out, and so are positions of "
-            "“Published method”, which have no heading. The original images are not changed."
+            "control points for the Georeferencer.\n\nImages without a position are left out, and so are likely "
+            "positions and positions of “Published method”, which have no heading. The original images are not "
+            "changed."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
@@ -174,6 +176,8 @@ def _why_not(image: PositionRow) -> str:
     """Return why an image cannot be georeferenced; empty if it can."""
     if image.position is None:
         return tr("It has no position.")
+    if image.status == Status.LIKELY:
+        return tr("Its position is only likely. To use it, localize with a larger “Maximum error probability”.")
     if not image.has_place:
         return tr("Its position has no heading and pixel size, because it was computed by “Published method”.")
     if image.was_leveled and image.ground is None:

@@ -16,9 +16,18 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError
+from ...core.localization import Status
 from ..base import parameters, priors
 from ..base.algorithm import Declared, cancelable, check_canceled
-from ..base.localized_image import LabelImages, LocalizedImage, log_result, with_far_photos, with_jumps
+from ..base.localized_image import (
+    ERROR,
+    LabelImages,
+    LocalizedImage,
+    count_sentence,
+    log_result,
+    with_far_photos,
+    with_jumps,
+)
 from ..base.localized_layers import write_grounds, write_matches, write_positions
 from ..base.localizing import LocalizeAlgorithm, localize_image, localize_scheduled
 from ..base.parameters import with_help
@@ -69,8 +78,8 @@ class LocalizeImages(LocalizeAlgorithm):
                 tr("Maximum error probability"),
                 tr(
                     "A position is accepted if the probability that it is wrong is not larger than this value, for "
-                    "example 0.0001 (1 in 10,000). A smaller value gives fewer positions. “Published method” does not "
-                    "use it."
+                    "example 0.0001 (1 in 10,000). A smaller value gives fewer positions. Above it, up to 0.2, the "
+                    "result is a likely position. “Published method” does not use it."
                 ),
             ),
             *self._layer_parameters(),
@@ -193,8 +202,9 @@ class LocalizeImages(LocalizeAlgorithm):
             write_positions(outputs, self.OUTPUT, localized, crs, values.transform_context, times_s)
             write_grounds(outputs, (self.FOOTPRINTS, self.ALTERNATIVES), localized, crs)
             write_matches(outputs, self.MATCHES, localized, database, crs)
-        fixes = sum(1 for item in localized if item.result is not None and item.result.is_fix)
-        feedback.pushInfo(tr("{fixes} of {images} images have a position.").format(fixes=fixes, images=len(localized)))
+        statuses = [ERROR if item.result is None else item.result.status for item in localized]
+        fixes = statuses.count(Status.FIX)
+        feedback.pushInfo(count_sentence(statuses))
         if read_labels.pace is None or is_scheduled:
             return {self.FIX_COUNT: fixes}
         feedback.pushInfo(read_labels.pace.sentence())

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from ...core.labels.class_table import ClassTable
-from ...core.localization import Localization
+from ...core.localization import Localization, Status
 from ...core.sentences import Sentence
 from ..messages.numbers import shown
 from ..messages.sentences import worded
@@ -174,12 +174,12 @@ def with_jumps(
     speed: float,
     feedback: QgsProcessingFeedback,
 ) -> list[LocalizedImage]:
-    """Mark positions of known time as jumps or not, and log the result."""
+    """Mark positions of known time as jumps or not, and log the result. Likely positions are not checked."""
     import numpy as np
 
     from ...core.localizer.track import jumps
 
-    timed = [n for n, item in enumerate(localized) if item.result and item.result.position and times_s[n] is not None]
+    timed = [n for n, item in enumerate(localized) if item.result and item.result.is_fix and times_s[n] is not None]
     results = [localized[n].result for n in timed]
     # An image that matches a window may be anywhere in it.
     errors = [windows.sizes[r.window_index] / 2 if r.error_95_m is None else r.error_95_m for r in results]
@@ -273,7 +273,7 @@ def footprint_rows(item: LocalizedImage) -> list[PlacedRow]:
 
 def match_rows(item: LocalizedImage, database: ReferenceDatabase) -> list[PlacedRow]:
     """Return (map position, values of MATCH_FIELDS) of each landmark of the map that matches one of the image."""
-    if item.result is None or not item.result.is_fix or item.result.matches is None:
+    if item.result is None or item.result.place is None or item.result.matches is None:
         return []
     found = item.result.matches
     names = {c.value: c.name for c in database.class_table}
@@ -309,6 +309,18 @@ def error_probability(confidence: float) -> str:
     return worded(record.error_probability(confidence))
 
 
+def count_sentence(statuses: Sequence[str]) -> str:
+    """Return a sentence on how many images have a position, with the likely positions apart.
+
+    Args:
+        statuses: Of all images.
+    """
+    counted = tr("{fixes} of {images} images have a position.")
+    text = counted.format(fixes=statuses.count(Status.FIX), images=len(statuses))
+    likely = statuses.count(Status.LIKELY)
+    return f"{text} {tr('Likely positions: {likely}.').format(likely=likely)}" if likely else text
+
+
 def log_result(item: LocalizedImage, feedback: QgsProcessingFeedback) -> None:
     from ...core.localizer.record import radius_parts
 
@@ -328,7 +340,8 @@ def log_result(item: LocalizedImage, feedback: QgsProcessingFeedback) -> None:
         feedback.pushInfo(f"{name}: {worded(result.status.title)}. {worded(result.reason)}")
         return
     if result.reason is not None:
-        feedback.pushInfo(f"{name}: {worded(result.reason)}")
+        title = f"{worded(result.status.title)}. " if result.is_likely else ""
+        feedback.pushInfo(f"{name}: {title}{worded(result.reason)}")
     details = (
         (result.window, tr("window {value}")),
         (result.distance, tr("distance {value:.4f}")),

@@ -1,5 +1,9 @@
 <qgis version="3.22.16" labelsEnabled="0">
- <renderer-v2 type="singleSymbol">
+ <renderer-v2 type="RuleRenderer">
+  <rules>
+   <rule symbol="0" filter="coalesce(&quot;status&quot;, '') &lt;> 'likely'" label="Position"/>
+   <rule symbol="1" filter="&quot;status&quot; = 'likely'" label="Likely position"/>
+  </rules>
   <symbols>
    <symbol name="0" type="fill">
     <layer class="SimpleFill">
@@ -12,6 +16,22 @@
     <layer class="SimpleFill">
      <Option type="Map">
       <Option name="outline_color" value="0,103,165,255" type="QString"/>
+      <Option name="outline_width" value="0.6" type="QString"/>
+      <Option name="style" value="no" type="QString"/>
+     </Option>
+    </layer>
+   </symbol>
+   <symbol name="1" type="fill">
+    <layer class="SimpleFill">
+     <Option type="Map">
+      <Option name="color" value="224,138,0,22" type="QString"/>
+      <Option name="outline_color" value="255,255,255,255" type="QString"/>
+      <Option name="outline_width" value="1" type="QString"/>
+     </Option>
+    </layer>
+    <layer class="SimpleFill">
+     <Option type="Map">
+      <Option name="outline_color" value="224,138,0,255" type="QString"/>
       <Option name="outline_width" value="0.6" type="QString"/>
       <Option name="style" value="no" type="QString"/>
      </Option>

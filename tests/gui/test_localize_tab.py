@@ -11,6 +11,7 @@ from dock_area import (
     AUTOMATIC,
     CONSTELLATION,
     CRS,
+    CUT,
     ORIGIN,
     STRIDE,
     TOPOLOGY_VECTOR,
@@ -170,6 +171,61 @@ def test_every_status_has_words(qgis_app):
     for status in (*(status.key for status in Status), ERROR):
         assert words(status) != status
     assert "nverified" in words(Status.FIX, is_verified=False)
+
+
+def test_the_dock_accepts_positions_that_are_wrong_in_one_of_a_hundred(dock, area, tab, monkeypatch):
+    asked = []
+    monkeypatch.setattr(tab.run, "start_algorithm", lambda name, parameters, title: asked.append(parameters))
+    start(dock, area.database, [area.image])
+    tab.run.start(area.database, [area.image], AUTOMATIC, {"RISK": 0.2}, True)
+    assert [parameters["RISK"] for parameters in asked] == [0.01, 0.2]
+
+
+def test_a_likely_position_is_amber_and_counted_apart(dock, iface, area, tab, monkeypatch, tmp_path):
+    from qgis.gui import QgsRubberBand
+    from qgis.PyQt.QtCore import Qt
+
+    from semref.ui.canvas.marks import ORANGE, RED
+    from semref.ui.running import localization_run
+    from semref.ui.tabs.localize.results_model import IMAGE, SUMMARY
+    from semref.ui.widgets.tables import sign_icon
+
+    # The small part of the image has an error probability of about 1e-10, the whole image the least one.
+    monkeypatch.setattr(localization_run, "RISK", 1e-11)
+    column, row = CUT
+    small = write_raster(tmp_path / "small.tif", label_map()[row : row + 100, column : column + 100], False)
+    choose_method(dock, CONSTELLATION)
+    localize(dock, area.database, [small, area.image])
+    results = tab.results.table
+    assert [results.model().index(n, 4).data() for n in range(2)] == ["Likely position", "Position"]
+    assert tab.state.text() == "1 of 2 images have a position. Likely positions: 1."
+    finding = results.selected()
+    assert finding.is_likely and finding.error_95 > 0 and finding.reason
+    assert (finding.x, finding.y) == pytest.approx((ORIGIN[0] + column + 50, ORIGIN[1] - row - 50), abs=3)
+    text = tab.results.details.toPlainText()
+    assert "small.tif: Likely position, error probability " in text and "95 % radius" in text
+    first, second = (results.model().index(n, SUMMARY) for n in range(2))
+    assert first.data().startswith("small.tif · Likely position · error ") and " ± " in first.data()
+    assert first.data(Qt.ItemDataRole.BackgroundRole) is not None
+    assert second.data(Qt.ItemDataRole.BackgroundRole) is None
+    icon = results.model().index(0, IMAGE).data(Qt.ItemDataRole.DecorationRole)
+    assert icon.pixmap(16).toImage() == sign_icon("likely").pixmap(16).toImage() and not icon.isNull()
+
+    def colors():
+        bands = [item for item in iface.canvas.scene().items() if isinstance(item, QgsRubberBand)]
+        return {band.strokeColor().name() for band in bands if band.numberOfVertices()}
+
+    assert colors() == {ORANGE.name()} and shown_center(iface).x() == pytest.approx(finding.x)
+    results.selectRow(1)
+    assert colors() == {RED.name()}
+
+
+@pytest.mark.parametrize(("confidence", "words"), [(1 - 1 / 8, "1 in 8"), (0.8, "1 in 5"), (0.985, "1 in 67")])
+def test_the_error_probability_of_a_likely_position_is_shown(qgis_app, confidence, words):
+    from semref.ui.findings import Finding, error_text
+
+    empty = dict.fromkeys(Finding.__dataclass_fields__)
+    assert error_text(Finding(**{**empty, "status": "likely", "confidence": confidence})) == words
 
 
 def test_the_heading_arrow_points_where_the_top_of_the_image_is(dock, iface, area):

@@ -187,6 +187,11 @@ def test_positions_are_labeled_by_their_images_played_by_time_and_have_a_form_of
         ("positions", {"heading": 10.0}, "Position with heading"),
         ("positions", {"jump": False}, "Position without heading"),
         ("positions", {"heading": 10.0, "jump": True}, "Faster than the maximum speed"),
+        ("positions", {"heading": 10.0, "status": "fix"}, "Position with heading"),
+        ("positions", {"heading": 10.0, "status": "likely"}, "Likely position"),
+        ("footprints", {"status": "fix"}, "Position"),
+        ("footprints", {"status": "likely"}, "Likely position"),
+        ("trials", {"status": "likely"}, "likely position"),
         ("poses", {"source": "own", "outvoted": False}, "Own position"),
         ("poses", {"source": "flight", "outvoted": False}, "Position from the flight"),
         ("poses", {"source": "flight"}, "Position from the flight"),
@@ -194,7 +199,8 @@ def test_positions_are_labeled_by_their_images_played_by_time_and_have_a_form_of
     ],
 )
 def test_every_kind_of_position_is_drawn_by_one_rule(qgis_app, style, values, rule):
-    layer = layer_of("Point", FLIGHT_FIELDS)
+    geometry, fields = LAYERS[style]
+    layer = layer_of(geometry, FLIGHT_FIELDS if style == "positions" else fields)
     Look(style).apply(layer)
     feature = feature_of(layer, **values)
     context = QgsExpressionContext(QgsExpressionContextUtils.globalProjectLayerScopes(layer))

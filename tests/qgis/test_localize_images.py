@@ -11,6 +11,8 @@ from osgeo import gdal, ogr, osr
 from qgis.core import QgsProcessingException, QgsVectorLayer
 
 from semref.core.labels.class_table import class_table_from_names
+from semref.core.localization import Localization, Method, Place, Status
+from semref.processing.base.localized_image import LocalizedImage, with_jumps
 
 LOCALIZE = "semref:localizeimages"
 SIZE, STRIDE = 120, 40
@@ -55,6 +57,12 @@ def rows(path) -> list:
         point = None if geometry is None or geometry.IsEmpty() else geometry.GetPoint_2D()
         found.append({**feature.items(), "point": point})
     return found
+
+
+def rows_of(path) -> list:
+    """Return the values of all features, with their area."""
+    source = ogr.Open(path)
+    return [{**f.items(), "area": f.GetGeometryRef().GetArea()} for f in source.GetLayer(0)]
 
 
 def window(column: int, row: int, size: int = SIZE) -> np.ndarray:
@@ -250,6 +258,56 @@ def test_footprints_are_the_matched_windows(localize, tmp_path):
     assert footprint.GetGeometryRef().GetEnvelope() == (left, left + SIZE, top - SIZE, top)
     assert footprint["image"] == paths[0] and footprint["window"] == "160_200"
     assert source.GetLayer(0).GetSpatialRef().GetAuthorityCode(None) == str(METRIC_CRS)
+
+
+@pytest.fixture
+def likely(localize, tmp_path, feedback):
+    """Return (rows, results) of a likely position, a fix and an unreadable image; the risk makes the first likely."""
+    small, large = image(tmp_path, "a.png", window(180, 150, 80)), image(tmp_path, "b.png", window(180, 150))
+    outputs = {key: str(tmp_path / f"{key}.gpkg") for key in ("FOOTPRINTS", "ALTERNATIVES", "MATCHES")}
+    found, results = localize([small, large, str(tmp_path / "missing.png")], METHOD=3, RISK=1e-9, **outputs)
+    assert [row["status"] for row in found] == ["likely", "fix", "error"]
+    return found, results
+
+
+def test_a_likely_position_has_place_radius_probability_and_a_reason(likely):
+    (found, fix, _), results = likely
+    assert found["point"] == pytest.approx((WEST + 220, NORTH - 190), abs=2)
+    assert (found["x"], found["y"]) == found["point"] and found["longitude"] is not None
+    assert 0.8 <= found["confidence"] < 1 and 0 < found["error_95_minor"] <= found["error_95"] < 20
+    assert "error probability" in found["reason"] and "Error budget" in found["reason"]
+    assert fix["point"] is not None and fix["reason"].startswith("Error budget")
+    ground, other = rows_of(results["FOOTPRINTS"])
+    assert (ground["status"], other["status"]) == ("likely", "fix")
+    assert ground["area"] == pytest.approx(80**2, rel=0.1)
+    assert {row["image"] for row in rows_of(results["MATCHES"])} == {found["image"], fix["image"]}
+    assert rows_of(results["ALTERNATIVES"]) == []
+
+
+def test_likely_positions_are_counted_apart(likely, feedback):
+    _, results = likely
+    assert results["FIX_COUNT"] == 1
+    log = feedback.textLog()
+    assert "1 of 3 images have a position. Likely positions: 1." in log
+    assert "a.png: Likely position. " in log and "b.png: Likely position" not in log
+
+
+def test_likely_positions_are_left_out_of_georeferencing(likely, run_algorithm, tmp_path, feedback):
+    given = {"POSITIONS": str(tmp_path / "positions.gpkg"), "OUTPUT": str(tmp_path / "placed"), "IMAGES": str(tmp_path)}
+    assert run_algorithm("semref:georeferenceimages", given, feedback)["IMAGE_COUNT"] == 1
+    assert [path.name for path in (tmp_path / "placed").iterdir()] == ["b.tif"]
+    assert "a.png was left out. Its position is only likely." in feedback.textLog()
+
+
+def test_a_likely_position_is_no_jump_and_makes_none(feedback):
+    def taken(x, status):
+        result = Localization(status, Method.CONSTELLATION, best=Place((x, 0.0), 0.0, 1.0), error_95_m=1.0)
+        return LocalizedImage("a.png", result)
+
+    wrong = [taken(0.0, Status.FIX), taken(5000.0, Status.LIKELY), taken(20.0, Status.FIX)]
+    checked = with_jumps(wrong, [0.0, 1.0, 2.0], None, 25.0, feedback)
+    assert [item.jump for item in checked] == [False, None, False]
+    assert "0 of 2 positions with a time are jumps." in feedback.textLog()
 
 
 def test_temporary_outputs_are_layers_with_the_rows(localize, run_algorithm, database, tmp_path):

@@ -26,7 +26,10 @@ _ARROW_HEAD = 0.12
 
 
 class HitHighlight(Marks):
-    """Footprint, heading arrow, 95 % circle and center of a position; without one, its possible places."""
+    """Footprint, heading arrow, 95 % circle and center of a position; without one, its possible places.
+
+    A position is red; a likely position and possible places are amber.
+    """
 
     def __init__(self, canvas: QgsMapCanvas) -> None:
         super().__init__(
@@ -49,6 +52,10 @@ class HitHighlight(Marks):
         if self._hit is None:
             self.clear()
             return True
+        color = ORANGE if self._hit.is_likely else RED
+        for name in ("outline", "heading", "error"):
+            self._bands[name].setStrokeColor(color)
+        self._center.setFillColor(color)
         return self.draw(_shapes(self._hit), self._hit.crs)
 
     def show_runners_up(self, windows: Sequence[LookAlike]) -> None:

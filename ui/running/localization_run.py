@@ -16,6 +16,9 @@ from .run_history import RunRecord, begin_run, destination, labels_folder
 
 ALGORITHM, FLIGHT_ALGORITHM = "semref:localizeimages", "semref:localizeflight"
 
+RISK = 0.01
+"""Maximum error probability in the dock, where a person looks at each result. The algorithms have a lower default."""
+
 _KEYS = "OUTPUT", "FOOTPRINTS", "ALTERNATIVES", "MATCHES", "TRACK"
 """Outputs, in the order of TABLES."""
 
@@ -55,7 +58,7 @@ class LocalizationRun(AlgorithmRun):
             for key, table, title in zip(_KEYS, TABLES, _titles())
             if key != left_out
         }
-        parameters = {"DATABASE": database, "IMAGES": images, "METHOD": method, **settings, **outputs}
+        parameters = {"DATABASE": database, "IMAGES": images, "METHOD": method, "RISK": RISK, **settings, **outputs}
         if settings.get("MODEL"):
             kept = self._kept
             parameters["LABELS"] = (

@@ -13,6 +13,9 @@ from ...core.annotation.findings import SEVERITIES, WARNING
 _SIGNS = Path(__file__).resolve().parents[2] / "resources" / "severity"
 """Pictures in the colors of ``processing/layers/palette.py``. QGIS's own error sign is gray in some versions."""
 
+LIKELY = "likely"
+"""Name of the sign of a likely position."""
+
 _FLAGS = QItemSelectionModel.SelectionFlag
 _MARGIN_PX = 12
 
@@ -36,7 +39,12 @@ def changes_font(event: QEvent) -> bool:
 
 def severity_icon(severity: str) -> QIcon:
     """Return a cross in a disk, a triangle, or an i in a disk; a triangle for unknown severities."""
-    return QIcon(str(_SIGNS / f"{severity if severity in SEVERITIES else WARNING}.svg"))
+    return sign_icon(severity if severity in SEVERITIES else WARNING)
+
+
+def sign_icon(name: str) -> QIcon:
+    """Return the sign of a severity, or of a likely position: a question mark in an amber disk."""
+    return QIcon(str(_SIGNS / f"{name}.svg"))
 
 
 def paint_placeholder(view: QWidget, text: str) -> None:

@@ -6,14 +6,15 @@ from collections.abc import Sequence
 
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QObject, Qt
-from qgis.PyQt.QtGui import QIcon, QStandardItem, QStandardItemModel
+from qgis.PyQt.QtGui import QColor, QIcon, QStandardItem, QStandardItemModel
 
 from ....core.annotation import findings as annotation
 from ....core.localization import Status
 from ....processing.base.localized_image import ERROR as UNREAD
+from ....processing.layers.palette import WARNING
 from ....processing.translation import tr
 from ...findings import Finding, error_text, status_text
-from ...widgets.tables import severity_icon
+from ...widgets.tables import LIKELY, sign_icon
 from ...widgets.texts import number_text, plain_tip
 
 IMAGE, PROBABILITY, ERROR, HEADING, STATUS, WINDOW, DISTANCE, POSITION, SUMMARY = range(9)
@@ -31,9 +32,13 @@ NAME_ROLE = SORT_ROLE + 1
 NUMBER_COLUMNS = (PROBABILITY, ERROR, HEADING, DISTANCE)
 
 # QGIS draws these for light and dark themes alike.
-_ICONS = {Status.FIX.key: "/mIconSuccess.svg", UNREAD: annotation.ERROR}
+_ICONS = {Status.FIX.key: "/mIconSuccess.svg", Status.LIKELY.key: LIKELY, UNREAD: annotation.ERROR}
 _OTHER_ICON = "/mIconWarning.svg"
 _FLIGHT_ICON = "/mIconLineLayer.svg"
+
+_LIKELY_ROW = QColor(WARNING)
+_LIKELY_ROW.setAlpha(50)
+"""Transparent, so that the text can be read on light and dark themes."""
 
 
 class ResultsModel(QStandardItemModel):
@@ -79,6 +84,8 @@ def _item(finding: Finding, column: int) -> QStandardItem:
     item = QStandardItem(_text(finding, column))
     item.setEditable(False)
     item.setData(_sort_value(finding, column), SORT_ROLE)
+    if finding.is_likely:
+        item.setBackground(_LIKELY_ROW)
     item.setToolTip(plain_tip("\n".join(filter(None, (finding.image, status_text(finding), finding.reason)))))
     if column == SUMMARY:
         item.setData(finding.name, NAME_ROLE)
@@ -100,7 +107,7 @@ def _icon(finding: Finding) -> str:
 
 
 def _draw_icon(name: str) -> QIcon:
-    return severity_icon(name) if name == annotation.ERROR else QgsApplication.getThemeIcon(name)
+    return sign_icon(name) if name in (annotation.ERROR, LIKELY) else QgsApplication.getThemeIcon(name)
 
 
 def _headers() -> list[tuple[str, str]]:

@@ -14,8 +14,8 @@ from qgis.PyQt.QtGui import QDesktopServices
 from qgis.PyQt.QtWidgets import QFileDialog, QPushButton, QVBoxLayout, QWidget
 
 from ....core.errors import ParameterError
-from ....core.localization import Status
 from ....core.named_files import named_file
+from ....processing.base.localized_image import count_sentence
 from ....processing.compat import is_null
 from ....processing.layers.output_style import Look
 from ....processing.layers.results_file import write_results
@@ -251,10 +251,7 @@ class LocalizeTab(QWidget):
         self.hit.use(*self._found_with, chosen)
         self._findings = findings = read_findings(layers, labels)
         if findings:
-            fixes = sum(1 for finding in findings if finding.status == Status.FIX)
-            self.state.show_text(
-                tr("{fixes} of {images} images have a position.").format(fixes=fixes, images=len(findings))
-            )
+            self.state.show_text(count_sentence([finding.status for finding in findings]))
         self._show_findings(findings)
 
     def _show_findings(self, findings: list[Finding]) -> None:
