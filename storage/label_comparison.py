@@ -70,6 +70,12 @@ class LabelMapPair:
         """(height, width) of the overlap in pixels."""
         return len(self._rows), len(self._columns)
 
+    @property
+    def pixel_size(self) -> float:
+        """Edge of a pixel, map units (pixels without a georeference)."""
+        _, across, x_turn, _, y_turn, along = self.geotransform
+        return float(abs(across * along - x_turn * y_turn) ** 0.5)
+
     def blocks(self) -> Iterator[tuple[int, np.ndarray, np.ndarray]]:
         """Yield (first row, annotated labels, predicted labels) from top to bottom, (rows, W) uint8 each."""
         height, width = self.shape_hw
@@ -78,12 +84,16 @@ class LabelMapPair:
             rows = self._rows[first : first + at_once]
             yield first, *self._read(0, first, width, len(rows))
 
-    def pieces(self, edge: int) -> Iterator[tuple[float, np.ndarray, np.ndarray]]:
-        """Yield (share done, annotated labels, predicted labels) of squares, (h, w) uint8 each, cut at the edges."""
+    def pieces(self, edge: int) -> Iterator[tuple[float, complex, np.ndarray, np.ndarray]]:
+        """Yield (share done, upper left corner, annotated labels, predicted labels) of squares, cut at the edges.
+
+        The corner is right and down in pixels; the labels are (h, w) uint8.
+        """
         height, width = self.shape_hw
         for first in range(0, height, edge):
             for left in range(0, width, edge):
-                yield first / height, *self._read(left, first, min(edge, width - left), min(edge, height - first))
+                size = min(edge, width - left), min(edge, height - first)
+                yield first / height, complex(left, first), *self._read(left, first, *size)
 
     def _read(self, left: int, first: int, width: int, height: int) -> tuple[np.ndarray, np.ndarray]:
         columns, rows = self._columns[left : left + width], self._rows[first : first + height]

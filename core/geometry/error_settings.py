@@ -11,9 +11,10 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
-MAP_ACCURACY = 1.1
-"""Default standard deviation along each axis of landmarks between two maps of one ground, meters: 1.6 m root mean
-square between maps of Liechtenstein of two dates, by different mappers."""
+MAP_ACCURACY = 1.2
+"""Default standard deviation along each axis of landmarks between two maps of the same ground, meters: the geometric
+mean of 0.70 m (Liechtenstein, 2015 and 2021) and 2.0 m (Andorra, 2016 and 2023), as *Compare label maps* measures it
+(docs/explanation/method.md#displacement-between-map-dates)."""
 
 NETWORK_SPREAD = 0.6
 """Default standard deviation along each axis of a network's class offset, meters. The network that was measured shows
@@ -27,9 +28,11 @@ class ErrorSettings:
 
     Attributes:
         map_kernels: How neighbors share a map's displacement, (length in meters, share of the variance); the rest is
-            independent for each landmark. Measured correlations: 0.43 at 27 m, 0.25 at 100 to 200 m, 0.15 at 1 km [maps
-            of two dates; covariance].
-        map_factors: Displacements that are tried, multiples of the map's stated accuracy [reasoning].
+            independent for each landmark. Chosen for the coverage of real pairs of dates; moved landmarks have
+            correlations of 0.57 (Liechtenstein) and 0.85 (Andorra) below 30 m, 0.14 and 0.42 at 500 to 1,000 m [maps of
+            two dates; covariance].
+        map_factors: Displacements that are tried, multiples of the map's stated accuracy, evenly spaced in their
+            logarithm [maps of two dates; covariance].
         own_factors: Noises of single landmarks that are tried, multiples of the noise that the median residual shows
             [reasoning].
         own_spread: Prior standard deviation of the logarithm of these noises [by hand; covariance].
@@ -37,7 +40,7 @@ class ErrorSettings:
             units of the effect of a tilt of 10°, share of cameras): level, slightly tilted, strongly tilted. Map
             correlation weighs its evidence on the camera against the same ones [by hand; covariance].
         class_spread_px: Standard deviation of the shift of a whole class beyond the stated class offset, pixels of the
-            image [by hand; covariance].
+            image [maps of two dates; covariance].
         common_share: Share of the variance that all classes without a stated offset have in common [photos of
             made-up areas; biases].
         leaning: Standard deviation of ln pixel size for roofs that lean away from the image's center: they look larger,
@@ -46,12 +49,12 @@ class ErrorSettings:
             radius of 32 fixes with 150 or more was 1.11 times as large (median; 0.69–1.68) [by hand].
     """
 
-    map_kernels: tuple[tuple[float, float], ...] = ((60.0, 0.28), (2000.0, 0.25))
-    map_factors: tuple[float, ...] = (0.03, 0.1, 0.2, 0.4, 0.7, 1.0, 1.5, 2.5)
+    map_kernels: tuple[tuple[float, float], ...] = ((60.0, 0.15), (300.0, 0.2), (3000.0, 0.65))
+    map_factors: tuple[float, ...] = (0.03, 0.06, 0.13, 0.28, 0.6, 1.3, 2.8, 6.0)
     own_factors: tuple[float, ...] = (0.35, 0.5, 0.7, 1.0, 1.4, 2.0)
     own_spread: float = 1.0
     views: tuple[tuple[float, float, float], ...] = ((0.0001, 0.0001, 0.7), (0.01, 0.1, 0.15), (0.02, 1.0, 0.15))
-    class_spread_px: float = 0.1
+    class_spread_px: float = 0.03
     common_share: float = 0.5
     leaning: float = 0.005
     most_landmarks: int = 200

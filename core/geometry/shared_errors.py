@@ -245,8 +245,9 @@ class _System:
         """Return factors (A,) of own noise, map deviations (A,), ln prior (A,), and views (B, 3): lens, tilt, share."""
         settings = self._settings
         own, shared = (axis.ravel() for axis in np.meshgrid(settings.own_factors, settings.map_factors, indexing="ij"))
-        # Half Cauchy for the map's deviation around the stated one, log normal for the landmarks' own.
-        prior = np.log(shared / (1 + shared**2)) - 0.5 * (np.log(own) / settings.own_spread) ** 2
+        # The map's deviation: nearly even in its logarithm up to the stated one, because most neighborhoods hardly
+        # change between two dates; above it, half Cauchy. The landmarks' own: log normal.
+        prior = 0.25 * np.log(shared) - 0.625 * np.log1p(shared**2) - 0.5 * (np.log(own) / settings.own_spread) ** 2
         return own, shared * map_accuracy / self._scale, prior, np.array(settings.views)
 
     def solved(self, variances: tuple) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

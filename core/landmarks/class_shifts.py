@@ -7,7 +7,7 @@ of ground has the median of its pairs; the variation between pieces beyond chanc
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -49,12 +49,18 @@ class PieceShift:
         pairs: Landmarks that both label images show.
         shift: Median offset of the prediction to the right and, as imaginary part, down, pixels.
         variance: Of that median, along each axis, pixels².
+        points: (n,) complex centers of the true landmarks of all pairs, right and down from ``corner``, pixels.
+        offsets: (n,) complex offsets of the predicted ones, right and down, pixels.
+        corner: Upper left corner of the piece on the map, right and down, pixels.
     """
 
     value: int
     pairs: int
     shift: complex
     variance: float
+    points: np.ndarray = field(default_factory=lambda: np.zeros(0, complex))
+    offsets: np.ndarray = field(default_factory=lambda: np.zeros(0, complex))
+    corner: complex = 0j
 
 
 @dataclass(frozen=True)
@@ -78,19 +84,22 @@ class ClassShift:
     spread: float | None
 
 
-def piece_shifts(true_hw: np.ndarray, predicted_hw: np.ndarray, class_values: Sequence[int]) -> list[PieceShift]:
+def piece_shifts(
+    true_hw: np.ndarray, predicted_hw: np.ndarray, class_values: Sequence[int], corner: complex = 0j
+) -> list[PieceShift]:
     """Return the offset of each class with enough pairs.
 
     Args:
         true_hw: (H, W) uint8 labels.
         predicted_hw: Predicted labels of the same ground.
         class_values: Classes to compare.
+        corner: Of the piece on the map, right and down, pixels.
     """
     every = [extract_landmarks(labels, class_values, LEAST_AREA_PX) for labels in (true_hw, predicted_hw)]
     true, predicted = (found.select(~found.touches_edge) for found in every)
     shifts = []
     for value in class_values:
-        off = _paired(true.select(true.classes == value), predicted.select(predicted.classes == value))
+        points, off = _paired(true.select(true.classes == value), predicted.select(predicted.classes == value))
         if len(off) < LEAST_PAIRS:
             continue
         middle = complex(np.median(off.real), np.median(off.imag))
@@ -98,7 +107,7 @@ def piece_shifts(true_hw: np.ndarray, predicted_hw: np.ndarray, class_values: Se
         deviation = DEVIATION_OF_MEDIAN * float(np.median(np.abs(apart)))
         # A few pairs may coincide by chance.
         variance = MEDIAN_COST * max(deviation, 0.1) ** 2 / len(off)
-        shifts.append(PieceShift(int(value), len(off), middle, variance))
+        shifts.append(PieceShift(int(value), len(off), middle, variance, points, off, corner))
     return shifts
 
 
@@ -127,22 +136,26 @@ def _between(shifts: np.ndarray, variances: np.ndarray) -> float:
     return max(excess / max(float(total - (weights**2).sum() / total), 1e-12), 0.0)
 
 
-def _paired(true: Landmarks, predicted: Landmarks) -> np.ndarray:
-    """Return (n,) complex offsets right and down from true to predicted landmarks that are mutual nearest neighbors."""
+def _paired(true: Landmarks, predicted: Landmarks) -> tuple[np.ndarray, np.ndarray]:
+    """Return (n,) complex centers of true landmarks, and (n,) offsets right and down to their mutual nearest neighbors.
+
+    The neighbors are the predicted landmarks of similar area.
+    """
+    points = true.centers_xy @ (1, 1j)
     if not len(true) or not len(predicted):
-        return np.zeros(0, complex)
-    apart = predicted.centers_xy @ (1, 1j) - (true.centers_xy @ (1, 1j))[:, None]
+        return points[:0], points[:0]
+    apart = predicted.centers_xy @ (1, 1j) - points[:, None]
     ratios = np.abs(np.log(predicted.areas_px / true.areas_px[:, None]))
     reach = REACH * np.sqrt(true.areas_px)[:, None]
     shift = 0j
-    off = np.zeros(0, complex)
+    found, off = points[:0], points[:0]
     for _ in range(ROUNDS):
         distances = np.where(ratios <= np.log(LARGEST_RATIO), np.abs(apart - shift), np.inf)
         nearest = distances.argmin(axis=1)
         rows = np.arange(len(true))
         kept = (distances.argmin(axis=0)[nearest] == rows) & (distances[rows, nearest] <= reach[:, 0])
-        off = apart[rows[kept], nearest[kept]]
+        found, off = points[kept], apart[rows[kept], nearest[kept]]
         if not len(off):
             break
         shift = complex(np.median(off.real), np.median(off.imag))
-    return off
+    return found, off

@@ -97,15 +97,15 @@ class BuildDatabase(SemRefAlgorithm):
                     self.MAP_ACCURACY,
                     tr("Map accuracy (m)"),
                     type=DOUBLE,
-                    defaultValue=1.1,
+                    defaultValue=1.2,
                     optional=True,
                     minValue=0.0,
                     maxValue=10000.0,
                 ),
                 tr(
                     "Standard deviation of landmark positions on the map, along each axis. It increases the 95 % "
-                    "radius, because neighboring landmarks are displaced together. The default of 1.1 m was measured "
-                    "between maps of two dates."
+                    "radius, because neighboring landmarks are displaced together. The default of 1.2 m was measured "
+                    "between maps of two dates in two countries. “Compare label maps” measures it for your maps."
                 ),
                 advanced=True,
             ),

@@ -53,6 +53,7 @@ class CompareLabels(SemRefAlgorithm):
     MODEL, SUN_DIRECTION, MODEL_OUTPUT = parameters.MODEL, parameters.SUN_DIRECTION, "MODEL_OUTPUT"
     MEAN_IOU = "MEAN_IOU"
     OVERALL_ACCURACY = "OVERALL_ACCURACY"
+    MAP_ACCURACY = "MAP_ACCURACY"
 
     def title(self) -> str:
         return tr("Compare label maps")
@@ -62,7 +63,8 @@ class CompareLabels(SemRefAlgorithm):
             "Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall "
             "accuracy, and polygons of the disagreements.\n\nClasses are matched by name, otherwise by value. Pixels "
             "without prediction count as wrong. The class offset (the distance by which the model shows a class off "
-            "its position) can be saved in a copy of the model."
+            "its position) can be saved in a copy of the model.\n\nFor label maps of two dates, the log and the report "
+            "show how far landmarks moved: the map accuracy for “Build reference database”."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
@@ -120,6 +122,7 @@ class CompareLabels(SemRefAlgorithm):
             ),
             QgsProcessingOutputNumber(self.MEAN_IOU, tr("Mean IoU")),
             QgsProcessingOutputNumber(self.OVERALL_ACCURACY, tr("Overall accuracy")),
+            QgsProcessingOutputNumber(self.MAP_ACCURACY, tr("Map accuracy")),
         )
 
     def read_layers(self, values: Values) -> None:
@@ -153,7 +156,10 @@ class CompareLabels(SemRefAlgorithm):
         feedback.pushInfo(tr("{count} areas disagree.").format(count=len(polygons)))
         _log(comparison, match, feedback)
         log_shifts(shifts, feedback)
-        return {self.MEAN_IOU: comparison.mean_iou, self.OVERALL_ACCURACY: comparison.overall_accuracy}
+        figures = {self.MEAN_IOU: comparison.mean_iou, self.OVERALL_ACCURACY: comparison.overall_accuracy}
+        if shifts.displacement is not None:
+            figures[self.MAP_ACCURACY] = shifts.displacement.deviation
+        return figures
 
     def _write_model(self, values: Values, outputs: Outputs, shifts: MeasuredShifts) -> None:
         from ..base.compared_landmarks import model_with_biases

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -12,6 +11,7 @@ from ...core.errors import ModelError, ParameterError
 from ...core.geometry.error_settings import ClassBias
 from ...core.landmarks.class_shifts import LEAST_AREA_PX, PIECE_PX, ClassShift, class_shifts, piece_shifts
 from ...core.landmarks.compared import LandmarkErrors, piece_errors
+from ...core.landmarks.displacement import displacement_of
 from ..compat import is_metric
 from ..reports.comparison_report import MAP_UNIT, METER, PIXEL, MeasuredErrors, MeasuredShifts, ShiftRow
 from ..translation import tr
@@ -43,11 +43,10 @@ def measure_errors(
     ``minimum_area``: smallest landmark that counts, in square map units (square pixels without a georeference).
     """
     classes = _landmark_classes(match, comparison)
-    _, across, x_turn, _, y_turn, along = pair.geotransform
-    size = math.sqrt(abs(across * along - x_turn * y_turn))
+    size = pair.pixel_size
     area_px = max(minimum_area / size**2, LEAST_AREA_PX)
     errors = {value: LandmarkErrors() for value in classes}
-    for share, annotated, predicted in pair.pieces(PIECE_PX):
+    for share, _, annotated, predicted in pair.pieces(PIECE_PX):
         check_canceled(feedback)
         for value, found in piece_errors(annotated, match.values[predicted], classes, area_px).items():
             errors[value] += found
@@ -107,14 +106,16 @@ def measure_shifts(
     """Return the offsets of the classes that both maps have. Raises Canceled."""
     values = [value for value in comparison.values if value and comparison.counts[value, value]]
     pieces = []
-    for share, annotated, predicted in pair.pieces(PIECE_PX):
+    for share, corner, annotated, predicted in pair.pieces(PIECE_PX):
         check_canceled(feedback)
-        pieces += piece_shifts(annotated, match.values[predicted], values)
+        pieces += piece_shifts(annotated, match.values[predicted], values, corner)
         feedback.setProgress(96 + 1.5 * share)
     has_ground = pair.reference.dataset.GetGeoTransform(can_return_null=True) is not None
     rows = tuple(_row(shift, match.name(shift.value), pair.geotransform, has_ground) for shift in class_shifts(pieces))
     unit = PIXEL if not has_ground else METER if is_metric(crs) else MAP_UNIT
-    return MeasuredShifts(rows, unit, not has_ground)
+    landmarks = _landmark_classes(match, comparison)
+    displacement = displacement_of([one for one in pieces if one.value in landmarks], pair.pixel_size)
+    return MeasuredShifts(rows, unit, not has_ground, displacement)
 
 
 def log_shifts(shifts: MeasuredShifts, feedback: QgsProcessingFeedback) -> None:
@@ -124,6 +125,14 @@ def log_shifts(shifts: MeasuredShifts, feedback: QgsProcessingFeedback) -> None:
         across, along = row.along
         numbers = {"across": across, "along": along, "count": row.pairs}
         feedback.pushInfo(text.format(name=row.name, unit=shifts.unit, axes=axes, **numbers))
+    found = shifts.displacement
+    if found is not None:
+        text = tr(
+            "{count} landmarks are on both maps. {moved:.0%} of them moved. Standard deviation of the positions along "
+            "each axis: {deviation:.2f} {unit}. If the maps show two dates, use this value as map accuracy."
+        )
+        numbers = {"count": found.pairs, "moved": found.moved, "deviation": found.deviation}
+        feedback.pushInfo(text.format(unit=shifts.unit, **numbers))
 
 
 def model_with_biases(path: str, shifts: MeasuredShifts, sun_deg: float | None) -> bytes:

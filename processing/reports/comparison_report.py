@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from ...core.labels.comparison import ClassMatch, LabelComparison
 from ...core.landmarks.class_shifts import PIECE_PX
 from ...core.landmarks.compared import LandmarkErrors
+from ...core.landmarks.displacement import Displacement
 from ..messages.numbers import count as number_text
 from ..messages.numbers import shown
 from ..translation import tr
@@ -44,12 +45,14 @@ class MeasuredShifts:
         rows: A row for each class.
         unit: METER for a metric CRS, PIXEL without georeference.
         in_image: Whether the axes are right and down of the image instead of east and north.
+        displacement: Of the landmarks, for two maps of the same ground; None without landmarks on both maps.
         piece_px: Edge of a piece of the maps in pixels.
     """
 
     rows: tuple[ShiftRow, ...]
     unit: str
     in_image: bool
+    displacement: Displacement | None = None
     piece_px: int = PIECE_PX
 
 
@@ -92,6 +95,7 @@ def comparison_html(
         page.section(tr("Classes"), parts.class_table(comparison, match.name, classes)),
         page.section(tr("Landmarks"), *_landmarks(errors)),
         page.section(tr("Class offsets"), *_biases(shifts)),
+        page.section(tr("Map accuracy"), *_accuracy(shifts)),
         meta=network_meta(errors.numbers, errors.total.annotated),
     )
 
@@ -158,3 +162,25 @@ def _biases(shifts: MeasuredShifts) -> list[str]:
         "variation between pieces along each axis."
     )
     return [page.records(shifts.rows, columns, range(1, 6)), page.paragraph(text.format(edge=shifts.piece_px))]
+
+
+def _accuracy(shifts: MeasuredShifts) -> list[str]:
+    """Return the displacement of the landmarks, and its correlation by distance."""
+    found = shifts.displacement
+    if found is None:
+        return []
+    text = tr(
+        "{count} landmarks are on both maps; {moved} of them moved. The standard deviation of the positions along each "
+        "axis is {deviation}, for the moved landmarks {of_moved}. If the maps show two dates, use {deviation} as map "
+        "accuracy in “Build reference database”."
+    ).format(
+        count=number_text(found.pairs),
+        moved=page.percent(found.moved, 0),
+        deviation=page.number(found.deviation, shifts.unit, 2),
+        of_moved=page.number(found.moved_deviation, shifts.unit, 2),
+    )
+    if not found.correlations:
+        return [page.paragraph(text)]
+    rows = [[f"{near:g}–{far:g} {shifts.unit}", shown(share, ".2f")] for near, far, share in found.correlations]
+    header = [tr("Distance of two moved landmarks"), tr("Correlation of their displacements")]
+    return [page.paragraph(text), page.table(header, rows, (1,))]

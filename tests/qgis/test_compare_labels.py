@@ -186,6 +186,13 @@ def test_a_models_bias_is_measured_and_written_into_its_copy(compare, shifted, t
     assert "building: class offset +1.0" in feedback.textLog()
 
 
+def test_the_displacement_of_landmarks_is_the_map_accuracy(compare, shifted, tmp_path, feedback):
+    _, results = compare(*shifted, REPORT=str(tmp_path / "r.html"))
+    assert 0.3 < results["MAP_ACCURACY"] < np.hypot(1.0, 0.5) / 2**0.5 + 0.1
+    assert "use this value as map accuracy" in feedback.textLog()
+    assert "Correlation of their displacements" in (tmp_path / "r.html").read_text(encoding="utf-8")
+
+
 def test_a_bias_that_is_not_in_meters_goes_into_no_model(compare, tmp_path):
     paths = [write_raster(tmp_path / f"{name}.png", LABELS, transform=None) for name in "ab"]
     model = write_model(tmp_path / "network.onnx")
