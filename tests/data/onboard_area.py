@@ -41,7 +41,8 @@ MAP = scattered()
 HERE = np.ascontiguousarray(np.rot90(MAP[300 : 300 + SIZE, 150 : 150 + SIZE]))
 CENTER = (600250.0, 5199600.0)
 SMALL = np.ascontiguousarray(HERE[:110, :110])
-"""A part of HERE that shows so few landmarks that its error probability is well above 1e-12."""
+LIKELY = ("--method", "constellation", "--risk", "1e-12")
+"""A part of HERE, and the options with which it is a likely position: its error probability is about 5e-5."""
 NOTHING = np.full((SIZE, SIZE), 4, np.uint8)
 
 

@@ -12,7 +12,7 @@ import cv2
 import numpy as np
 import pytest
 from made_models import metadata, write_model
-from onboard_area import CENTER, HERE, NOTHING, SMALL, copy_core, linear, write_area
+from onboard_area import CENTER, HERE, LIKELY, NOTHING, SMALL, copy_core, linear, write_area
 
 from semref.core.localization import Method
 from semref.core.localizer.localizer import Localizer
@@ -79,7 +79,7 @@ def test_an_image_without_a_fix_has_a_reason(database, image, capsys):
 
 
 def test_a_likely_position_is_shown_but_is_no_fix(database, image, capsys):
-    arguments = ["localize", image("a.png", SMALL), "--database", database, "--risk", "1e-12"]
+    arguments = ["localize", image("a.png", SMALL), "--database", database, *LIKELY]
     assert main([*arguments, "--json"]) == SOME_WITHOUT_FIX
     found = json.loads(capsys.readouterr().out)
     # The image is the upper left part of HERE, whose top points east.

@@ -11,7 +11,7 @@ from datetime import datetime, timezone
 import cv2
 import numpy as np
 import pytest
-from onboard_area import CENTER, HERE, SMALL, linear, write_area
+from onboard_area import CENTER, HERE, LIKELY, SMALL, linear, write_area
 
 from semref.core.errors import ParameterError
 from semref.core.geometry.lon_lat import fit_lon_lat, local_axes, meters_from
@@ -234,7 +234,7 @@ def test_watch_sends_no_likely_position_to_an_autopilot(database, autopilot, tmp
     where, heard = autopilot
     fixes = tmp_path / "fixes"
     arguments = ["watch", str(folder), "--database", database, "--once", "--fixes", str(fixes), "--mavlink", where]
-    assert main([*arguments, "--mavlink-as", "external", "--risk", "1e-12"]) == SOME_WITHOUT_FIX
+    assert main([*arguments, "--mavlink-as", "external", *LIKELY]) == SOME_WITHOUT_FIX
     assert json.loads(fixes.read_text())["status"] == "likely"
     assert heard(None).get_type() == "HEARTBEAT"
     assert heard(None, 0.2) is None

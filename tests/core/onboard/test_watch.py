@@ -15,7 +15,7 @@ from pathlib import Path
 
 import cv2
 import pytest
-from onboard_area import HERE, NOTHING, SMALL, copy_core, write_area
+from onboard_area import HERE, LIKELY, NOTHING, SMALL, copy_core, write_area
 
 from semref.core.onboard import watch
 from semref.core.onboard.command_line import ALL_FIXED, REFUSED, SOME_WITHOUT_FIX, main
@@ -84,7 +84,7 @@ def test_watch_writes_json_lines_and_sentences_into_files(database, folder, tmp_
 def test_a_likely_position_is_in_the_json_lines_but_not_in_the_sentences(database, folder, tmp_path):
     cv2.imwrite(str(folder / "a.png"), SMALL)
     fixes, gga = tmp_path / "fixes.jsonl", tmp_path / "fixes.nmea"
-    where = ["--fixes", str(fixes), "--gga", str(gga), "--risk", "1e-12"]
+    where = ["--fixes", str(fixes), "--gga", str(gga), *LIKELY]
     assert main(["watch", str(folder), "--database", database, "--once", *where]) == SOME_WITHOUT_FIX
     row = json.loads(fixes.read_text(encoding="utf-8"))
     assert row["status"] == "likely" and row["longitude"] > 9 and row["error_95"] > 0
