@@ -68,8 +68,7 @@ def rank(
     details = surprises([detail for _, detail in places], [detail for _, detail in mirrored], settings)
     mirror = mirrored[0][0] if mirrored else 0.0
     chance = max(fisher_z(score) for score in (*scores[1:2], mirror, np.tanh(LEAST_CHANCE)))
-    _, by_lead, by_detail = settings.confidence_curve
-    weights = [by_lead * fisher_z(score) / chance + by_detail * detail for score, detail in zip(scores, details)]
+    weights = [worth_of(fisher_z(score) / chance - 1, detail, settings) for score, detail in zip(scores, details)]
     best, *others = order = [int(n) for n in np.argsort([-value for value in weights], kind="stable")]
     other_score, other_detail = (max((kind[n] for n in others), default=0.0) for kind in (scores, details))
     return order, CorrelationPeaks(scores[best], other_score, mirror, details[best], other_detail)
@@ -81,18 +80,27 @@ def lead(peaks: CorrelationPeaks) -> float:
     return fisher_z(peaks.score) / chance - 1
 
 
+def worth_of(lead: float, detail: float, settings: CorrelationSettings = CORRELATION) -> float:
+    """Return ln of the odds of a place by its lead over the strongest opponent and by its detail, without the offset.
+
+    Of many wrong places some agree very well in detail by chance, so much detail counts only together with a lead.
+    """
+    _, by_lead, by_detail, by_both = settings.confidence_curve
+    alone = min(detail, settings.detail_alone)
+    return by_lead * lead + by_detail * alone + by_both * max(lead, 0.0) * max(detail, 0.0)
+
+
 def log_odds_over_chance(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> float:
     """Return ln of the odds that the best place is right, against a match by chance."""
-    offset, by_lead, by_detail = settings.confidence_curve
-    return offset + by_lead * lead(peaks) + by_detail * peaks.detail
+    return settings.confidence_curve[0] + worth_of(lead(peaks), peaks.detail, settings)
 
 
 def log_odds_over_runner_up(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> float:
     """Return ln of the odds against another place, with the best score and detail of all others."""
-    _, by_lead, by_detail = settings.confidence_curve
     chance = max(fisher_z(peaks.runner_up), fisher_z(peaks.mirror), LEAST_CHANCE)
-    lead_here = (fisher_z(peaks.score) - fisher_z(peaks.runner_up)) / chance
-    return by_lead * lead_here + by_detail * (peaks.detail - peaks.runner_up_detail)
+    lead_there = fisher_z(peaks.runner_up) / chance - 1
+    there = worth_of(lead_there, peaks.runner_up_detail, settings)
+    return worth_of(lead(peaks), peaks.detail, settings) - there
 
 
 def risk_of_peaks(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> float:

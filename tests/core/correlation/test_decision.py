@@ -78,7 +78,7 @@ def test_the_risk_falls_with_the_lead_over_the_stronger_opponent_and_with_the_de
 
 
 def test_another_place_that_is_as_good_makes_the_best_one_a_guess():
-    assert risk_of_peaks(CorrelationPeaks(0.7, 0.7, 0.1, 60.0, 60.0)) == pytest.approx(0.5, abs=0.01)
+    assert 0.5 <= risk_of_peaks(CorrelationPeaks(0.7, 0.7, 0.1, 60.0, 60.0)) < 0.7
 
 
 def test_detail_surprises_where_it_is_unlike_all_others():
@@ -126,12 +126,18 @@ def test_fishers_z_has_bounds():
 
 
 def test_the_risk_is_a_logistic_curve_of_the_lead_and_of_the_detail():
-    offset, by_lead, by_detail = CORRELATION.confidence_curve
+    offset, by_lead, by_detail, by_both = CORRELATION.confidence_curve
     for risk, detail in ((0.01, 0.0), (0.3, 2.0)):
-        share = (np.log(1 / risk - 1) - offset - by_detail * detail) / by_lead
+        share = (np.log(1 / risk - 1) - offset - by_detail * detail) / (by_lead + by_both * detail)
         peaks = CorrelationPeaks(np.tanh((1 + share) * np.arctanh(0.2)), 0.0, 0.2, detail, -100.0)
         assert risk_of_peaks(peaks) == pytest.approx(risk, rel=1e-3)
         assert decide(peaks, risk * 1.01)[0] == Status.FIX and decide(peaks, risk * 0.99)[0] != Status.FIX
+
+
+def test_much_detail_counts_only_together_with_a_lead():
+    leading, equal = ([risk_of_peaks(CorrelationPeaks(0.7, 0.2, mirror, d)) for d in (4, 9)] for mirror in (0.5, 0.7))
+    assert equal[0] == equal[1]
+    assert leading[1] < leading[0] / 5
 
 
 @pytest.mark.parametrize(("score", "noise"), [(0.5, 3.0), (0.95, CORRELATION.least_noise), (0.05, 99.0), (0.1, 99.0)])
