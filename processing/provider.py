@@ -23,6 +23,7 @@ from .algorithms.make_class_table import MakeClassTable
 from .algorithms.rasterize_annotation import RasterizeAnnotation
 from .algorithms.repair_annotation import RepairAnnotation
 from .algorithms.segment_image import SegmentImage
+from .algorithms.set_up_area import SetUpArea
 from .algorithms.train_model import TrainModel
 from .algorithms.update_database import UpdateDatabase
 from .base.algorithm import ICON_PATH
@@ -42,6 +43,7 @@ ALGORITHMS = (
     UpdateDatabase,
     ExportOnboard,
     DescribeImage,
+    SetUpArea,
     LocalizeImages,
     LocalizeFlight,
     GeoreferenceImages,

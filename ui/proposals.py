@@ -11,8 +11,8 @@ from ..processing.algorithms.train_model import SOMETHING_ELSE
 from ..processing.compat import POLYGON_GEOMETRY
 from ..processing.inspection.models import base_model, new_model_file
 from ..processing.layers.database_layers import database_file
+from ..processing.layers.guess_fields import class_field_of, class_of_all, named_class_field, priority_field_of
 from ..storage.text_tables import CLASSES_FILE, read_class_table
-from .fields.guess_fields import class_field_of, class_of_all, named_class_field, priority_field_of
 from .fields.resolution import proposed_resolution_cm
 from .layer_files import layer_file, photo_layer
 

@@ -42,7 +42,8 @@ ONLY_IN = {"core/onboard/mavlink.py": {"pymavlink", "serial"}}
 """Packages that only one file needs."""
 PARTS = {
     ("ui", "core"): (
-        *("core.errors", "core.named_files", "core.database.model", "core.annotation.findings", "core.localization"),
+        *("core.area_plan", "core.errors", "core.named_files", "core.database.model", "core.annotation.findings"),
+        "core.localization",
     ),
     ("processing", "cluster"): ("cluster.task_names",),
     ("processing", "training"): ("training.job",),
@@ -64,6 +65,7 @@ MAY_IMPORT = {
         "limits": set(),
         "values": set(),
         "named_files": set(),
+        "area_plan": set(),
         "geometry": set(),
         "cache": set(),
         "labels": {"geometry"},

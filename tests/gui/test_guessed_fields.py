@@ -13,7 +13,7 @@ def guess(qgis_app):
     """`guess(path, name)` gives (class field, class of all polygons) of a layer."""
     from qgis.core import QgsVectorLayer
 
-    from semref.ui.fields.guess_fields import class_field_of, class_of_all
+    from semref.processing.layers.guess_fields import class_field_of, class_of_all
 
     def of(path, name: str = "") -> tuple[str, str]:
         layer = QgsVectorLayer(str(path), name or Path(str(path).split("|")[0]).stem, "ogr")

@@ -32,6 +32,7 @@ NAMES = (
     "updatedatabase",
     "exportonboard",
     "describeimage",
+    "setuparea",
     "localizeimages",
     "localizeflight",
     "georeferenceimages",

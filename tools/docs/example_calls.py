@@ -66,6 +66,13 @@ EXAMPLES: dict[str, dict] = {
         "update:Updated database": "corrected.gpkg",
     },
     "updatedatabase": {**DATABASE, "LABELS": "corrected.tif", "OUTPUT": "updated.gpkg"},
+    "setuparea": {
+        "PHOTOS": ["sample/photos"],
+        "PHOTO_WIDTH": 640,
+        "ANNOTATION": "sample/landcover.shp",
+        "MODEL": MODEL,
+        "FOLDER": "area_and_positions",
+    },
     "exportonboard": {**DATABASE, "OUTPUT": "onboard.npz"},
     "localizeimages": {
         **DATABASE,

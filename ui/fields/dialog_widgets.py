@@ -26,11 +26,12 @@ from qgis.PyQt import sip
 from qgis.PyQt.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from ...processing.base import parameters
+from ...processing.layers.guess_fields import class_field_of, class_of_all
 from ..class_table import EditButton
 from ..layer_files import photo_layer
 from ..widgets.layouts import narrow
+from .class_name_box import ClassNameBox
 from .epochs import TRAINING_VALUES, epochs_text
-from .guess_fields import ClassNameBox, class_field_of, class_of_all
 from .recent_files import DATABASE, MODEL, KnownButton, dock_file
 
 _BATCH, _MODELER = "BatchAlgorithmDialog", "ModelerParametersDialog"

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from itertools import islice
 
-import numpy as np
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
@@ -15,16 +14,11 @@ from qgis.core import (
     QgsVectorLayer,
 )
 
+from ...core.area_plan import training_resolution_cm
 from ...processing.compat import is_metric
+from ...processing.layers.guess_fields import BUILDING
 from ...processing.layers.reference_systems import metric_crs
-from .guess_fields import BUILDING
 
-SMALLEST_PERCENT, PIXELS_WIDE = 10, 14
-"""The building at this percentile of widths shall be this number of pixels wide."""
-
-STEPS_CM = (5, 10, 15, 20, 25, 30, 40, 50, 60, 80, 100)
-_FINER = 0.8
-"""Pixels of the photo that are at least this share of the proposed size are used as they are."""
 _READ = 2000
 
 
@@ -47,12 +41,7 @@ def proposed_resolution_cm(layer: QgsVectorLayer | None, given: dict[str, str], 
         seen = QgsCoordinateTransform(photo.crs(), crs, context).transformBoundingBox(photo.extent())
     except QgsCsException:
         return None
-    if not widths:
-        return None
-    wanted_cm = 100 * float(np.percentile(widths, SMALLEST_PERCENT)) / PIXELS_WIDE
-    proposed = max((step for step in STEPS_CM if step <= wanted_cm), default=None)
-    pixel_cm = 100 * seen.width() / max(photo.width(), 1)
-    return proposed if proposed and pixel_cm < _FINER * proposed else None
+    return training_resolution_cm(widths, seen.width() / max(photo.width(), 1))
 
 
 def _widths(layer: QgsVectorLayer, given: dict[str, str], moved: QgsCoordinateTransform) -> list[float]:

@@ -10,9 +10,10 @@ from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtWidgets import QFormLayout, QPushButton
 
 from ....processing.layers.database_layers import database_file
+from ....processing.layers.guess_fields import class_field_of, class_of_all, priority_field_of
 from ....processing.translation import tr
 from ....storage.database.undo import can_undo, file_before
-from ...fields.guess_fields import ClassNameBox, class_field_of, class_of_all, priority_field_of
+from ...fields.class_name_box import ClassNameBox
 from ...running.correction_run import Correction
 from ...widgets.layouts import content_of, name_fold, narrow
 from ...widgets.progress import RemainingBar, StatusLine

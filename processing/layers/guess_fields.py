@@ -1,4 +1,4 @@
-"""Guess the class field and the priority field of a layer, by one rule for all dialogs."""
+"""Guess class field, priority field and OpenStreetMap tags of a layer, by one rule for all dialogs."""
 
 from __future__ import annotations
 
@@ -7,10 +7,9 @@ from collections.abc import Sequence
 from itertools import islice
 
 from qgis.core import QgsFeatureRequest, QgsVectorLayer
-from qgis.PyQt.QtWidgets import QComboBox
 
-from ...processing.compat import is_null
-from ...processing.translation import tr
+from ...core.labels.openstreetmap import TAG_COLUMNS
+from ..compat import is_null
 
 _CLASS_FIELDS = ("class", "fclass", "landcover", "land_cover", "landuse", "klasse", "clase", "classe")
 _OFTEN_CLASS_FIELDS = ("type", "code")
@@ -23,6 +22,8 @@ BUILDING = "building"
 _BUILDINGS = re.compile(r"building|house|footprint|geb(ä|ae)ude|edific|b(â|a)timent|建筑", re.IGNORECASE)
 _IS_NO_CLASS = re.compile(r"name|.*id|.*name|note|comment|description|source", re.IGNORECASE)
 _ANSWERS = {"yes", "no", "true", "false"}
+
+_OSM_KEYS = {BUILDING, "landuse", "natural", "waterway", "leisure", "amenity"}
 
 _READ = 1000
 """Largest number of features that are read."""
@@ -65,6 +66,15 @@ def class_of_all(layer: QgsVectorLayer) -> str:
 def priority_field_of(layer: QgsVectorLayer) -> str:
     """Return a numeric field with a typical name of priorities; otherwise empty."""
     return _field_of(layer, _PRIORITY_FIELDS, True)
+
+
+def has_osm_tags(fields: Sequence[str]) -> bool:
+    """Return whether the fields are tags of OpenStreetMap: Geofabrik's field, packed tags, or two common keys."""
+    names = {name.casefold() for name in fields}
+    if names & {"class", "landcover", "land_cover"}:
+        # A layer that already has classes, as from “Classify OpenStreetMap”.
+        return False
+    return bool(names & {"fclass", *TAG_COLUMNS}) or len(names & _OSM_KEYS) > 1
 
 
 def _is_of_buildings(layer: QgsVectorLayer) -> bool:
@@ -114,17 +124,3 @@ def _may_be_classes(column: list, kind: type = object) -> bool:
     classes = {str(value).casefold() for value in found}
     most = _MOST_CLASSES if len(found) <= _FEW_FEATURES else min(_MOST_CLASSES, len(found) // 2)
     return len(classes) <= most and not (classes and classes <= _ANSWERS)
-
-
-class ClassNameBox(QComboBox):
-    """Combo box for any class name that offers “building”; empty if a field has the classes."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setEditable(True)
-        self.addItems(["", BUILDING])
-        self.lineEdit().setPlaceholderText(tr("Optional, such as “building”"))
-
-    def class_name(self) -> str:
-        """Return the name, possibly empty."""
-        return self.currentText().strip()

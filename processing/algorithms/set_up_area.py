@@ -1,0 +1,494 @@
+"""semref:setuparea: from a map and photos to a reference database, a model and the photos' positions."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import (
+    QgsProcessingException,
+    QgsProcessingMultiStepFeedback,
+    QgsProcessingOutputFile,
+    QgsProcessingOutputHtml,
+    QgsProcessingOutputVectorLayer,
+    QgsProcessingParameterExtent,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterField,
+    QgsProcessingParameterFile,
+    QgsProcessingParameterMultipleLayers,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterRasterLayer,
+    QgsRasterLayer,
+    QgsReferencedRectangle,
+    QgsVectorLayer,
+)
+
+from ...core.errors import ModelError, ParameterError
+from ...core.labels.class_table import OTHER
+from ..base import parameters
+from ..base.algorithm import LOCALIZATION, Canceled, Declared, SemRefAlgorithm, check_canceled
+from ..base.parameters import with_help
+from ..base.shipped_models import MODELS
+from ..compat import DOUBLE, SOURCE_FILE, SOURCE_POLYGON
+from ..layers.guess_fields import BUILDING
+from ..translation import tr
+from .build_database import BuildDatabase
+from .classify_openstreetmap import POLYGONS_OF_OSM, RULES_PATH, ClassifyOpenStreetMap
+from .localize_images import LocalizeImages
+from .rasterize_annotation import RasterizeAnnotation
+from .train_model import TrainModel
+
+if TYPE_CHECKING:
+    from qgis.core import QgsProcessingContext, QgsProcessingFeedback
+
+    from ...core.segmentation.model_card import ModelCard
+    from ..base.area_setup import AreaSetup
+    from ..base.outputs import Outputs
+    from ..base.values import Values
+
+DEFAULT_MODEL = MODELS / "buildings.onnx"
+RECORD = "semref_setup.json"
+"""File of the folder that records which inputs each file was made from."""
+
+RULES_FILE, CAMERAS_FILE = "rules.csv", "cameras.csv"
+LAND_COVER_FILE, LABEL_MAP_FILE = "land_cover.gpkg", "label_map.tif"
+DATABASE_FILE, MODEL_FILE, TRAINING_FILE = "reference_database.gpkg", "model.onnx", "training.html"
+POSITIONS_FILE, FOOTPRINTS_FILE, REPORT_FILE = "positions.gpkg", "footprints.gpkg", "report.html"
+
+RISK, SCALES = 0.01, (0.5, 2.0)
+"""Maximum error probability of the positions, and scales to search where the ground width of a photo is typical."""
+
+
+class CanceledInFolder(Canceled):
+    """The user canceled; complete files remain in the folder."""
+
+    def message(self) -> str:
+        return tr("Canceled. Complete files remain in the folder. Run it again with the same values to continue.")
+
+
+@dataclass(frozen=True)
+class Step:
+    """One algorithm of the chain.
+
+    Attributes:
+        values: Its parameters.
+        files: Names of its files in the folder; the first one shows that it was run.
+        text: What is shown while it runs.
+    """
+
+    algorithm: type[SemRefAlgorithm]
+    values: dict[str, Any]
+    files: tuple[str, ...]
+    text: str
+
+
+class SetUpArea(SemRefAlgorithm):
+    ID = "setuparea"
+    GROUP = LOCALIZATION
+    TAGS = ("start", "wizard", "assistant", "photos", "drone", "openstreetmap", "train", "database", "positions")
+
+    ANNOTATION = "ANNOTATION"
+    CLASS_FIELD = parameters.CLASS_FIELD
+    PHOTOS = "PHOTOS"
+    PHOTO_WIDTH = "PHOTO_WIDTH"
+    IMAGERY = "IMAGERY"
+    EXTENT = parameters.EXTENT
+    MODEL = parameters.MODEL
+    MINUTES = "MINUTES"
+    FOLDER = "FOLDER"
+    DATABASE = "DATABASE"
+    TRAINED_MODEL = "TRAINED_MODEL"
+    POSITIONS = "POSITIONS"
+    REPORT = "REPORT"
+
+    def title(self) -> str:
+        return tr("Set up an area")
+
+    def summary(self) -> str:
+        return tr(
+            "Finds the positions of photos on a map in one run: it builds a reference database, optionally trains the "
+            "model on imagery of the area, and localizes the photos.\n\nSemRef derives pixel size, window size, "
+            "stride and minimum area from the map and the photos, and shows them in the log before it starts. Each "
+            "file in the folder is usable by itself. To continue a canceled run, run it again with the same values."
+        )
+
+    def parameters(self) -> tuple[Declared, ...]:
+        return (
+            with_help(
+                QgsProcessingParameterMultipleLayers(self.PHOTOS, tr("Photos"), layerType=SOURCE_FILE, optional=True),
+                tr("Photos, or folders with photos. Without photos, only the database and the model are made."),
+            ),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.PHOTO_WIDTH, tr("Ground width of a photo (m)"), type=DOUBLE, optional=True, minValue=1.0
+                ),
+                tr(
+                    "Width of the ground that a typical photo shows, for example 150. If not set, height and focal "
+                    "length of the camera give it, or the pixels of the imagery."
+                ),
+            ),
+            with_help(
+                QgsProcessingParameterFeatureSource(self.ANNOTATION, tr("Map"), types=[SOURCE_POLYGON]),
+                tr(
+                    "Polygon layer: land cover, OpenStreetMap (layer with tags, or an extract such as .osm.pbf), or "
+                    "buildings only."
+                ),
+            ),
+            with_help(
+                QgsProcessingParameterField(
+                    self.CLASS_FIELD, tr("Class field"), parentLayerParameterName=self.ANNOTATION, optional=True
+                ),
+                tr(
+                    "Field with the class of each polygon. If not set, SemRef guesses it, or uses the tags of "
+                    "OpenStreetMap. In a layer without either, all polygons are buildings."
+                ),
+            ),
+            with_help(
+                QgsProcessingParameterRasterLayer(self.IMAGERY, tr("Imagery"), optional=True),
+                tr(
+                    "Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must "
+                    "allow this."
+                ),
+            ),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.MINUTES, tr("Training (minutes)"), type=DOUBLE, defaultValue=0.0, minValue=0.0
+                ),
+                tr("Duration of the training. 0 means that the model is used as it is."),
+            ),
+            parameters.model(
+                tr("Model to use as it is, or to start the training from. If not set, the one of SemRef."),
+                True,
+            ),
+            with_help(
+                QgsProcessingParameterExtent(self.EXTENT, tr("Extent"), optional=True),
+                tr(
+                    "Ground of the database. If not set, the ground around the photos’ GPS positions, or the whole map."
+                ),
+            ),
+            with_help(
+                QgsProcessingParameterFile(
+                    self.FOLDER, tr("Folder for the results"), behavior=QgsProcessingParameterFile.Folder
+                ),
+                tr("Folder for all files. Existing files that this algorithm did not make are never replaced."),
+            ),
+            QgsProcessingOutputFile(self.DATABASE, tr("Reference database")),
+            QgsProcessingOutputFile(self.TRAINED_MODEL, tr("Model")),
+            QgsProcessingOutputVectorLayer(self.POSITIONS, tr("Positions")),
+            (QgsProcessingOutputFile if self._reports_as_files else QgsProcessingOutputHtml)(self.REPORT, tr("Report")),
+        )
+
+    def check(self, values: Values) -> None:
+        from ..packages.training_environment import training_python
+
+        if self._trains(values):
+            if not values.has(self.IMAGERY):
+                raise ParameterError("Training needs imagery. Select imagery, or set the training to 0 minutes.")
+            training_python()
+        elif not self._model(values):
+            raise ModelError("SemRef has no model for this. Select a model, or train one on imagery.")
+
+    def _trains(self, values: Values) -> bool:
+        return values.number(self.MINUTES) > 0
+
+    def _model(self, values: Values) -> str:
+        """Return the model of the user or of SemRef; empty without one."""
+        return values.file(self.MODEL) or (str(DEFAULT_MODEL) if DEFAULT_MODEL.is_file() else "")
+
+    # --- before any work ---
+
+    def read_layers(self, values: Values) -> None:
+        from ..base.area_setup import AreaMap
+        from ..base.photo_source import PhotoSource
+        from ..layers.rendering import needs_drawing
+        from ..layers.training_ground import require_common_ground
+
+        self.check(values)
+        self._map = AreaMap(self._layer(values), values.raw(self.ANNOTATION), values.text(self.CLASS_FIELD))
+        self._imagery, self._imagery_pixel_m, self._drawn = "", None, None
+        imagery = values.raster(self.IMAGERY) if values.has(self.IMAGERY) else None
+        if values.has(self.IMAGERY) and imagery is None:
+            raise ParameterError("The imagery can't be read. Choose an orthophoto or a layer of map tiles.")
+        if imagery is None:
+            return
+        if needs_drawing(imagery):
+            self._drawn = PhotoSource(values, self.IMAGERY, self.EXTENT) if self._trains(values) else None
+            return
+        self._imagery, self._imagery_pixel_m = imagery.source(), _pixel_m(imagery)
+        require_common_ground(imagery, self._map.name, self._map.extent, self._map.crs, values.transform_context)
+
+    def _layer(self, values: Values) -> QgsVectorLayer | None:
+        """Return the land-cover layer; of an OpenStreetMap extract, the layer of its areas."""
+        path = values.raw(self.ANNOTATION)
+        if isinstance(path, str) and os.path.isfile(path):
+            areas = QgsVectorLayer(f"{path}|layername={POLYGONS_OF_OSM}", Path(path).stem, "ogr")
+            if areas.isValid():
+                return areas
+        return values.vector(self.ANNOTATION)
+
+    def read(self, values: Values, feedback: QgsProcessingFeedback) -> AreaSetup:
+        """Return what the map and the photos need, after ``read_layers``; for any thread. Raises SemRefError."""
+        from ...storage.text_tables import read_rules
+        from ..base.area_setup import read_area, read_photos
+
+        feedback.setProgressText(tr("Reading the photos and the map"))
+        width_m = values.optional_number(self.PHOTO_WIDTH)
+        photos = read_photos(values.files(self.PHOTOS), width_m, self._imagery_pixel_m, feedback)
+        given = values.extent_as_given(self.EXTENT)
+        rules, known = read_rules(str(RULES_PATH)), self._known(values)
+        context, pixel_m = values.transform_context, self._imagery_pixel_m if self._trains(values) else None
+        return read_area(self._map, photos, given, rules, known, pixel_m, context, feedback)
+
+    def _card(self, values: Values) -> ModelCard | None:
+        """Return the card of the model; None without a model, or if a training cannot start from it."""
+        from ...core.segmentation.model_card import read_card
+
+        path = self._model(values)
+        card = read_card(path) if path else None
+        if card is None or (self._trains(values) and not card.can_be_base):
+            return None
+        if card.fault is not None:
+            raise ModelError(card.fault)
+        return card
+
+    def _known(self, values: Values) -> list[str]:
+        """Return the classes that the map is limited to: those of the model; empty for all classes of the map."""
+        card = self._card(values)
+        is_limited = card is not None and (self._map.has_tags or not self._trains(values))
+        return [name.casefold() for name in card.classes] if is_limited else []
+
+    # --- work ---
+
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, Any]:
+        area = self.read(values, feedback)
+        feedback.pushInfo(area.summary(values.number(self.MINUTES)))
+        for warning in area.warnings:
+            feedback.pushWarning(warning)
+        folder = Path(values.file(self.FOLDER)).absolute()
+        folder.mkdir(parents=True, exist_ok=True)
+        steps = self._steps(values, area, folder)
+        record = Record(folder, self._inputs(values, area))
+        for step in steps:
+            record.require_free(step)
+        record.require_own(REPORT_FILE)
+        progress = QgsProcessingMultiStepFeedback(len(steps), feedback)
+        for number, step in enumerate(steps):
+            check_canceled(feedback)
+            progress.setCurrentStep(number)
+            if record.has(step):
+                feedback.pushInfo(tr("{file} is complete and is used again.").format(file=folder / step.files[0]))
+                continue
+            feedback.setProgressText(step.text)
+            self._prepare(values, area, step, folder, record, feedback)
+            _run(step, values.context, progress)
+            record.add(step)
+        return self._report(values, area, folder, record)
+
+    def _steps(self, values: Values, area: AreaSetup, folder: Path) -> list[Step]:
+        """Return the algorithms to run, in order."""
+        plan, trains = area.plan, self._trains(values)
+        polygons: dict[str, Any] = {"INPUT": self._map.layer, "CLASS_FIELD": self._map.class_field}
+        polygons |= {"PRIORITY_FIELD": self._map.priority_field} if self._map.priority_field else {}
+        polygons |= {} if self._map.class_field else {"CLASS": BUILDING}
+        steps = []
+        known, classes = self._known(values), {name.casefold() for name in area.classes}
+        if self._map.has_tags:
+            tags = {"INPUT": self._map.layer, "OUTPUT": str(folder / LAND_COVER_FILE)}
+            tags |= {"RULES": str(folder / RULES_FILE)} if known else {}
+            steps.append(Step(ClassifyOpenStreetMap, tags, (LAND_COVER_FILE,), tr("Classifying OpenStreetMap")))
+            polygons = {"INPUT": tags["OUTPUT"], "CLASS_FIELD": "class", "PRIORITY_FIELD": "priority"}
+        rasterize = {
+            **polygons,
+            "PIXEL_SIZE": plan.pixel_size_m,
+            "EXTENT": QgsReferencedRectangle(area.extent, area.crs),
+            "TARGET_CRS": area.crs,
+            "OTHER_GROUND": OTHER in known and OTHER not in classes,
+            "OUTPUT": str(folder / LABEL_MAP_FILE),
+        }
+        build = {
+            "LABELS": rasterize["OUTPUT"],
+            "REFERENCE_CLASSES": ";".join(area.reference),
+            "WINDOW_SIZE": plan.window_m,
+            "STRIDE": plan.stride_m,
+            "MINIMUM_AREA": plan.minimum_area_m2,
+            "DATABASE": str(folder / DATABASE_FILE),
+        }
+        steps.append(Step(RasterizeAnnotation, rasterize, (LABEL_MAP_FILE,), tr("Rasterizing the map")))
+        steps.append(Step(BuildDatabase, build, (DATABASE_FILE,), tr("Building the reference database")))
+        if trains:
+            base = self._card(values)
+            is_fitting = base is not None and (known or classes <= {name.casefold() for name in base.classes})
+            train = {
+                "IMAGE": self._imagery,
+                "LABELS": rasterize["OUTPUT"],
+                "BASE_MODEL": base.file if is_fitting else None,
+                "MINUTES": values.number(self.MINUTES),
+                "RESOLUTION": plan.resolution_cm,
+                "OUTPUT": str(folder / MODEL_FILE),
+                "REPORT": str(folder / TRAINING_FILE),
+            }
+            steps.append(Step(TrainModel, train, (MODEL_FILE, TRAINING_FILE), tr("Training the model")))
+        if area.photos.files:
+            localize = {
+                "DATABASE": build["DATABASE"],
+                "IMAGES": list(area.photos.files),
+                "MODEL": str(folder / MODEL_FILE) if trains else self._model(values),
+                "RISK": RISK,
+                "OUTPUT": str(folder / POSITIONS_FILE),
+                "FOOTPRINTS": str(folder / FOOTPRINTS_FILE),
+            }
+            if area.photos.unknown:
+                localize |= {"ATTITUDE": str(folder / CAMERAS_FILE)}
+                localize |= {"SCALE_MINIMUM": SCALES[0], "SCALE_MAXIMUM": SCALES[1]}
+            files = POSITIONS_FILE, FOOTPRINTS_FILE
+            steps.append(Step(LocalizeImages, localize, files, tr("Localizing the photos")))
+        return steps
+
+    def _prepare(
+        self,
+        values: Values,
+        area: AreaSetup,
+        step: Step,
+        folder: Path,
+        record: Record,
+        feedback: QgsProcessingFeedback,
+    ) -> None:
+        """Write the small files that a step reads, and draw imagery that is not a file."""
+        from ..base.area_setup import camera_table
+
+        if step.values.get("RULES"):
+            record.write(RULES_FILE, _rules_of(self._known(values)))
+        if step.values.get("ATTITUDE"):
+            record.write(CAMERAS_FILE, camera_table(area.photos))
+        if step.algorithm is TrainModel and self._drawn is not None:
+            resolution_cm = area.plan.resolution_cm or 100 * area.plan.pixel_size_m
+            step.values["IMAGE"] = self._drawn.file(resolution_cm / 100, feedback)
+            step.values["RESOLUTION"] = None
+
+    def _inputs(self, values: Values, area: AreaSetup) -> list[Any]:
+        """Return what identifies the user's files; a file counts as changed if its size or time changed."""
+        from ...storage.file_states import state
+
+        files = [self._imagery, self._model(values), *area.photos.files]
+        return [area.digest, area.extent.toString(3), str(area.plan), [(path, *state(path)) for path in files if path]]
+
+    def _report(self, values: Values, area: AreaSetup, folder: Path, record: Record) -> dict[str, Any]:
+        """Write the report and return all results."""
+        from ..reports.setup_report import PhotoRow, SetupReport
+
+        rows = []
+        if area.photos.files:
+            layer = QgsVectorLayer(str(folder / POSITIONS_FILE), "", "ogr")
+            for one in layer.getFeatures():
+                texts = (str(one[name] or "") for name in ("image", "status", "reason"))
+                rows.append(PhotoRow(*texts, None if not one["error_95"] else float(one["error_95"])))
+        report = SetupReport(area.summary(values.number(self.MINUTES)), area.warnings, rows)
+        record.write(REPORT_FILE, report.html())
+        results = {self.DATABASE: str(folder / DATABASE_FILE), self.REPORT: str(folder / REPORT_FILE)}
+        results[self.TRAINED_MODEL] = str(folder / MODEL_FILE) if self._trains(values) else self._model(values)
+        return {**results, **({self.POSITIONS: str(folder / POSITIONS_FILE)} if rows else {})}
+
+
+def _run(step: Step, context: QgsProcessingContext, progress: QgsProcessingMultiStepFeedback) -> None:
+    """Run the algorithm. Raises its QgsProcessingException, or CanceledInFolder."""
+    try:
+        step.algorithm().run(step.values, context, progress, {}, False)
+    except QgsProcessingException:
+        if progress.isCanceled():
+            raise CanceledInFolder from None
+        raise
+
+
+class Record:
+    """Which files of the folder this algorithm made, and from which inputs; stored in the folder.
+
+    Files without an entry belong to the user and are never replaced.
+    """
+
+    def __init__(self, folder: Path, inputs: Sequence[Any]) -> None:
+        """Read the record. Raises ParameterError for a foreign file of that name."""
+        self._folder, self._inputs = folder, inputs
+        self._made: dict[str, list] = {}
+        if (folder / RECORD).exists():
+            try:
+                self._made = dict(json.loads((folder / RECORD).read_text(encoding="utf-8"))["made"])
+            except (OSError, ValueError, KeyError, TypeError):
+                raise _foreign(folder / RECORD) from None
+
+    def require_own(self, name: str) -> None:
+        """Raise ParameterError for a file that exists and that this algorithm did not make as it is."""
+        path = self._folder / name
+        if os.path.lexists(path) and self._made.get(name, [None])[0] != _state(path):
+            raise _foreign(path)
+
+    def require_free(self, step: Step) -> None:
+        """Raise ParameterError if a file of a step exists, unless ``has`` would return True."""
+        for name in step.files:
+            self.require_own(name)
+            if os.path.lexists(self._folder / name) and not self.has(step):
+                raise _foreign(self._folder / name)
+
+    def has(self, step: Step) -> bool:
+        """Return whether all files of a step were made from the same inputs and have not changed since."""
+        wanted = self._key(step)
+        return all(self._made.get(name) == [_state(self._folder / name), wanted] for name in step.files)
+
+    def add(self, step: Step) -> None:
+        """Record the files of a step that has ended."""
+        for name in step.files:
+            self._made[name] = [_state(self._folder / name), self._key(step)]
+        self._save()
+
+    def write(self, name: str, text: str) -> None:
+        """Write a small file. Raises ParameterError if another one exists that this algorithm did not make."""
+        from ...storage.atomic_output import written_beside
+
+        self.require_own(name)
+        with written_beside(str(self._folder / name)) as path:
+            Path(path).write_text(text, encoding="utf-8")
+        self._made[name] = [_state(self._folder / name), ""]
+        self._save()
+
+    def _save(self) -> None:
+        from ...storage.atomic_output import written_beside
+
+        with written_beside(str(self._folder / RECORD)) as path:
+            Path(path).write_text(json.dumps({"made": self._made}, indent=1), encoding="utf-8")
+
+    def _key(self, step: Step) -> str:
+        # Layer, extent and CRS are not JSON; the inputs identify them.
+        text = json.dumps([step.algorithm.ID, step.values, self._inputs], sort_keys=True, default=lambda _: "")
+        return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _state(path: Path) -> list:
+    """Return size and time of a file; None without one."""
+    found = os.lstat(path) if os.path.lexists(path) else None
+    return [found.st_size, found.st_mtime_ns] if found else [None]
+
+
+def _foreign(path: Path) -> ParameterError:
+    return ParameterError(
+        "{path} exists and was not made by a run with the same values. Choose another folder, or remove the file.",
+        path=path,
+    )
+
+
+def _rules_of(known: Sequence[str]) -> str:
+    """Return the rules of OpenStreetMap for these classes only; other ground becomes class “other”."""
+    header, *lines = RULES_PATH.read_text(encoding="utf-8").splitlines()
+    kept = [line for line in lines if not line.split(",")[2] or line.split(",")[2].casefold() in known]
+    return "\n".join([header, *kept, ""])
+
+
+def _pixel_m(layer: QgsRasterLayer) -> float | None:
+    """Return the pixel size of a raster file in m; None without a georeference."""
+    from ..layers.images import stated_pixel_size_m
+
+    found = stated_pixel_size_m(layer.source())
+    return None if found is None else found[0]

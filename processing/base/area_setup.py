@@ -1,0 +1,358 @@
+"""What “Set up an area” reads before it starts: map, photos and imagery, and the sizes that follow from them."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from statistics import median
+from typing import TYPE_CHECKING
+
+import numpy as np
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsCoordinateTransformContext,
+    QgsCsException,
+    QgsFeatureRequest,
+    QgsGeometry,
+    QgsPointXY,
+    QgsProcessingFeatureSourceDefinition,
+    QgsRectangle,
+    QgsVectorLayer,
+    QgsVectorLayerFeatureSource,
+)
+
+from ...core.area_plan import FEW_LANDMARKS, AreaPlan, MapLandmarks, plan_area
+from ...core.errors import AnnotationError, ParameterError, SemRefError
+from ...core.labels.class_colors import is_usual_landmark
+from ..compat import POLYGON_GEOMETRY, is_null
+from ..layers.guess_fields import BUILDING, class_field_of, has_osm_tags, priority_field_of
+from ..layers.images import stated_pixel_size_m
+from ..layers.reference_systems import WGS84, metric_crs, transformed_box, transformed_point
+from ..translation import tr
+from .algorithm import check_canceled
+
+if TYPE_CHECKING:
+    from qgis.core import QgsProcessingFeedback
+
+    from ...core.labels.openstreetmap import Rules
+
+RATIO = 0.75
+"""Height to width of a typical photo, where no photo is known."""
+
+LEAST_MARGIN_M, MARGIN_PHOTOS = 300.0, 3.0
+"""Ground around the photos' GPS positions that the database covers: at least this, or this number of photo widths."""
+
+_WIDTHS_READ = 2000
+_CHECK_EVERY = 500
+
+
+class AreaMap:
+    """A private copy of the land-cover layer for other threads, and how its polygons get their classes.
+
+    Attributes:
+        layer: The copy.
+        class_field: Field with the class; empty for tags of OpenStreetMap, and for a layer of buildings.
+        has_tags: Whether the classes follow from tags of OpenStreetMap.
+    """
+
+    def __init__(self, layer: QgsVectorLayer | None, definition: object, class_field: str) -> None:
+        """Copy the layer, in its thread. Raises AnnotationError."""
+        if layer is None or not layer.isValid():
+            raise AnnotationError("The land-cover layer can't be read. Choose a polygon layer.")
+        if layer.geometryType() != POLYGON_GEOMETRY:
+            raise AnnotationError("“{layer}” has no polygons. Choose a polygon layer.", layer=layer.name())
+        names = layer.fields().names()
+        if class_field and class_field not in names:
+            raise AnnotationError(
+                "“{layer}” has no field “{name}”. Choose one of its fields: {names}.",
+                layer=layer.name(),
+                name=class_field,
+                names=names,
+            )
+        self.has_tags = not class_field and has_osm_tags(names)
+        self.class_field = class_field or ("" if self.has_tags else class_field_of(layer))
+        self.priority_field = priority_field_of(layer) if self.class_field else ""
+        self.layer = _private_copy(layer, definition)
+        self.name, self.crs, self.extent = layer.name(), layer.crs(), self.layer.extent()
+        self._features = QgsVectorLayerFeatureSource(self.layer)
+
+    def polygons(self, extent: QgsRectangle, rules: Rules) -> Iterator[tuple[str, QgsGeometry]]:
+        """Yield (class name, geometry) of each polygon that touches an extent in the layer's CRS; empty: no class."""
+        from ...core.labels.openstreetmap import tags_of
+
+        names = self._features.fields().names()
+        for feature in self._features.getFeatures(QgsFeatureRequest().setFilterRect(extent)):
+            if self.has_tags:
+                columns = dict(zip(names, feature.attributes()))
+                rule = rules.of(tags_of({name: value for name, value in columns.items() if not is_null(value)}))
+                yield "" if rule is None else rule.class_name, feature.geometry()
+            else:
+                value = feature[self.class_field] if self.class_field else BUILDING
+                yield "" if is_null(value) else str(value).strip(), feature.geometry()
+
+
+def _private_copy(layer: QgsVectorLayer, definition: object) -> QgsVectorLayer:
+    """Return a layer that nobody edits or removes; features of layers in memory or in editing are copied."""
+    is_part = isinstance(definition, QgsProcessingFeatureSourceDefinition) and definition.selectedFeaturesOnly
+    if not is_part and layer.providerType() != "memory" and not layer.isEditable():
+        return layer.clone()
+    request = QgsFeatureRequest()
+    if is_part:
+        request.setFilterFids(layer.selectedFeatureIds())
+    copy = layer.materialize(request)
+    copy.setRenderer(layer.renderer().clone())
+    return copy
+
+
+@dataclass(frozen=True)
+class AreaPhotos:
+    """Photos and the ground that a typical one shows.
+
+    Attributes:
+        size_m: (width, height) of the ground, m.
+        unknown: (file, pixel size in m) of photos without height, lens or georeference.
+        places: (longitude, latitude) of photos with a GPS position, degrees.
+        is_assumed: Whether the size follows from the pixels of the imagery.
+    """
+
+    files: Sequence[str]
+    size_m: tuple[float, float]
+    unknown: Sequence[tuple[str, float]] = ()
+    places: Sequence[tuple[float, float]] = ()
+    is_assumed: bool = False
+
+
+def read_photos(
+    paths: Sequence[str], width_m: float | None, imagery_pixel_m: float | None, feedback: QgsProcessingFeedback
+) -> AreaPhotos:
+    """Read sizes and GPS positions of photos.
+
+    Args:
+        paths: Files and folders; may be empty if ``width_m`` is known.
+        width_m: Ground width of a typical photo; None if unknown.
+        imagery_pixel_m: Pixel size of the imagery, which photos without camera data are assumed to have.
+        feedback: It cancels.
+
+    Raises:
+        ParameterError: The ground width is unknown.
+        SemRefError: A folder has no images.
+    """
+    from ...storage.photo_position import photo_lon_lat
+    from ...storage.rasters import image_files, open_raster
+
+    files = image_files(list(paths))
+    shapes: dict[str, tuple[int, int]] = {}
+    sizes: dict[str, float | None] = {}
+    places = []
+    for path in files:
+        check_canceled(feedback)
+        try:
+            raster = open_raster(path)
+        except SemRefError:
+            # Localizing reports it as the reason of this photo.
+            continue
+        shapes[path] = raster.RasterYSize, raster.RasterXSize
+        sizes[path] = _pixel_size_m(path, shapes[path])
+        place = photo_lon_lat(path)
+        places += [] if place is None else [place]
+    known = [size * shapes[path][1] for path, size in sizes.items() if size]
+    is_assumed = width_m is None and not known
+    if is_assumed and not (imagery_pixel_m and shapes):
+        raise ParameterError(
+            "The photos do not state the height of the camera, so their ground width is unknown. Enter the ground "
+            "width of a typical photo in m."
+            if files
+            else "Select photos, or enter the ground width of a typical photo in m."
+        )
+    typical_m = width_m or median(known or [imagery_pixel_m * width for _, width in shapes.values()])
+    ratio = median([height / width for height, width in shapes.values()]) if shapes else RATIO
+    unknown = [(path, typical_m / shapes[path][1]) for path, size in sizes.items() if not size]
+    return AreaPhotos(files, (typical_m, typical_m * ratio), unknown, places, is_assumed)
+
+
+def _pixel_size_m(path: str, shape_hw: tuple[int, int]) -> float | None:
+    """Return the pixel size from a georeference, or from height and lens; None if both are unknown."""
+    from ...core.labels.photo_camera import photo_camera
+
+    stated = stated_pixel_size_m(path)
+    return stated[0] if stated is not None else photo_camera(path).pixel_size(shape_hw)
+
+
+@dataclass(frozen=True)
+class AreaSetup:
+    """What was read, and the sizes that follow from it.
+
+    Attributes:
+        crs: Metric CRS of the database.
+        extent: Ground of the database in ``crs``.
+        reference: Names of the landmark classes.
+        digest: Identifies the polygons in the extent.
+        warnings: One sentence for each reason why it may not work.
+    """
+
+    photos: AreaPhotos
+    plan: AreaPlan
+    crs: QgsCoordinateReferenceSystem
+    extent: QgsRectangle
+    classes: frozenset[str]
+    reference: tuple[str, ...]
+    digest: str
+    warnings: tuple[str, ...]
+
+    def summary(self, minutes: float) -> str:
+        """Return one sentence for the user, before anything starts."""
+        plan = self.plan
+        text = tr(
+            "{photos} photos. Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² "
+            "({classes}), about {per_photo} in a typical photo. {training}, database about {size:.2g} MB."
+        )
+        training = tr("Training about {minutes:g} minutes").format(minutes=minutes) if minutes else tr("No training")
+        return text.format(
+            photos=len(self.photos.files),
+            window=plan.window_m,
+            pixel=plan.pixel_size_m,
+            area=plan.minimum_area_m2,
+            landmarks=plan.landmarks,
+            classes=", ".join(self.reference),
+            per_photo=plan.per_photo,
+            training=training,
+            size=plan.megabytes,
+        )
+
+
+def read_area(
+    area: AreaMap,
+    photos: AreaPhotos,
+    given: tuple[QgsRectangle, QgsCoordinateReferenceSystem],
+    rules: Rules,
+    known: Sequence[str],
+    imagery_pixel_m: float | None,
+    context: QgsCoordinateTransformContext,
+    feedback: QgsProcessingFeedback,
+) -> AreaSetup:
+    """Read the map within its extent and return the sizes.
+
+    Args:
+        area: The map.
+        photos: The photos.
+        given: The user's extent, empty without one, and its CRS.
+        rules: Classes of tags.
+        known: Classes of the model; empty for a model that is trained on the map's classes.
+        imagery_pixel_m: Pixel size of the imagery for training, m; None without imagery.
+        context: Coordinate transforms of the project.
+        feedback: It cancels.
+
+    Raises:
+        ParameterError: No landmark is in the extent, or all photos are outside the map.
+        AnnotationError: The map has no CRS.
+    """
+    crs = metric_crs(area.crs, QgsCoordinateReferenceSystem(), area.extent, context)
+    extent, warnings = _extent(area, photos, given, crs, context)
+    to_metric = QgsCoordinateTransform(area.crs, crs, context)
+    names = {name.casefold() for name in known}
+    classes: set[str] = set()
+    areas, widths, centers, sha = [], [], [], hashlib.sha256()
+    back = transformed_box(QgsCoordinateTransform(crs, area.crs, context), extent)
+    for number, (name, geometry) in enumerate(area.polygons(back, rules)):
+        if number % _CHECK_EVERY == 0:
+            check_canceled(feedback)
+        if not name or geometry.isEmpty():
+            continue
+        sha.update(name.encode() + b"\0" + geometry.asWkb().data())
+        classes.add(name)
+        if not is_usual_landmark(name) or (names and name.casefold() not in names):
+            continue
+        try:
+            geometry.transform(to_metric)
+        except QgsCsException:
+            continue
+        areas.append(geometry.area())
+        centers.append(geometry.boundingBox().center())
+        if len(widths) < _WIDTHS_READ and BUILDING in name.casefold():
+            _, _, _, width, height = geometry.orientedMinimumBoundingBox()
+            widths.append(min(width, height))
+    if not areas:
+        raise _nothing_found(area.name, classes, known)
+    points = np.array([(point.x(), point.y()) for point in centers])
+    bounds = extent.xMinimum(), extent.yMinimum(), extent.xMaximum(), extent.yMaximum()
+    landmarks = MapLandmarks(np.array(areas), np.array(widths), points, bounds)
+    plan = plan_area(landmarks, photos.size_m, imagery_pixel_m)
+    if photos.is_assumed:
+        text = tr("The photos have no camera data. Their pixels are assumed to be as large as those of the imagery.")
+        warnings.append(text)
+    if plan.per_photo < FEW_LANDMARKS:
+        text = tr(
+            "A typical photo shows about {count} landmarks, but at least {least} are needed. Fly higher, or use a map "
+            "with more buildings."
+        )
+        warnings.append(text.format(count=plan.per_photo, least=FEW_LANDMARKS))
+    reference = tuple(
+        sorted(name for name in classes if is_usual_landmark(name) and (not names or name.casefold() in names))
+    )
+    return AreaSetup(photos, plan, crs, extent, frozenset(classes), reference, sha.hexdigest(), tuple(warnings))
+
+
+def _nothing_found(name: str, classes: set[str], known: Sequence[str]) -> ParameterError:
+    if not classes:
+        return ParameterError(
+            "“{layer}” has no polygon with a class in the extent. Check the extent, the CRS and the class field.",
+            layer=name,
+        )
+    if known:
+        return ParameterError(
+            "“{layer}” has no landmarks of the model in the extent. Its classes are {classes}, those of the model are "
+            "{known}. Choose another model, or train one.",
+            layer=name,
+            classes=sorted(classes),
+            known=list(known),
+        )
+    return ParameterError(
+        "“{layer}” has no landmarks in the extent, only {classes}. Choose a map with buildings, water or bare land.",
+        layer=name,
+        classes=sorted(classes),
+    )
+
+
+def _extent(
+    area: AreaMap,
+    photos: AreaPhotos,
+    given: tuple[QgsRectangle, QgsCoordinateReferenceSystem],
+    crs: QgsCoordinateReferenceSystem,
+    context: QgsCoordinateTransformContext,
+) -> tuple[QgsRectangle, list[str]]:
+    """Return the ground of the database in ``crs``, and warnings about photos outside the map."""
+    whole = transformed_box(QgsCoordinateTransform(area.crs, crs, context), area.extent)
+    if not given[0].isEmpty():
+        wanted = transformed_box(QgsCoordinateTransform(given[1], crs, context), given[0])
+        extent = wanted.intersect(whole)
+        if extent.isEmpty():
+            raise ParameterError("“{layer}” and the extent do not overlap. Choose another extent.", layer=area.name)
+        return extent, []
+    to_map = QgsCoordinateTransform(QgsCoordinateReferenceSystem(WGS84), crs, context)
+    found = (transformed_point(to_map, QgsPointXY(*place)) for place in photos.places)
+    points = [point for point in found if point is not None]
+    if not points:
+        return whole, []
+    inside = [point for point in points if whole.contains(point)]
+    if not inside:
+        raise ParameterError(
+            "All photos with a GPS position were taken outside “{layer}”. Choose a map of the place of the photos.",
+            layer=area.name,
+        )
+    extent = QgsRectangle(inside[0], inside[0])
+    for point in inside:
+        extent.include(point)
+    extent.grow(max(LEAST_MARGIN_M, MARGIN_PHOTOS * photos.size_m[0]))
+    text = tr("{count} of {all} photos with a GPS position were taken outside the map.")
+    outside = len(points) - len(inside)
+    return extent.intersect(whole), [text.format(count=outside, all=len(points))] if outside else []
+
+
+def camera_table(photos: AreaPhotos) -> str:
+    """Return a camera table (CSV) that gives photos without camera data the ground width of a typical photo."""
+    width_m = photos.size_m[0]
+    rows = {os.path.basename(path): f"{width_m:.6g},{width_m / size:.6g}" for path, size in photos.unknown}
+    return "\n".join(["image,height,focal_length_px", *(f'"{name}",{row}' for name, row in rows.items()), ""])

@@ -1,0 +1,168 @@
+"""semref:setuparea: from a map and photos to positions in one run, and its bad inputs."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import numpy as np
+import pytest
+from made_inputs import square, write_layer, write_raster, write_text
+from made_models import write_model
+from osgeo import gdal
+from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsVectorLayer
+
+SETUP = "semref:setuparea"
+
+
+@pytest.fixture
+def given(sample, repository, tmp_path):
+    """Return the parameters of a run on the sample area with three photos."""
+    photos = [str(sample / "photos" / f"photo_{n:02d}.jpg") for n in (1, 2, 3)]
+    return {
+        "ANNOTATION": str(sample / "landcover.shp"),
+        "PHOTOS": photos,
+        "PHOTO_WIDTH": 640,
+        "MODEL": str(repository / "models" / "sample_area.onnx"),
+        "FOLDER": str(tmp_path / "results"),
+    }
+
+
+def true_places(sample: Path) -> dict[str, np.ndarray]:
+    with (sample / "photos.csv").open(newline="", encoding="utf-8") as file:
+        return {row["image"]: np.array([float(row["x"]), float(row["y"])]) for row in csv.DictReader(file)}
+
+
+def positions(results: dict) -> list:
+    return list(QgsVectorLayer(results["POSITIONS"], "", "ogr").getFeatures())
+
+
+@pytest.mark.slow
+def test_one_run_places_photos_and_a_second_one_computes_nothing_again(run_algorithm, given, sample, feedback):
+    results = run_algorithm(SETUP, given, feedback)
+    truth = true_places(sample)
+    rows = positions(results)
+    assert [row["status"] for row in rows] == ["fix"] * 3
+    for row in rows:
+        assert np.hypot(*(truth[Path(row["image"]).name] - (row["x"], row["y"]))) < 3
+    log = feedback.textLog()
+    assert "3 photos. Window 640 m" in log and "No training" in log
+    report = Path(results["REPORT"]).read_text(encoding="utf-8")
+    assert "Photos with a position" in report and "photo_03.jpg" in report
+    assert results["TRAINED_MODEL"] == given["MODEL"]
+    folder = Path(given["FOLDER"])
+    before = {path.name: path.stat().st_mtime_ns for path in folder.iterdir() if path.suffix == ".gpkg"}
+    again = QgsProcessingFeedback(False)
+    assert run_algorithm(SETUP, given, again) == results
+    assert again.textLog().count("is used again") == 3
+    assert before == {path.name: path.stat().st_mtime_ns for path in folder.iterdir() if path.suffix == ".gpkg"}
+
+
+@pytest.fixture
+def small(tmp_path):
+    """Return the parameters of a run on 100 buildings, with a model of three classes, without photos."""
+    features = [(square(20 * column, 20 * row, 12), "building") for column in range(10) for row in range(10)]
+    return {
+        "ANNOTATION": str(write_layer(tmp_path / "map.gpkg", features)),
+        "PHOTO_WIDTH": 80,
+        "MODEL": str(write_model(tmp_path / "colors.onnx")),
+        "FOLDER": str(tmp_path / "results"),
+    }
+
+
+def photo(path: Path, **tags: str) -> str:
+    """Write a photo of 64 × 48 pixels with these items of EXIF."""
+    memory = gdal.GetDriverByName("MEM").Create("", 64, 48, 3)
+    memory.SetMetadata({f"EXIF_{name}": value for name, value in tags.items()})
+    gdal.GetDriverByName("JPEG").CreateCopy(str(path), memory)
+    Path(f"{path}.aux.xml").unlink(missing_ok=True)
+    return str(path)
+
+
+def files_in(folder: str) -> set[str]:
+    return {path.name for path in Path(folder).iterdir()} if Path(folder).exists() else set()
+
+
+def test_without_photos_it_makes_the_database_only(run_algorithm, small, feedback):
+    results = run_algorithm(SETUP, small, feedback)
+    assert "POSITIONS" not in results and Path(results["DATABASE"]).is_file()
+    assert "about 9 in a typical photo" in feedback.textLog()
+
+
+def test_osm_tags_are_limited_to_the_classes_of_the_model(run_algorithm, small, tmp_path, feedback):
+    features = [(square(20 * n, 0, 12), "yes", None) for n in range(9)] + [(square(0, 40, 60), None, "wood")]
+    fields = [("building", "text"), ("natural", "text")]
+    small["ANNOTATION"] = str(write_layer(tmp_path / "osm.gpkg", features, fields))
+    run_algorithm(SETUP, small, feedback)
+    assert "building: 9 polygons" in feedback.textLog() and "forest" not in feedback.textLog()
+    assert "A typical photo shows about" in feedback.textLog()
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"PHOTO_WIDTH": None}, "enter the ground width of a typical photo"),
+        ({"PHOTO_WIDTH": None, "PHOTOS": "photo"}, "do not state the height of the camera"),
+        ({"PHOTOS": "photo"}, "All photos with a GPS position were taken outside “map”"),
+        ({"EXTENT": "0,100,0,100 [EPSG:32632]"}, "the extent do not overlap"),
+        ({"EXTENT": "550012.5,550019,5219990,5219999 [EPSG:32632]"}, "has no polygon with a class in the extent"),
+        ({"IMAGERY": "far"}, "don't overlap"),
+        ({"MINUTES": 5}, "Training needs imagery"),
+        ({"MODEL": ""}, "SemRef has no model for this"),
+        ({"MODEL": "damaged"}, "is not an ONNX model"),
+        ({"CLASS_FIELD": "kind"}, "has no field “kind”"),
+    ],
+)
+def test_bad_input_is_one_sentence_and_leaves_no_file(run_algorithm, small, tmp_path, monkeypatch, change, message):
+    from semref.processing.algorithms import set_up_area
+
+    monkeypatch.setattr(set_up_area, "DEFAULT_MODEL", tmp_path / "missing.onnx")
+    place = {
+        "GPSLongitude": "(9) (0) (0)",
+        "GPSLongitudeRef": "E",
+        "GPSLatitude": "(20) (0) (0)",
+        "GPSLatitudeRef": "N",
+    }
+    far = (600000.0, 1.0, 0.0, 5000000.0, 0.0, -1.0)
+    made = {
+        "photo": lambda: [photo(tmp_path / "photo.jpg", **place)],
+        "far": lambda: str(write_raster(tmp_path / "far.tif", np.zeros((3, 50, 50), np.uint8), transform=far)),
+        "damaged": lambda: str(write_text(tmp_path / "bad.onnx", "no model")),
+    }
+    given = {**small, **{key: made.get(value, lambda value=value: value)() for key, value in change.items()}}
+    with pytest.raises(QgsProcessingException) as raised:
+        run_algorithm(SETUP, given)
+    assert message in str(raised.value)
+    assert files_in(small["FOLDER"]) == set()
+
+
+def test_files_of_others_and_of_other_values_are_not_replaced(run_algorithm, small):
+    folder = Path(small["FOLDER"])
+    folder.mkdir()
+    foreign = folder / "label_map.tif"
+    foreign.write_text("mine", encoding="utf-8")
+    with pytest.raises(QgsProcessingException, match="label_map.tif exists and was not made by a run with the same"):
+        run_algorithm(SETUP, small)
+    assert foreign.read_text(encoding="utf-8") == "mine" and files_in(folder) == {"label_map.tif"}
+    foreign.unlink()
+    run_algorithm(SETUP, small)
+    with pytest.raises(QgsProcessingException, match="was not made by a run with the same values"):
+        run_algorithm(SETUP, {**small, "PHOTO_WIDTH": 120})
+
+
+class CancelInSecondStep(QgsProcessingFeedback):
+    """Feedback that cancels when the database is built."""
+
+    def setProgressText(self, text):
+        if text.startswith("Building the reference database"):
+            self.cancel()
+
+
+def test_a_canceled_run_goes_on(run_algorithm, small, feedback):
+    with pytest.raises(QgsProcessingException, match="Canceled. Complete files remain"):
+        run_algorithm(SETUP, small, CancelInSecondStep(False))
+    assert "label_map.tif" in files_in(small["FOLDER"]) and "report.html" not in files_in(small["FOLDER"])
+    assert not any(name.endswith(".gpkg") for name in files_in(small["FOLDER"]))
+    run_algorithm(SETUP, small, feedback)
+    assert feedback.textLog().count("is used again") == 1
+    assert "report.html" in files_in(small["FOLDER"])
