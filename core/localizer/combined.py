@@ -208,11 +208,16 @@ def combine_without_fix(
     )
 
 
-def show_likely(found: Localization) -> Localization:
+def show_likely(found: Localization, settings: LocalizerSettings = LOCALIZER) -> Localization:
     """Return a candidate as a likely position if only its error probability, at most LIKELY_RISK, prevents a fix."""
     if not found.is_doubted or found.risk is None or found.risk > LIKELY_RISK:
         return found
-    return replace(found, status=Status.LIKELY, confidence=1 - found.risk, alternatives=())
+    reason = Sentence(
+        "This position is only likely: its error probability is {risk:.2g}; at most {allowed:.2g} is allowed.",
+        risk=found.risk,
+        allowed=settings.allowed_risk,
+    )
+    return replace(found, status=Status.LIKELY, reason=reason, confidence=1 - found.risk, alternatives=())
 
 
 def _odds(found: Localization) -> float:

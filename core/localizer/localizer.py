@@ -384,7 +384,7 @@ class Localizer:
             found = self.localize_automatically(labels_hw, prior, shares, biases)
         else:
             found = self.localize_by_constellation(labels_hw, prior, biases)
-        found = show_likely(found)
+        found = show_likely(found, self.settings)
         place = found.place
         if place is None:
             return self._with_search_range(found, method, _shape(labels_hw), prior or Prior())
