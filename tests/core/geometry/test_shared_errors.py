@@ -30,7 +30,7 @@ def complex_normal(rng, count, deviation=1.0):
     return deviation * (rng.normal(size=count) + 1j * rng.normal(size=count))
 
 
-def tried(rng, count, displaced=0.0, shift=0j, errors=USUAL, bend=0.0, own=0.6):
+def tried(rng, count, displaced=0.0, shift=0j, errors=USUAL, bend=0.0, own=0.6, kernels=DISPLACED_KERNELS):
     """Return a pose refined from landmarks in villages, and its covariance; deviations are taken × 1.4."""
     villages = rng.uniform(-550, 550, (6, 2))
     points = villages[rng.integers(0, 6, count)] + rng.normal(0, 80, (count, 2))
@@ -38,9 +38,7 @@ def tried(rng, count, displaced=0.0, shift=0j, errors=USUAL, bend=0.0, own=0.6):
     seen = image * (1 + bend * np.abs(image) ** 2 / (DIAGONAL / 2) ** 2)
     on_map = TRUE.on_map(seen) + complex_normal(rng, count, own) - shift
     if displaced:
-        on_map += (
-            displaced * correlated_shifts(np.column_stack([on_map.real, on_map.imag]), DISPLACED_KERNELS, rng) @ (1, 1j)
-        )
+        on_map += displaced * correlated_shifts(np.column_stack([on_map.real, on_map.imag]), kernels, rng) @ (1, 1j)
     first = Pose(*(complex(v) for v in fit_similarity(image, on_map, np.ones(count))))
     matched = MatchedPoints(image, on_map, np.full(count, 1.4 * own), np.ones(count, np.uint8), DIAGONAL)
     return refined_pose(matched, first, errors)
@@ -69,6 +67,20 @@ def test_the_covariance_covers_errors_shared_by_neighbors():
     results = [tried(rng, 60, displaced=1.13) for _ in range(150)]
     assert 0.89 <= held(results) <= 0.99
     assert held([tried(rng, 60, displaced=1.13, errors=EXACT_MAP) for _ in range(100)]) < 0.7
+
+
+@pytest.mark.slow
+def test_the_covariance_covers_maps_with_two_fifths_drawn_again():
+    rng = np.random.default_rng(2)
+    kernels = USUAL.settings.map_kernels
+    results = [tried(rng, 60, displaced=m, own=0.3, kernels=kernels) for m in (0.03, 0.03, 0.03, 0.7, 2.0) * 30]
+    assert 0.89 <= held(results) <= 0.99
+
+
+def test_a_map_that_did_not_change_keeps_a_small_radius():
+    rng = np.random.default_rng(3)
+    radii = [tried(rng, 60, own=0.1)[1].radius_95 for _ in range(10)]
+    assert np.median(radii) < 0.25
 
 
 def test_a_stated_bias_is_taken_off_in_ground_and_in_image_axes():
