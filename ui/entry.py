@@ -60,6 +60,7 @@ class DockEntry:
         self._sample = None
         self._diagnostics = Diagnostics(window)
         self._add_to_menu("SemRefSampleAction", tr("Open the sample project…"), "", self._open_sample)
+        self._add_to_menu("SemRefSetUpAction", tr("Set up an area…"), "", self._dock.set_up_area)
         self._add_to_menu("SemRefHelpAction", tr("User guide"), "/mActionHelpContents.svg", _open_user_guide)
         copy = "SemRefDiagnosticsAction", tr("Copy diagnostics"), "/mActionEditCopy.svg"
         self._add_to_menu(*copy, self._copy_diagnostics)

@@ -36,6 +36,7 @@ from ..base.parameters import with_help
 from ..base.shipped_models import MODELS
 from ..compat import DOUBLE, SOURCE_FILE, SOURCE_POLYGON
 from ..layers.guess_fields import BUILDING
+from ..layers.results_file import TABLES
 from ..translation import tr
 from .build_database import BuildDatabase
 from .classify_openstreetmap import POLYGONS_OF_OSM, RULES_PATH, ClassifyOpenStreetMap
@@ -58,7 +59,11 @@ RECORD = "semref_setup.json"
 RULES_FILE, CAMERAS_FILE = "rules.csv", "cameras.csv"
 LAND_COVER_FILE, LABEL_MAP_FILE = "land_cover.gpkg", "label_map.tif"
 DATABASE_FILE, MODEL_FILE, TRAINING_FILE = "reference_database.gpkg", "model.onnx", "training.html"
-POSITIONS_FILE, FOOTPRINTS_FILE, REPORT_FILE = "positions.gpkg", "footprints.gpkg", "report.html"
+POSITIONS_FILE, REPORT_FILE = "positions.gpkg", "report.html"
+LABELS_FOLDER = "labels"
+"""Folder of the photos' label images; the dock looks for this name beside results."""
+
+_OUTPUTS = dict(zip(("OUTPUT", "FOOTPRINTS", "ALTERNATIVES", "MATCHES"), TABLES))
 
 RISK, SCALES = 0.01, (0.5, 2.0)
 """Maximum error probability of the positions, and scales to search where the ground width of a photo is typical."""
@@ -339,14 +344,13 @@ class SetUpArea(SemRefAlgorithm):
                 "IMAGES": list(area.photos.files),
                 "MODEL": str(folder / MODEL_FILE) if trains else self._model(values),
                 "RISK": RISK,
-                "OUTPUT": str(folder / POSITIONS_FILE),
-                "FOOTPRINTS": str(folder / FOOTPRINTS_FILE),
+                "LABELS": str(folder / LABELS_FOLDER),
+                **_tables(str(folder / POSITIONS_FILE)),
             }
             if area.photos.unknown:
                 localize |= {"ATTITUDE": str(folder / CAMERAS_FILE)}
                 localize |= {"SCALE_MINIMUM": SCALES[0], "SCALE_MAXIMUM": SCALES[1]}
-            files = POSITIONS_FILE, FOOTPRINTS_FILE
-            steps.append(Step(LocalizeImages, localize, files, tr("Localizing the photos")))
+            steps.append(Step(LocalizeImages, localize, (POSITIONS_FILE,), tr("Localizing the photos")))
         return steps
 
     def _prepare(
@@ -381,17 +385,16 @@ class SetUpArea(SemRefAlgorithm):
         """Write the report and return all results."""
         from ..reports.setup_report import PhotoRow, SetupReport
 
-        rows = []
+        rows, positions = [], f"{folder / POSITIONS_FILE}|layername={TABLES[0]}"
         if area.photos.files:
-            layer = QgsVectorLayer(str(folder / POSITIONS_FILE), "", "ogr")
-            for one in layer.getFeatures():
+            for one in QgsVectorLayer(positions, "", "ogr").getFeatures():
                 texts = (str(one[name] or "") for name in ("image", "status", "reason"))
                 rows.append(PhotoRow(*texts, None if not one["error_95"] else float(one["error_95"])))
         report = SetupReport(area.summary(values.number(self.MINUTES)), area.warnings, rows)
         record.write(REPORT_FILE, report.html())
         results = {self.DATABASE: str(folder / DATABASE_FILE), self.REPORT: str(folder / REPORT_FILE)}
         results[self.TRAINED_MODEL] = str(folder / MODEL_FILE) if self._trains(values) else self._model(values)
-        return {**results, **({self.POSITIONS: str(folder / POSITIONS_FILE)} if rows else {})}
+        return {**results, **({self.POSITIONS: positions} if rows else {})}
 
 
 def _run(step: Step, context: QgsProcessingContext, progress: QgsProcessingMultiStepFeedback) -> None:
@@ -402,6 +405,14 @@ def _run(step: Step, context: QgsProcessingContext, progress: QgsProcessingMulti
         if progress.isCanceled():
             raise CanceledInFolder from None
         raise
+
+
+def _tables(path: str) -> dict[str, str]:
+    """Return the outputs of the localization as tables of one file, as the dock opens them."""
+    if "'" in path:
+        # QGIS cannot write tables to such a path. The only layer gets the file's name, which is that of the table.
+        return {"OUTPUT": path}
+    return {key: f"ogr:dbname='{path}' table=\"{table}\" (geom)" for key, table in _OUTPUTS.items()}
 
 
 class Record:

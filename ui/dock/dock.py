@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from qgis.core import QgsProject, QgsSettings
@@ -18,9 +19,10 @@ from ..packages.missing_notice import MissingNotice
 from ..project_state import DATABASE_SETTING, DockState, read_state, write_state
 from ..running.background import DatabaseShelf
 from ..widgets.layouts import narrow
-from ..widgets.messages import TAG, Messages
+from ..widgets.messages import TAG, Messages, open_file
 
 if TYPE_CHECKING:
+    from ..set_up_area import SetUpAreaDialog
     from .content import DockContent
 
 
@@ -52,6 +54,7 @@ class SemRefDock(QgsDockWidget):
         self._canvas = canvas
         self._shelf = DatabaseShelf()
         self._content: DockContent | None = None
+        self.setting_up: SetUpAreaDialog | None = None
         self._opens = False
         project = QgsProject.instance()
         # A project may be open when the plugin is loaded.
@@ -88,6 +91,7 @@ class SemRefDock(QgsDockWidget):
         content = DockContent(self._canvas, self.messages, self._shelf)
         content.resetAsked.connect(self._ask_to_reset)
         content.localize.found.connect(self._show_found)
+        content.database.setUpAsked.connect(self.set_up_area)
         content.localize.modelChosen.connect(self.notice.use_model)
         self.notice.use_model(content.localize.images.model_path())
         self._layout.addWidget(content, 1)
@@ -112,19 +116,44 @@ class SemRefDock(QgsDockWidget):
         OPENED.database.disconnect(self.choose_database)
         OPENED.raster.disconnect(self._reload_raster)
         self._opens = False
+        if self.setting_up is not None:
+            self.setting_up.shut_down()
+            self.setting_up = None
         if self._content is not None:
             self._content.shut_down()
 
-    def prepare(self, database: str, model: str, images: list[str]) -> None:
-        """Show the dock with database, model and images, and the automatic method."""
+    def prepare(self, database: str, model: str, images: list[str], results: str = "") -> None:
+        """Show the dock with database, model, images and results, and the automatic method."""
         from .content import LOCALIZE
 
         localize = self.content.localize
         localize.show_state(
-            DockState(database, model, Method.AUTOMATIC.number, images, localize.results.image.opacity.value())
+            DockState(database, model, Method.AUTOMATIC.number, images, localize.results.image.opacity.value(), results)
         )
         self.setUserVisible(True)
         self.content.tabs.setCurrentIndex(LOCALIZE)
+
+    def set_up_area(self) -> None:
+        """Open the dialog *Set up an area*, or show it again."""
+        self.setUserVisible(True)
+        self.fill()
+        if self.notice.blocks:
+            return
+        if self.setting_up is None:
+            from ..set_up_area import SetUpAreaDialog
+
+            self.setting_up = SetUpAreaDialog(self.content.localize.images.model_path(), self.window())
+            self.setting_up.finished_with.connect(self._show_area)
+        self.setting_up.show()
+        self.setting_up.raise_()
+
+    def _show_area(self, results: dict, given: dict) -> None:
+        """Show map, landmarks and positions in the project, and the photos in the dock."""
+        from ..set_up_area import add_area
+
+        results_file = add_area(results, given, QgsProject.instance())
+        self.prepare(results["DATABASE"], results["TRAINED_MODEL"], given["PHOTOS"], results_file)
+        self.messages.success_with(tr("The area is set up."), tr("Open report"), partial(open_file, results["REPORT"]))
 
     def choose_database(self, path: str) -> None:
         """Choose a database, also one that was replaced under the same name."""

@@ -90,6 +90,8 @@ class Reader(QObject):
     def _take(self) -> None:
         self._watch.stop()
         task, self._task = self._task, None
+        # Its arguments may keep files open.
+        self._asked = None
         if self._next is not None:
             self._start()
             return

@@ -9,7 +9,7 @@ from qgis.core import QgsApplication, QgsProject, QgsSettings
 from qgis.gui import QgsFileWidget
 from qgis.PyQt.QtCore import QSize, Qt, QTimer, pyqtSignal
 from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent, QFont, QFontMetrics, QResizeEvent
-from qgis.PyQt.QtWidgets import QLabel, QVBoxLayout, QWidget
+from qgis.PyQt.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
 from ...processing.inspection.chosen import require_database
 from ...processing.translation import tr
@@ -40,6 +40,7 @@ class DatabaseBox(FoldingBox):
     replaced = pyqtSignal()
     checked = pyqtSignal()
     addToMapAsked = pyqtSignal()
+    setUpAsked = pyqtSignal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Reference database"), parent)
@@ -59,6 +60,8 @@ class DatabaseBox(FoldingBox):
         self.in_project.setAccessibleName(tr("Databases with layers in the project"))
         self.add_to_map = tool_button("/mActionAddLayer.svg", tr("Add database to map"))
         self.make = tool_button("/mActionNewGeoPackageLayer.svg", tr("Build a reference database from polygons…"))
+        self.set_up = QPushButton(tr("Set up an area…"))
+        self.set_up.setToolTip(tr("Go from a map and a folder of photos to their positions"))
         self.making: QWidget | None = None
         self.fault = ""
         self.fault_label = QLabel()
@@ -71,11 +74,13 @@ class DatabaseBox(FoldingBox):
         layout.addLayout(row_of((self.file, 1), self.add_to_map, self.make))
         layout.addWidget(self.fault_label)
         layout.addWidget(self.in_project)
+        layout.addWidget(self.set_up)
         name_fold(self)
         self.file.fileChanged.connect(self._remember)
         self.in_project.activated.connect(self._choose_in_project)
         self.add_to_map.clicked.connect(self.addToMapAsked)
         self.make.clicked.connect(self._make_database)
+        self.set_up.clicked.connect(self.setUpAsked)
         self._reader = Reader(self)
         self._reader.answered.connect(lambda _nothing: self._show_fault(""))
         self._reader.failed.connect(self._show_fault)
@@ -159,6 +164,8 @@ class DatabaseBox(FoldingBox):
     def _check(self) -> None:
         """Check the file in the background: it may be of any kind, and on a slow disk."""
         self._reader.forget()
+        # A user without a database sees it first.
+        self.set_up.setVisible(not self.path())
         self._show_fault("")
         if self.path():
             self._reader.read(tr("Reading the database"), require_database, self.path())

@@ -7,7 +7,8 @@ from html import escape
 
 from qgis.core import Qgis, QgsMessageLog, QgsProject
 from qgis.gui import QgsMessageBar, QgsMessageBarItem
-from qgis.PyQt.QtCore import QCoreApplication, QTimer
+from qgis.PyQt.QtCore import QCoreApplication, QTimer, QUrl
+from qgis.PyQt.QtGui import QDesktopServices
 from qgis.PyQt.QtWidgets import QPushButton
 
 from ...processing.translation import tr
@@ -80,6 +81,11 @@ class Messages:
         self.error(
             tr("An error in SemRef stopped the work. Please report the text under “SemRef” in the log messages panel.")
         )
+
+
+def open_file(path: str) -> None:
+    """Open a file with the program of the operating system."""
+    QDesktopServices.openUrl(QUrl.fromLocalFile(path))
 
 
 def _escaped(sentence: str) -> str:

@@ -9,8 +9,7 @@ from typing import Callable
 
 from qgis.core import QgsProject, QgsRasterLayer, QgsSettings
 from qgis.gui import QgsMapCanvas
-from qgis.PyQt.QtCore import QUrl, pyqtSignal
-from qgis.PyQt.QtGui import QDesktopServices
+from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtWidgets import QFileDialog, QPushButton, QVBoxLayout, QWidget
 
 from ....core.errors import ParameterError
@@ -28,7 +27,7 @@ from ...running.localization_run import LocalizationRun, named_results
 from ...running.run_history import RunRecord, forget_old_runs, labels_of, run_records, runs_folder
 from ...widgets.database_box import DatabaseBox
 from ...widgets.layouts import MARGIN_PX
-from ...widgets.messages import Messages
+from ...widgets.messages import Messages, open_file
 from ...widgets.progress import RemainingBar, StatusLine
 from .inputs import ImageBox, MethodRow
 from .prior_row import PriorRow
@@ -347,7 +346,7 @@ class LocalizeTab(QWidget):
     def _show_trained(self, report: str) -> None:
         sentence = tr("The model is trained and selected in the dock.")
         if report:
-            self._messages.success_with(sentence, tr("Open report"), partial(_open_file, report))
+            self._messages.success_with(sentence, tr("Open report"), partial(open_file, report))
         else:
             self._messages.success(sentence)
 
@@ -357,8 +356,3 @@ class LocalizeTab(QWidget):
             "map view of a layer."
         )
         self._messages.warning(sentence.format(layers=", ".join(names)))
-
-
-def _open_file(path: str) -> None:
-    """Open a file with the program of the operating system."""
-    QDesktopServices.openUrl(QUrl.fromLocalFile(path))

@@ -1,0 +1,74 @@
+"""The dialog *Set up an area* of the dock: it shows the derived sizes, runs in the background and fills the project."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+from dock_area import messages, wait_until
+
+
+@pytest.fixture
+def dialog(dock):
+    dock.set_up_area()
+    return dock.setting_up
+
+
+@pytest.fixture
+def project_map(sample):
+    from qgis.core import QgsProject, QgsVectorLayer
+
+    # Not returned: QGIS deletes it with the project.
+    QgsProject.instance().addMapLayer(QgsVectorLayer(str(sample / "landcover.shp"), "land cover", "ogr"))
+
+
+def shows(dialog, text: str) -> None:
+    wait_until(lambda: text in dialog.summary.text(), f"“{text}”, not “{dialog.summary.text()}”")
+
+
+def test_a_dock_without_a_database_offers_it(dock):
+    assert not dock.content.database.set_up.isHidden()
+    dock.content.database.set_up.click()
+    assert dock.setting_up.isVisible()
+    dock.content.database.file.setFilePath("any.gpkg")
+    assert dock.content.database.set_up.isHidden()
+
+
+def test_it_asks_for_what_is_missing_and_shows_the_sizes_before_it_starts(
+    project_map, dialog, sample, repository, tmp_path
+):
+    dialog.model.setFilePath(str(repository / "models" / "sample_area.onnx"))
+    shows(dialog, "enter the ground width of a typical photo")
+    assert not dialog.start.isEnabled()
+    dialog.width_m.setValue(640)
+    shows(dialog, "0 photos. Window 480 m")
+    shows(dialog, "Choose a folder for the results")
+    assert not dialog.start.isEnabled()
+    dialog.folder.setFilePath(str(tmp_path / "results"))
+    wait_until(dialog.start.isEnabled, "the button Run")
+
+
+@pytest.mark.slow
+def test_a_run_shows_map_landmarks_and_positions(dock, iface, project_map, dialog, sample, repository, tmp_path):
+    from qgis.core import QgsProject
+
+    photos = tmp_path / "photos"
+    photos.mkdir()
+    for n in (1, 2):
+        shutil.copy(sample / "photos" / f"photo_{n:02d}.jpg", photos)
+    dialog.photos.setFilePath(str(photos))
+    dialog.width_m.setValue(640)
+    dialog.model.setFilePath(str(repository / "models" / "sample_area.onnx"))
+    dialog.folder.setFilePath(str(tmp_path / "results"))
+    wait_until(dialog.start.isEnabled, "the button Run")
+    dialog.start.click()
+    assert dialog.start.text() == "Cancel"
+    wait_until(lambda: not dialog.isVisible() or dialog.start.text() == "Run", "the end of the run")
+    assert not dialog.isVisible(), dialog.summary.text()
+    names = {node.name() for node in QgsProject.instance().layerTreeRoot().findLayers()}
+    assert {"land cover", "Landmarks", "SemRef positions", "SemRef footprints"} <= names
+    assert dock.content.database.path() == str(tmp_path / "results" / "reference_database.gpkg")
+    assert dock.content.localize.state.text_shown.startswith("2 of 2 images have a position")
+    assert any("The area is set up" in text for text in messages(iface))
+    assert Path(dialog.folder.filePath(), "report.html").is_file()

@@ -1,0 +1,241 @@
+"""Dialog *Set up an area*: asks for photos, map, imagery and folder, shows the derived sizes, and runs everything."""
+
+from __future__ import annotations
+
+import os
+
+from qgis.core import QgsProcessingContext, QgsProcessingFeedback, QgsProject, QgsSettings, QgsVectorLayer
+from qgis.gui import QgsFileWidget, QgsProcessingMapLayerComboBox
+from qgis.PyQt.QtCore import Qt, QTimer, pyqtSignal
+from qgis.PyQt.QtWidgets import QDialog, QDoubleSpinBox, QFormLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+
+from ..core.errors import SemRefError
+from ..processing.algorithms.set_up_area import SetUpArea
+from ..processing.base.values import Values
+from ..processing.layers.database_layers import add_database_to_map, database_layers
+from ..processing.messages.sentences import worded
+from ..processing.translation import tr
+from .running.algorithm_run import AlgorithmRun
+from .running.background import Reader
+from .running.localization_run import named_results
+from .widgets.layouts import row_of
+from .widgets.progress import RemainingBar, StatusLine
+
+ALGORITHM = "semref:setuparea"
+_FOLDER_SETTING = "semref/area_folder"
+_WAIT_MS = 400
+"""Pause after a change before the map is read again."""
+
+_WIDTH_PX = 560
+
+
+class SetUpAreaDialog(QDialog):
+    """Not modal; a run continues when it is closed. ``shut_down`` deletes it.
+
+    finished_with: results of the algorithm, and the parameters of the run.
+    """
+
+    finished_with = pyqtSignal(dict, dict)
+
+    def __init__(self, model: str, parent: QWidget | None = None) -> None:
+        """Make the dialog; ``model``: path of the dock's model, empty for the one of SemRef."""
+        super().__init__(parent)
+        self.setObjectName("SemRefSetUpArea")
+        self.setWindowTitle(tr("Set up an area"))
+        self.resize(_WIDTH_PX, self.sizeHint().height())
+        # It owns the definitions that the widgets use.
+        self._asked = _algorithm()
+        self._definition = self._asked.parameterDefinition
+        self.photos = _files(QgsFileWidget.StorageMode.GetDirectory)
+        self.width_m = _number(tr("from the camera or the imagery"), " m", 1, 10)
+        self.map = QgsProcessingMapLayerComboBox(self._definition(SetUpArea.ANNOTATION))
+        self.imagery = QgsProcessingMapLayerComboBox(self._definition(SetUpArea.IMAGERY))
+        # QGIS selects the first layer, also of an optional parameter.
+        self.imagery.setValue(None, QgsProcessingContext())
+        self.minutes = _number(tr("0, use the model as it is"), tr(" min"), 0, 5)
+        self.model = _files(QgsFileWidget.StorageMode.GetFile)
+        self.model.setFilter(tr("ONNX models (*.onnx)"))
+        self.model.setFilePath(model if os.path.isfile(model) else "")
+        self.folder = _files(QgsFileWidget.StorageMode.GetDirectory)
+        self.summary = QLabel()
+        self.progress, self.state = RemainingBar(), StatusLine()
+        self.start, self.close_button = QPushButton(tr("Run")), QPushButton(tr("Close"))
+        self._run, self._reader, self._soon = AlgorithmRun(self), Reader(self), QTimer(self)
+        self._feedback, self._context = QgsProcessingFeedback(False), QgsProcessingContext()
+        self._used: dict = {}
+        self._lay_out()
+        self._connect()
+        self._read_soon()
+
+    def _lay_out(self) -> None:
+        form = QFormLayout()
+        for key, widget in (
+            (SetUpArea.PHOTOS, self.photos),
+            (SetUpArea.PHOTO_WIDTH, self.width_m),
+            (SetUpArea.ANNOTATION, self.map),
+            (SetUpArea.IMAGERY, self.imagery),
+            (SetUpArea.MINUTES, self.minutes),
+            (SetUpArea.MODEL, self.model),
+            (SetUpArea.FOLDER, self.folder),
+        ):
+            definition = self._definition(key)
+            widget.setToolTip(definition.help())
+            widget.setAccessibleName(definition.description())
+            form.addRow(definition.description(), widget)
+        self.summary.setWordWrap(True)
+        # Names of layers may look like HTML.
+        self.summary.setTextFormat(Qt.TextFormat.PlainText)
+        self.summary.setMinimumHeight(5 * self.fontMetrics().height())
+        self.summary.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self.progress.setVisible(False)
+        self.start.setDefault(True)
+        layout = QVBoxLayout(self)
+        layout.addLayout(form)
+        layout.addWidget(self.summary, 1)
+        for widget in (self.progress, self.state):
+            layout.addWidget(widget)
+        layout.addLayout(row_of((QWidget(), 1), self.start, self.close_button))
+
+    def _connect(self) -> None:
+        self._soon.setSingleShot(True)
+        self._soon.timeout.connect(self._read)
+        for widget in (self.photos, self.model, self.folder):
+            widget.fileChanged.connect(self._read_soon)
+        for widget in (self.map, self.imagery, self.width_m, self.minutes):
+            widget.valueChanged.connect(self._read_soon)
+        self._reader.answered.connect(self._show_area)
+        for failed in (self._reader.failed, self._reader.broke):
+            failed.connect(self.summary.setText)
+        for failed in (self._run.failed, self._run.broke):
+            failed.connect(self._show_fault)
+        self._run.progressed.connect(self.progress.show_percent)
+        self._run.textChanged.connect(self.state.show_text)
+        self._run.done.connect(self._finish)
+        self._run.canceled.connect(lambda: self._show_fault(tr("Canceled. Press “Run” to continue.")))
+        self.start.clicked.connect(self._start_or_cancel)
+        self.close_button.clicked.connect(self.hide)
+
+    def shut_down(self) -> None:
+        """Cancel the run and background reading, and delete the dialog."""
+        self._soon.stop()
+        self._feedback.cancel()
+        self._reader.shut_down()
+        self._run.abandon()
+        self.deleteLater()
+
+    def parameters(self) -> dict:
+        """Return the parameters of the algorithm."""
+        photos = self.photos.filePath().strip()
+        return {
+            SetUpArea.PHOTOS: [photos] if photos else [],
+            SetUpArea.PHOTO_WIDTH: self.width_m.value() or None,
+            SetUpArea.ANNOTATION: self.map.currentLayer() or self.map.value(),
+            SetUpArea.IMAGERY: self.imagery.currentLayer() or self.imagery.value(),
+            SetUpArea.MINUTES: self.minutes.value(),
+            SetUpArea.MODEL: self.model.filePath().strip(),
+            SetUpArea.FOLDER: self.folder.filePath().strip(),
+        }
+
+    def _read_soon(self, *_: object) -> None:
+        if not self._run.running:
+            self._feedback.cancel()
+            self._reader.forget()
+            self.start.setEnabled(False)
+            self._soon.start(_WAIT_MS)
+
+    def _read(self) -> None:
+        """Read map and photos in the background."""
+        given = self.parameters()
+        if not given[SetUpArea.ANNOTATION]:
+            self.summary.setText(tr("Choose a folder with photos, and a map of their place."))
+            return
+        self._feedback, self._context = QgsProcessingFeedback(False), QgsProcessingContext()
+        self._context.setProject(QgsProject.instance())
+        # A new one: a reading that was given up may still use the layers of the last one.
+        algorithm = _algorithm()
+        values = Values(algorithm, given, self._context)
+        self.summary.setText(tr("Reading the photos and the map…"))
+        try:
+            algorithm.read_layers(values)
+        except SemRefError as error:
+            self.summary.setText(worded(error))
+            return
+        self._reader.read(tr("Reading the photos and the map"), algorithm.read, values, self._feedback)
+
+    def _show_area(self, area) -> None:
+        lines = [area.summary(self.minutes.value()), *area.warnings]
+        if not self.folder.filePath().strip():
+            lines.append(tr("Choose a folder for the results."))
+        self.summary.setText("\n\n".join(lines))
+        self.start.setEnabled(bool(self.folder.filePath().strip()))
+
+    def _show_fault(self, sentence: str) -> None:
+        self._show_running(False)
+        self.summary.setText(sentence)
+
+    def _start_or_cancel(self) -> None:
+        if self._run.running:
+            self.start.setEnabled(False)
+            self.state.show_text(tr("Canceling…"))
+            self._run.cancel()
+            return
+        self._used = self.parameters()
+        if self._run.start_algorithm(ALGORITHM, self._used, tr("Setting up an area")):
+            self._show_running(True)
+
+    def _show_running(self, is_running: bool) -> None:
+        self.progress.setVisible(is_running)
+        self.progress.begin()
+        self.state.show_text("")
+        self.start.setText(tr("Cancel") if is_running else tr("Run"))
+        self.start.setEnabled(True)
+        for widget in (self.photos, self.width_m, self.map, self.imagery, self.minutes, self.model, self.folder):
+            widget.setEnabled(not is_running)
+
+    def _finish(self, results: dict, _context: QgsProcessingContext) -> None:
+        self._show_running(False)
+        QgsSettings().setValue(_FOLDER_SETTING, os.path.dirname(self._used[SetUpArea.FOLDER]))
+        self.hide()
+        self.finished_with.emit(results, self._used)
+
+
+def _algorithm() -> SetUpArea:
+    made = SetUpArea()
+    made.initAlgorithm()
+    return made
+
+
+def add_area(results: dict, given: dict, project: QgsProject) -> str:
+    """Add map, database and positions of a run to the project, from bottom to top.
+
+    Returns:
+        The file with the photos' positions; empty without photos.
+    """
+    area = given[SetUpArea.ANNOTATION]
+    if isinstance(area, str):
+        project.addMapLayer(QgsVectorLayer(area, os.path.splitext(os.path.basename(area))[0], "ogr"))
+    if not database_layers(results[SetUpArea.DATABASE], project):
+        add_database_to_map(results[SetUpArea.DATABASE], project)
+    positions = results.get(SetUpArea.POSITIONS, "").partition("|")[0]
+    if positions:
+        shown = [layer for layer in named_results(positions)[:2] if layer is not None]
+        project.addMapLayers(shown[::-1])
+    return positions
+
+
+def _files(mode: QgsFileWidget.StorageMode) -> QgsFileWidget:
+    made = QgsFileWidget()
+    made.setStorageMode(mode)
+    made.setDefaultRoot(QgsSettings().value(_FOLDER_SETTING, "", type=str))
+    return made
+
+
+def _number(none: str, suffix: str, decimals: int, step: float) -> QDoubleSpinBox:
+    """Return a field for a number; 0 is shown as ``none``."""
+    made = QDoubleSpinBox()
+    made.setRange(0, 100_000)
+    made.setDecimals(decimals)
+    made.setSingleStep(step)
+    made.setSuffix(suffix)
+    made.setSpecialValueText(none)
+    return made
