@@ -32,6 +32,10 @@ class CorrelationSettings:
         decoys: Places of the mirrored image that are refined [by hand; footprint trials].
         middle_edge: Edge of the image, pixels, at the second look [by hand; footprint trials].
         middle_candidates: Places that remain for the second look [by hand; footprint trials].
+        local_choice: Share of the places that remain for the second look and for the decision because of their local
+            contrast (without the mean over a square around each pixel), and the square's edge as a share of the
+            image's. Of 100 images of 320 and 640 m that did not set the values, in search areas of 4 km radius, the
+            right place is first for 41; without local contrast for 38 [by hand; footprint trials].
         finalists: Places that remain, refined at the decision's pixels [by hand; correlation trials, north, and fit].
         apart: Least distance of different places, as a share of the image's edge on the ground [by hand; correlation
             trials, north, and fit].
@@ -80,6 +84,7 @@ class CorrelationSettings:
     decoys: int = 96
     middle_edge: int = 32
     middle_candidates: int = 48
+    local_choice: tuple[float, float] = (0.25, 0.28)
     finalists: int = 8
     apart: float = 0.25
     decision_edge: int = 64
