@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-import hashlib
-import json
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
-    QgsProcessingException,
     QgsProcessingMultiStepFeedback,
     QgsProcessingOutputFile,
     QgsProcessingOutputHtml,
@@ -31,7 +27,8 @@ from qgis.core import (
 from ...core.errors import ModelError, ParameterError
 from ...core.labels.class_table import OTHER
 from ..base import parameters
-from ..base.algorithm import LOCALIZATION, Canceled, Declared, SemRefAlgorithm, check_canceled
+from ..base.algorithm import LOCALIZATION, Declared, SemRefAlgorithm, check_canceled
+from ..base.chain import Record, Step
 from ..base.parameters import with_help
 from ..base.shipped_models import MODELS
 from ..compat import DOUBLE, SOURCE_FILE, SOURCE_POLYGON
@@ -45,7 +42,7 @@ from .rasterize_annotation import RasterizeAnnotation
 from .train_model import TrainModel
 
 if TYPE_CHECKING:
-    from qgis.core import QgsProcessingContext, QgsProcessingFeedback
+    from qgis.core import QgsProcessingFeedback
 
     from ...core.segmentation.model_card import ModelCard
     from ..base.area_setup import AreaSetup
@@ -53,9 +50,6 @@ if TYPE_CHECKING:
     from ..base.values import Values
 
 DEFAULT_MODEL = MODELS / "buildings.onnx"
-RECORD = "semref_setup.json"
-"""File of the folder that records which inputs each file was made from."""
-
 RULES_FILE, CAMERAS_FILE = "rules.csv", "cameras.csv"
 LAND_COVER_FILE, LABEL_MAP_FILE = "land_cover.gpkg", "label_map.tif"
 DATABASE_FILE, MODEL_FILE, TRAINING_FILE = "reference_database.gpkg", "model.onnx", "training.html"
@@ -67,29 +61,6 @@ _OUTPUTS = dict(zip(("OUTPUT", "FOOTPRINTS", "ALTERNATIVES", "MATCHES"), TABLES)
 
 RISK, SCALES = 0.01, (0.5, 2.0)
 """Maximum error probability of the positions, and scales to search where the ground width of a photo is typical."""
-
-
-class CanceledInFolder(Canceled):
-    """The user canceled; complete files remain in the folder."""
-
-    def message(self) -> str:
-        return tr("Canceled. Complete files remain in the folder. Run it again with the same values to continue.")
-
-
-@dataclass(frozen=True)
-class Step:
-    """One algorithm of the chain.
-
-    Attributes:
-        values: Its parameters.
-        files: Names of its files in the folder; the first one shows that it was run.
-        text: What is shown while it runs.
-    """
-
-    algorithm: type[SemRefAlgorithm]
-    values: dict[str, Any]
-    files: tuple[str, ...]
-    text: str
 
 
 class SetUpArea(SemRefAlgorithm):
@@ -221,10 +192,11 @@ class SetUpArea(SemRefAlgorithm):
             raise ParameterError("The imagery can't be read. Choose an orthophoto or a layer of map tiles.")
         if imagery is None:
             return
+        self._imagery = imagery.source()
         if needs_drawing(imagery):
             self._drawn = PhotoSource(values, self.IMAGERY, self.EXTENT) if self._trains(values) else None
             return
-        self._imagery, self._imagery_pixel_m = imagery.source(), _pixel_m(imagery)
+        self._imagery_pixel_m = _pixel_m(imagery)
         require_common_ground(imagery, self._map.name, self._map.extent, self._map.crs, values.transform_context)
 
     def _layer(self, values: Values) -> QgsVectorLayer | None:
@@ -289,8 +261,7 @@ class SetUpArea(SemRefAlgorithm):
                 feedback.pushInfo(tr("{file} is complete and is used again.").format(file=folder / step.files[0]))
                 continue
             feedback.setProgressText(step.text)
-            self._prepare(values, area, step, folder, record, feedback)
-            _run(step, values.context, progress)
+            step.run(self._prepare(values, area, step, record, feedback), values.context, progress)
             record.add(step)
         return self._report(values, area, folder, record)
 
@@ -354,25 +325,19 @@ class SetUpArea(SemRefAlgorithm):
         return steps
 
     def _prepare(
-        self,
-        values: Values,
-        area: AreaSetup,
-        step: Step,
-        folder: Path,
-        record: Record,
-        feedback: QgsProcessingFeedback,
-    ) -> None:
-        """Write the small files that a step reads, and draw imagery that is not a file."""
+        self, values: Values, area: AreaSetup, step: Step, record: Record, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        """Write the small files that a step reads, and draw imagery that is not a file; return values to replace."""
         from ..base.area_setup import camera_table
 
         if step.values.get("RULES"):
             record.write(RULES_FILE, _rules_of(self._known(values)))
         if step.values.get("ATTITUDE"):
             record.write(CAMERAS_FILE, camera_table(area.photos))
-        if step.algorithm is TrainModel and self._drawn is not None:
-            resolution_cm = area.plan.resolution_cm or 100 * area.plan.pixel_size_m
-            step.values["IMAGE"] = self._drawn.file(resolution_cm / 100, feedback)
-            step.values["RESOLUTION"] = None
+        if step.algorithm is not TrainModel or self._drawn is None:
+            return {}
+        resolution_cm = area.plan.resolution_cm or 100 * area.plan.pixel_size_m
+        return {"IMAGE": self._drawn.file(resolution_cm / 100, feedback), "RESOLUTION": None}
 
     def _inputs(self, values: Values, area: AreaSetup) -> list[Any]:
         """Return what identifies the user's files; a file counts as changed if its size or time changed."""
@@ -397,97 +362,12 @@ class SetUpArea(SemRefAlgorithm):
         return {**results, **({self.POSITIONS: positions} if rows else {})}
 
 
-def _run(step: Step, context: QgsProcessingContext, progress: QgsProcessingMultiStepFeedback) -> None:
-    """Run the algorithm. Raises its QgsProcessingException, or CanceledInFolder."""
-    try:
-        step.algorithm().run(step.values, context, progress, {}, False)
-    except QgsProcessingException:
-        if progress.isCanceled():
-            raise CanceledInFolder from None
-        raise
-
-
 def _tables(path: str) -> dict[str, str]:
     """Return the outputs of the localization as tables of one file, as the dock opens them."""
     if "'" in path:
         # QGIS cannot write tables to such a path. The only layer gets the file's name, which is that of the table.
         return {"OUTPUT": path}
     return {key: f"ogr:dbname='{path}' table=\"{table}\" (geom)" for key, table in _OUTPUTS.items()}
-
-
-class Record:
-    """Which files of the folder this algorithm made, and from which inputs; stored in the folder.
-
-    Files without an entry belong to the user and are never replaced.
-    """
-
-    def __init__(self, folder: Path, inputs: Sequence[Any]) -> None:
-        """Read the record. Raises ParameterError for a foreign file of that name."""
-        self._folder, self._inputs = folder, inputs
-        self._made: dict[str, list] = {}
-        if (folder / RECORD).exists():
-            try:
-                self._made = dict(json.loads((folder / RECORD).read_text(encoding="utf-8"))["made"])
-            except (OSError, ValueError, KeyError, TypeError):
-                raise _foreign(folder / RECORD) from None
-
-    def require_own(self, name: str) -> None:
-        """Raise ParameterError for a file that exists and that this algorithm did not make as it is."""
-        path = self._folder / name
-        if os.path.lexists(path) and self._made.get(name, [None])[0] != _state(path):
-            raise _foreign(path)
-
-    def require_free(self, step: Step) -> None:
-        """Raise ParameterError if a file of a step exists, unless ``has`` would return True."""
-        for name in step.files:
-            self.require_own(name)
-            if os.path.lexists(self._folder / name) and not self.has(step):
-                raise _foreign(self._folder / name)
-
-    def has(self, step: Step) -> bool:
-        """Return whether all files of a step were made from the same inputs and have not changed since."""
-        wanted = self._key(step)
-        return all(self._made.get(name) == [_state(self._folder / name), wanted] for name in step.files)
-
-    def add(self, step: Step) -> None:
-        """Record the files of a step that has ended."""
-        for name in step.files:
-            self._made[name] = [_state(self._folder / name), self._key(step)]
-        self._save()
-
-    def write(self, name: str, text: str) -> None:
-        """Write a small file. Raises ParameterError if another one exists that this algorithm did not make."""
-        from ...storage.atomic_output import written_beside
-
-        self.require_own(name)
-        with written_beside(str(self._folder / name)) as path:
-            Path(path).write_text(text, encoding="utf-8")
-        self._made[name] = [_state(self._folder / name), ""]
-        self._save()
-
-    def _save(self) -> None:
-        from ...storage.atomic_output import written_beside
-
-        with written_beside(str(self._folder / RECORD)) as path:
-            Path(path).write_text(json.dumps({"made": self._made}, indent=1), encoding="utf-8")
-
-    def _key(self, step: Step) -> str:
-        # Layer, extent and CRS are not JSON; the inputs identify them.
-        text = json.dumps([step.algorithm.ID, step.values, self._inputs], sort_keys=True, default=lambda _: "")
-        return hashlib.sha256(text.encode()).hexdigest()
-
-
-def _state(path: Path) -> list:
-    """Return size and time of a file; None without one."""
-    found = os.lstat(path) if os.path.lexists(path) else None
-    return [found.st_size, found.st_mtime_ns] if found else [None]
-
-
-def _foreign(path: Path) -> ParameterError:
-    return ParameterError(
-        "{path} exists and was not made by a run with the same values. Choose another folder, or remove the file.",
-        path=path,
-    )
 
 
 def _rules_of(known: Sequence[str]) -> str:
