@@ -66,7 +66,7 @@ def test_models_of_the_models_folder_are_offered(wrapper_in, tmp_path):
     (tmp_path / "a & b.onnx").write_bytes(b"a model")
     choose_models_folder(str(tmp_path))
     wrapper = wrapper_in("BatchAlgorithmDialog", "semref:localizeimages", "MODEL")
-    assert offered(wrapper) == ["Models folder", "a && b", "sample_area"]
+    assert offered(wrapper) == ["Models folder", "a && b", "buildings", "sample_area"]
     wrapper.known.files.actions()[1].trigger()
     assert wrapper.parameterValue() == str(tmp_path / "a & b.onnx")
     choose_models_folder("")

@@ -7,6 +7,8 @@ import contextlib
 import pytest
 from dock_area import add_raster_layer, dropped, from_the_layer_tree, messages, wait_until
 
+from semref.processing.inspection.models import PHOTO_MODEL
+
 
 def test_dropped_files_are_added_once_and_selected_ones_removed(dock, area, tab):
     from qgis.PyQt.QtCore import QMimeData, QUrl
@@ -113,10 +115,13 @@ def photo_folder(tmp_path):
     return folder
 
 
-def test_a_folder_of_photos_without_a_model_is_not_ready_and_its_photos_are_counted(dock, area, tab, photo_folder):
+def test_photos_get_the_model_of_buildings_and_are_not_ready_without_it(dock, area, tab, photo_folder):
     dock.content.database.file.setFilePath(area.database)
     tab.images.list.add([str(photo_folder)])
     wait_until(lambda: tab.images.title() == "Images (3)", "the count")
+    assert tab.images.model_path() == str(PHOTO_MODEL)
+    assert tab.state.text_shown == "Ready to localize."
+    tab.images.model.setFilePath("")
     assert tab.state.text_shown.startswith("These are photos: choose a model.")
     tab.images.list.add([area.image])
     wait_until(lambda: tab.images.title() == "Images (4)", "the count")
@@ -135,8 +140,9 @@ def test_pictures_with_the_colors_of_photos_are_photos_whatever_their_names(dock
     tab.images.list.show_only([str(labels)])
     wait_until(lambda: not tab.images._reader.reading, "the look")
     assert tab.state.text_shown == "Ready to localize."
+    assert tab.images.model_path() == ""
     tab.images.list.show_only([str(photo)])
-    wait_until(lambda: tab.state.text_shown.startswith("These are photos"), "the look")
+    wait_until(lambda: tab.images.model_path() == str(PHOTO_MODEL), "the look")
 
 
 def test_a_folder_without_images_is_refused_before_a_run(dock, area, tab, tmp_path):
@@ -150,6 +156,7 @@ def test_a_folder_without_images_is_refused_before_a_run(dock, area, tab, tmp_pa
 
 def test_what_is_found_out_about_images_does_not_replace_the_end_of_a_run(dock, area, tab, photo_folder):
     dock.content.database.file.setFilePath(area.database)
+    tab.images.model.setFilePath(str(PHOTO_MODEL))
     tab.images.list.add([str(photo_folder)])
     tab.state.show_text("2 of 3 images have a position.")
     wait_until(lambda: tab.images.title() == "Images (3)", "the count")

@@ -59,7 +59,8 @@ def test_models_are_listed_with_classes_pixels_and_how_good_they_are(dialog):
     listed = rows(dialog)
     assert listed[0] == ["Houses of two towns", "other, building", "25 cm", "61 %"]
     assert listed[1] == ["silent", "", "–", "–"] and listed[2][0] == "torn"
-    assert listed[3][0] == "Sample area (made up)" and listed[3][2:] == ["1 m", "80 %"]
+    assert listed[3][:3] == ["Buildings (drone photos)", "other, building", "25 cm"]
+    assert listed[4][0] == "Sample area (made up)" and listed[4][2:] == ["1 m", "80 %"]
 
 
 def test_a_click_shows_the_card(dialog):
@@ -76,9 +77,9 @@ def test_a_file_that_is_not_a_model_is_marked_and_can_t_be_used(dialog):
     assert not dialog.use.isEnabled() and dialog.models.path() == ""
 
 
-def test_a_folder_whose_name_no_system_takes_leaves_the_model_that_ships(dialog):
+def test_a_folder_whose_name_no_system_takes_leaves_the_models_that_ship(dialog):
     dialog.models.folder.setFilePath("/" + "long" * 2000)
-    assert [row[0] for row in rows(dialog)] == ["Sample area (made up)"]
+    assert [row[0] for row in rows(dialog)] == ["Buildings (drone photos)", "Sample area (made up)"]
 
 
 def test_names_that_are_no_text_or_look_like_html_are_shown_as_they_are(dialog, folder):
@@ -96,7 +97,7 @@ def test_names_that_are_no_text_or_look_like_html_are_shown_as_they_are(dialog, 
     for row in range(tree.topLevelItemCount()):
         tree.setCurrentItem(tree.topLevelItem(row))
         assert "\ufffc" not in dialog.models.card.toPlainText()
-    assert len(rows(dialog)) == 6
+    assert len(rows(dialog)) == 7
 
 
 def test_a_folder_that_links_to_itself_lists_each_model_once(dialog, folder):

@@ -49,6 +49,7 @@ Dubai, finer pixels separate terraced houses."""
 TILE_PX, STRIDE_PX, DUBAI_TILE_PX, SHOWN_TILE_PX = 256, 128, 512, 512
 VALIDATION_FRACTION = 0.15
 BATCH, LIGHT, MANY_EPOCHS = 4, 1.5, 10_000
+TITLES = {PHOTOS: "Aerial photos", BUILDINGS_ONLY: "Buildings (drone photos)"}
 LICENSES = {
     PHOTOS: "Weights of what they were trained on; the license of Dubai's mosaics is not confirmed.",
     BUILDINGS_ONLY: "CC BY 4.0. Imagery © contributors of the Open Imagery Network/OpenAerialMap, CC BY 4.0; buildings "
@@ -210,6 +211,7 @@ def write_card(folder: Path, name: str) -> None:
     data = path.read_bytes()
     card = json.loads(read_metadata(data)[KEY])
     left_out = sorted(folder.glob(f"{name}_without_*[!b].json"))
+    card["name"] = TITLES[name]
     card["tested_on"] = [json.loads(one.read_text("utf-8")) for one in left_out if not one.name.endswith(".job.json")]
     data = with_metadata(data, KEY, json.dumps(card))
     path.write_bytes(data)
