@@ -4,6 +4,10 @@
  <context>
   <name>SemRef</name>
   <message>
+   <source> min</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>%v of %m done</source>
    <translation>%v von %m erledigt</translation>
   </message>
@@ -14,6 +18,10 @@
   <message>
    <source>--state {path} is not a regular file. Choose another name.</source>
    <translation>--state {path} ist keine gewöhnliche Datei. Wählen Sie einen anderen Namen.</translation>
+  </message>
+  <message>
+   <source>0, use the model as it is</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>1 feature</source>
@@ -120,12 +128,12 @@
    <translation>Ein neuer oder leerer Ordner. Die Klassen jedes Bildes werden als GeoTIFF mit der Klassentabelle gespeichert.</translation>
   </message>
   <message>
-   <source>A position is accepted if the probability that it is wrong is not larger than this value, for example 0.0001 (1 in 10,000). A smaller value gives fewer positions. “Published method” does not use it.</source>
-   <translation>Eine Position wird angenommen, wenn ihre Irrtumswahrscheinlichkeit höchstens diesen Wert hat, zum Beispiel 0,0001 (1 zu 10.000). Ein kleinerer Wert ergibt weniger Positionen. „Veröffentlichte Methode“ verwendet ihn nicht.</translation>
+   <source>A position is accepted if the probability that it is wrong is not larger than this value, for example 0.0001 (1 in 10,000). A smaller value gives fewer positions. Above it, up to 0.2, the result is a likely position. “Published method” does not use it.</source>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>A position is correct within the distance under “Settings”. With the published method, which finds only windows, it is correct if it is the window nearest to the image’s center. False accepts are positions of mirrored images, which are always wrong. CEP50 and CEP95: 50 % and 95 % of the correct positions have at most this error. Heading and scale: median errors of correct positions.</source>
-   <translation>Eine Position ist richtig, wenn sie höchstens um den Abstand unter „Einstellungen“ abweicht. Bei der veröffentlichten Methode, die nur Fenster findet, ist sie richtig, wenn sie das Fenster nennt, das der Bildmitte am nächsten liegt. Falsch angenommen sind Positionen gespiegelter Bilder; sie sind immer falsch. CEP50 und CEP95: 50 % und 95 % der richtigen Positionen haben höchstens diesen Fehler. Ausrichtung und Maßstab: mediane Fehler der richtigen Positionen.</translation>
+   <source>A position is correct within the distance under “Settings”. With the published method, which finds only windows, it is correct if it is the window nearest to the image’s center. False accepts are positions of mirrored images, which are always wrong. Likely positions are neither correct nor wrong positions; the table shows how many of them are correct. CEP50 and CEP95: 50 % and 95 % of the correct positions have at most this error. Heading and scale: median errors of correct positions.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>A position is expected everywhere along the route.</source>
@@ -142,6 +150,10 @@
   <message>
    <source>A track is accepted if the probability that it is wrong is not larger than this value, for example 0.0001 (1 in 10,000). A smaller value needs more images.</source>
    <translation>Eine Spur wird angenommen, wenn ihre Irrtumswahrscheinlichkeit höchstens diesen Wert hat, zum Beispiel 0,0001 (1 zu 10.000). Ein kleinerer Wert erfordert mehr Bilder.</translation>
+  </message>
+  <message>
+   <source>A typical photo shows about {count} landmarks, but at least {least} are needed. Fly higher, or use a map with more buildings.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>A vector of {count} landmarks is too short; use at least {least}.</source>
@@ -234,6 +246,10 @@
   <message>
    <source>All numbers of the report, for scripts.</source>
    <translation>Alle Zahlen des Berichts, für Skripte.</translation>
+  </message>
+  <message>
+   <source>All photos with a GPS position were taken outside “{layer}”. Choose a map of the place of the photos.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>All places are done.</source>
@@ -432,6 +448,10 @@
    <translation>Gebäudeneigung (%)</translation>
   </message>
   <message>
+   <source>Building the reference database</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Builds a reference database from a label map: its landmarks, and windows that are described by topology vectors.
 
 The GeoPackage contains windows, landmarks, a reduced map (overview), classes and parameters. The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks have no vector.</source>
@@ -508,8 +528,16 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
    <translation>Abgebrochen.</translation>
   </message>
   <message>
+   <source>Canceled. Complete files remain in the folder. Run it again with the same values to continue.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Canceled. Nothing was written.</source>
    <translation>Abgebrochen. Es wurde nichts geschrieben.</translation>
+  </message>
+  <message>
+   <source>Canceled. Press “Run” to continue.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Canceled. The state of the training is saved in {folder}. Run it again with the same output to continue.</source>
@@ -588,8 +616,16 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
    <translation>Wählen Sie eine Datenbank.</translation>
   </message>
   <message>
+   <source>Choose a folder for the results.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Choose a folder for the sample project</source>
    <translation>Ordner für das Beispielprojekt wählen</translation>
+  </message>
+  <message>
+   <source>Choose a folder with photos, and a map of their place.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Choose a folder with wheels (*.whl)</source>
@@ -728,12 +764,20 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
    <translation>OpenStreetMap klassifizieren</translation>
   </message>
   <message>
+   <source>Classifying OpenStreetMap</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Clear the dock and delete all settings of SemRef? Files, layers and installed packages do not change.</source>
    <translation>Bedienfeld leeren und alle Einstellungen von SemRef löschen? Dateien, Layer und installierte Pakete bleiben unverändert.</translation>
   </message>
   <message>
    <source>Click on the map to inspect the window there</source>
    <translation>Auf die Karte klicken, um das Fenster dort zu untersuchen</translation>
+  </message>
+  <message>
+   <source>Close</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Color</source>
@@ -766,10 +810,10 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
   <message>
    <source>Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall accuracy, and polygons of the disagreements.
 
-Classes are matched by name, otherwise by value. Pixels without prediction count as wrong. The class offset (the distance by which the model shows a class off its position) can be saved in a copy of the model.</source>
-   <translation>Vergleicht eine vorhergesagte Klassenkarte mit einer annotierten: Konfusionsmatrix, IoU jeder Klasse, Gesamtgenauigkeit und Polygone der Abweichungen.
+Classes are matched by name, otherwise by value. Pixels without prediction count as wrong. The class offset (the distance by which the model shows a class off its position) can be saved in a copy of the model.
 
-Klassen werden nach Namen zugeordnet, sonst nach Wert. Pixel ohne Vorhersage zählen als falsch. Der Klassenversatz (der Abstand, um den das Modell eine Klasse neben ihrer Position zeigt) kann in einer Kopie des Modells gespeichert werden.</translation>
+For label maps of two dates, the log and the report show how far landmarks moved: the map accuracy for “Build reference database”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Comparing</source>
@@ -912,6 +956,10 @@ Die Eingabe kann ein Auszug (.osm, .osm.pbf), ein QuickOSM-Layer, ein Geofabrik-
    <translation>Richtig in der Simulation</translation>
   </message>
   <message>
+   <source>Correct likely positions</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Correct positions</source>
    <translation>Richtige Positionen</translation>
   </message>
@@ -938,6 +986,10 @@ Die Eingabe kann ein Auszug (.osm, .osm.pbf), ein QuickOSM-Layer, ein Geofabrik-
   <message>
    <source>Correlation of east and north</source>
    <translation>Korrelation von Ost und Nord</translation>
+  </message>
+  <message>
+   <source>Correlation of their displacements</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Counting labels</source>
@@ -1124,6 +1176,10 @@ Ganze Geländeblöcke werden für die Validierung zurückgelegt; kein Pixel lieg
    <translation>Abstand der Topologievektoren</translation>
   </message>
   <message>
+   <source>Distance of two moved landmarks</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Distance ratios, angle differences, class ranks, and the classes that were used.</source>
    <translation>Abstandsverhältnisse, Winkeldifferenzen, Klassenränge und die verwendeten Klassen.</translation>
   </message>
@@ -1174,6 +1230,10 @@ Ganze Geländeblöcke werden für die Validierung zurückgelegt; kein Pixel lieg
   <message>
    <source>Duplicate Rings</source>
    <translation>Doppelte Ringe</translation>
+  </message>
+  <message>
+   <source>Duration of the training. 0 means that the model is used as it is.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Each place was tested with a network that was trained without this place.</source>
@@ -1464,6 +1524,10 @@ Die Route ist ein Linienlayer oder eine Datei: GPX, KML, QGroundControl-Plan (.p
    <translation>Die Objekte {id} und {other} haben die Klasse {name} und berühren sich in einem Punkt. Ihre Pixel werden meist eine Landmarke.</translation>
   </message>
   <message>
+   <source>Field with the class of each polygon. If not set, SemRef guesses it, or uses the tags of OpenStreetMap. In a layer without either, all polygons are buildings.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>File</source>
    <translation>Datei</translation>
   </message>
@@ -1512,6 +1576,12 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
 Jeder Befund ist ein Objekt mit Art, Schwere und Meldung. „Landbedeckungslayer reparieren“ behebt die meisten Befunde.</translation>
   </message>
   <message>
+   <source>Finds the positions of photos on a map in one run: it builds a reference database, optionally trains the model on imagery of the area, and localizes the photos.
+
+SemRef derives pixel size, window size, stride and minimum area from the map and the photos, and shows them in the log before it starts. Each file in the folder is usable by itself. To continue a canceled run, run it again with the same values.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Finds where a new orthophoto contradicts the label map, with “Segment image” and “Compare label maps”. The disagreements are polygons, the largest first. Check them in the tab “Correct” of the dock, then run “Corrected land-cover layer to reference database”.</source>
    <translation>Findet mit „Bild segmentieren“ und „Klassenkarten vergleichen“ heraus, wo ein neues Orthofoto der Klassenkarte widerspricht. Die Abweichungen sind Polygone, die größten zuerst. Prüfen Sie sie im Reiter „Korrigieren“ des Bedienfelds und führen Sie dann „Vom korrigierten Landbedeckungslayer zur Referenzdatenbank“ aus.</translation>
   </message>
@@ -1544,12 +1614,20 @@ Jeder Befund ist ein Objekt mit Art, Schwere und Meldung. „Landbedeckungslayer
    <translation>Ordner</translation>
   </message>
   <message>
+   <source>Folder for all files. Existing files that this algorithm did not make are never replaced.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Folder for georeferenced images</source>
    <translation>Ordner für georeferenzierte Bilder</translation>
   </message>
   <message>
    <source>Folder for label images</source>
    <translation>Ordner für Klassenbilder</translation>
+  </message>
+  <message>
+   <source>Folder for the results</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Folder for tiles</source>
@@ -1670,18 +1748,28 @@ Jeder Befund ist ein Objekt mit Art, Schwere und Meldung. „Landbedeckungslayer
   <message>
    <source>Georeferences images with the positions of “Localize images”: as GeoTIFFs, with world files, or with control points for the Georeferencer.
 
-Images without a position are left out, and so are positions of “Published method”, which have no heading. The original images are not changed.</source>
-   <translation>Georeferenziert Bilder mit den Positionen von „Bilder lokalisieren“: als GeoTIFFs, mit World-Dateien oder mit Passpunkten für den Georeferenzierer.
-
-Bilder ohne Position werden weggelassen, ebenso Positionen von „Veröffentlichte Methode“, die keine Ausrichtung haben. Die Originalbilder werden nicht verändert.</translation>
+Images without a position are left out, and so are likely positions and positions of “Published method”, which have no heading. The original images are not changed.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Go from a map and a folder of photos to their positions</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Ground length of the shorter image edge, as a multiple of the window size of the database. If neither limit is set, SemRef uses the height and lens of the camera, or 0.4 to 2.5 if they are unknown. A narrow range is searched faster.</source>
    <translation>Länge der kürzeren Bildkante am Boden, als Vielfaches der Fenstergröße der Datenbank. Ohne Angabe beider Grenzen verwendet SemRef Höhe und Objektiv der Kamera oder, wenn sie unbekannt sind, 0,4 bis 2,5. Ein enger Bereich wird schneller durchsucht.</translation>
   </message>
   <message>
+   <source>Ground of the database. If not set, the ground around the photos’ GPS positions, or the whole map.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Ground speed, for example 20. It is used to give the length of gaps in seconds.</source>
    <translation>Geschwindigkeit über Grund, zum Beispiel 20. Damit wird die Länge der Lücken in Sekunden angegeben.</translation>
+  </message>
+  <message>
+   <source>Ground width of a photo (m)</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Ground without a label</source>
@@ -1756,6 +1844,10 @@ Bilder ohne Position werden weggelassen, ebenso Positionen von „Veröffentlich
    <translation>Löcher liegen ineinander</translation>
   </message>
   <message>
+   <source>If many photos have no position, train the model on imagery of this area, or train longer.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Image</source>
    <translation>Bild</translation>
   </message>
@@ -1778,6 +1870,10 @@ Bilder ohne Position werden weggelassen, ebenso Positionen von „Veröffentlich
   <message>
    <source>Image {path} is a folder, pipe or device; choose an image file.</source>
    <translation>Das Bild {path} ist ein Ordner, eine Pipe oder ein Gerät; wählen Sie eine Bilddatei.</translation>
+  </message>
+  <message>
+   <source>Imagery</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Images</source>
@@ -1918,6 +2014,10 @@ Bilder ohne Position werden weggelassen, ebenso Positionen von „Veröffentlich
   <message>
    <source>Its position has no heading and pixel size, because it was computed by “Published method”.</source>
    <translation>Seine Position hat keine Ausrichtung und keine Pixelgröße, weil sie mit „Veröffentlichte Methode“ berechnet wurde.</translation>
+  </message>
+  <message>
+   <source>Its position is only likely. To use it, localize with a larger “Maximum error probability”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>JSON files (*.json)</source>
@@ -2140,6 +2240,18 @@ Bilder ohne Position werden weggelassen, ebenso Positionen von „Veröffentlich
    <translation>Lizenz</translation>
   </message>
   <message>
+   <source>Likely position</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Likely positions</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Likely positions: {likely}.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Limited search</source>
    <translation>Begrenzte Suche</translation>
   </message>
@@ -2194,6 +2306,10 @@ Bilder ohne Position werden weggelassen, ebenso Positionen von „Veröffentlich
   <message>
    <source>Localizing simulated images</source>
    <translation>Simulierte Bilder werden lokalisiert</translation>
+  </message>
+  <message>
+   <source>Localizing the photos</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Log odds</source>
@@ -2282,6 +2398,10 @@ Das Bild wird auf die Auflösung des Modells umgerechnet, wenn beide bekannt sin
   <message>
    <source>Map</source>
    <translation>Karte</translation>
+  </message>
+  <message>
+   <source>Map accuracy</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Map accuracy (m)</source>
@@ -2516,6 +2636,10 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
    <translation>Mit SemRef trainiertes Modell, das weiter trainiert wird. Seine Klassen werden nach Namen zugeordnet.</translation>
   </message>
   <message>
+   <source>Model to use as it is, or to start the training from. If not set, the one of SemRef.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Model with class offset</source>
    <translation>Modell mit Klassenversatz</translation>
   </message>
@@ -2682,6 +2806,10 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   <message>
    <source>No rule matches a tag of “{source}”. Its columns are: {columns}. Select a layer with OpenStreetMap tags or other rules, or enter a class of other polygons.</source>
    <translation>Keine Regel passt auf ein Tag von „{source}“. Seine Spalten sind: {columns}. Wählen Sie einen Layer mit OpenStreetMap-Tags oder andere Regeln, oder geben Sie eine Klasse der übrigen Polygone an.</translation>
+  </message>
+  <message>
+   <source>No training</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
@@ -2996,6 +3124,10 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
    <translation>Orthofoto, Kartenkacheln oder Übersicht der Datenbank. Liegt im Bericht unter allem anderen.</translation>
   </message>
   <message>
+   <source>Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must allow this.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Other feature</source>
    <translation>Weiteres Objekt</translation>
   </message>
@@ -3076,6 +3208,10 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
    <translation>Geduld (Epochen)</translation>
   </message>
   <message>
+   <source>Photo</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Photo or orthophoto</source>
    <translation>Foto oder Orthofoto</translation>
   </message>
@@ -3090,6 +3226,18 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   <message>
    <source>Photo, annotation and prediction</source>
    <translation>Foto, Annotation und Vorhersage</translation>
+  </message>
+  <message>
+   <source>Photos</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Photos with a position</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Photos, or folders with photos. Without photos, only the database and the model are made.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Pick a window on the map, or enter its name.</source>
@@ -3150,6 +3298,10 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   <message>
    <source>Polygon layer with land-cover classes. Polygons may overlap, and may be multipart, invalid or three-dimensional.</source>
    <translation>Polygonlayer mit Landbedeckungsklassen. Polygone dürfen sich überlappen und mehrteilig, ungültig oder dreidimensional sein.</translation>
+  </message>
+  <message>
+   <source>Polygon layer: land cover, OpenStreetMap (layer with tags, or an extract such as .osm.pbf), or buildings only.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Polygons</source>
@@ -3214,6 +3366,10 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   <message>
    <source>Positions of the flight</source>
    <translation>Positionen des Fluges</translation>
+  </message>
+  <message>
+   <source>Positions of the photos</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Possible places</source>
@@ -3392,6 +3548,10 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
    <translation>Korrigierter Layer wird gerastert</translation>
   </message>
   <message>
+   <source>Rasterizing the map</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Reading an image</source>
    <translation>Bild wird gelesen</translation>
   </message>
@@ -3410,6 +3570,14 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   <message>
    <source>Reading the label map</source>
    <translation>Klassenkarte wird gelesen</translation>
+  </message>
+  <message>
+   <source>Reading the photos and the map</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Reading the photos and the map…</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Reading…</source>
@@ -3648,6 +3816,10 @@ Bei einer Überlappung bleibt das Polygon mit der höheren Priorität, sonst das
    <translation>Regeln</translation>
   </message>
   <message>
+   <source>Run</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Run models on</source>
    <translation>Modelle ausführen auf</translation>
   </message>
@@ -3760,6 +3932,10 @@ Bei einer Überlappung bleibt das Polygon mit der höheren Priorität, sonst das
    <translation>Wählen Sie entweder einen Landbedeckungslayer oder eine Klassenkarte.</translation>
   </message>
   <message>
+   <source>Select photos, or enter the ground width of a typical photo in m.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Selected image. Press + or - to zoom, and 0 to show the whole image.</source>
    <translation>Ausgewähltes Bild. Drücken Sie + oder -, um zu zoomen, und 0, um das ganze Bild zu zeigen.</translation>
   </message>
@@ -3770,6 +3946,10 @@ Bei einer Überlappung bleibt das Polygon mit der höheren Priorität, sonst das
   <message>
    <source>SemRef footprints</source>
    <translation>SemRef-Bildflächen</translation>
+  </message>
+  <message>
+   <source>SemRef has no model for this. Select a model, or train one on imagery.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>SemRef is already creating the sample project.</source>
@@ -3812,8 +3992,20 @@ Bei einer Überlappung bleibt das Polygon mit der höheren Priorität, sonst das
    <translation>SemRef {plugin_version} hat die Datenbank ohne Prüfsummen der Blöcke und Grenzen der Landmarken erstellt, deshalb lassen sich Änderungen nicht finden. Erstellen Sie sie einmal neu mit „Referenzdatenbank erstellen“.</translation>
   </message>
   <message>
+   <source>Set up an area</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Set up an area…</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Setting</source>
    <translation>Einstellung</translation>
+  </message>
+  <message>
+   <source>Setting up an area</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Settings</source>
@@ -4052,8 +4244,8 @@ Beschrieben wird das größte mittige Quadrat des Bildes, wie bei den Fenstern e
    <translation>Standardabweichung</translation>
   </message>
   <message>
-   <source>Standard deviation of landmark positions on the map, along each axis. It increases the 95 % radius, because neighboring landmarks are displaced together. The default of 1.1 m was measured between maps of two dates.</source>
-   <translation>Standardabweichung der Positionen der Landmarken auf der Karte, je Achse. Sie vergrößert den 95-%-Radius, weil benachbarte Landmarken gemeinsam verschoben sind. Der Standardwert 1,1 m wurde zwischen Karten zweier Zeitpunkte gemessen.</translation>
+   <source>Standard deviation of landmark positions on the map, along each axis. It increases the 95 % radius, because neighboring landmarks are displaced together. The default of 1.2 m was measured between maps of two dates in two countries. “Compare label maps” measures it for your maps.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Standard deviation of the heading (°)</source>
@@ -4246,6 +4438,10 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
   <message>
    <source>The area contains {kept} of {landmarks} landmarks and {windows} of {all_windows} windows.</source>
    <translation>Das Gebiet enthält {kept} von {landmarks} Landmarken und {windows} von {all_windows} Fenstern.</translation>
+  </message>
+  <message>
+   <source>The area is set up.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The area or route does not fit its CRS {crs}. Correct the CRS of the layer.</source>
@@ -4514,6 +4710,10 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
   <message>
    <source>The image {path} does not exist. Select the folder that contains it now as “Images”.</source>
    <translation>Das Bild {path} gibt es nicht. Wählen Sie unter „Bilder“ den Ordner, in dem es jetzt liegt.</translation>
+  </message>
+  <message>
+   <source>The imagery can't be read. Choose an orthophoto or a layer of map tiles.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The images are photos, but no model is selected.</source>
@@ -4786,6 +4986,14 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
   <message>
    <source>The packages of the training environment could not be installed: {reason}.</source>
    <translation>Die Pakete der Trainingsumgebung konnten nicht installiert werden: {reason}.</translation>
+  </message>
+  <message>
+   <source>The photos do not state the height of the camera, so their ground width is unknown. Enter the ground width of a typical photo in m.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The photos have no camera data. Their pixels are assumed to be as large as those of the imagery.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The pixel size is {pixel_size:g} m; it must be more than 0.</source>
@@ -5100,6 +5308,10 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Diese Position ist mit {speed:g} m/s von den Positionen davor und danach nicht zu erreichen.</translation>
   </message>
   <message>
+   <source>This position is only likely: its error probability is {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>This user has no private folder for the secret that authenticates --state. Create a home folder for the user, or add --require-signature.</source>
    <translation>Dieser Benutzer hat keinen privaten Ordner für das Geheimnis, das --state authentifiziert. Legen Sie ein Home-Verzeichnis für den Benutzer an oder ergänzen Sie --require-signature.</translation>
   </message>
@@ -5212,6 +5424,14 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Training</translation>
   </message>
   <message>
+   <source>Training (minutes)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Training about {minutes:g} minutes</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Training environment of SemRef</source>
    <translation>Trainingsumgebung von SemRef</translation>
   </message>
@@ -5232,12 +5452,20 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Das Training braucht ein Python mit torch. Installieren Sie die Trainingsumgebung unter Einstellungen ▸ Optionen ▸ SemRef (etwa 1,5 GB, mit Unterstützung für Grafikkarten mehr) oder wählen Sie ein Python mit torch.</translation>
   </message>
   <message>
+   <source>Training needs imagery. Select imagery, or set the training to 0 minutes.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Training of a model</source>
    <translation>Training eines Modells</translation>
   </message>
   <message>
    <source>Training stops if the result on the ground set aside has not improved for this number of epochs. 0 means never.</source>
    <translation>Das Training endet, wenn sich das Ergebnis auf dem zurückgelegten Gelände so viele Epochen lang nicht verbessert hat. 0 bedeutet nie.</translation>
+  </message>
+  <message>
+   <source>Training the model</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Training time</source>
@@ -5340,6 +5568,10 @@ Alle Einstellungen kommen aus der Datenbank. Unveränderte Zeilen behalten ihre 
    <translation>Verwenden Sie auf Strecken ohne erwartete Position Odometrie. Die längste misst {length}.</translation>
   </message>
   <message>
+   <source>Use the database and the model for all further photos of this area.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Use this model</source>
    <translation>Dieses Modell verwenden</translation>
   </message>
@@ -5398,6 +5630,10 @@ Alle Einstellungen kommen aus der Datenbank. Unveränderte Zeilen behalten ihre 
   <message>
    <source>Whether a position was found</source>
    <translation>Ob eine Position gefunden wurde</translation>
+  </message>
+  <message>
+   <source>Width of the ground that a typical photo shows, for example 150. If not set, height and focal length of the camera give it, or the pixels of the imagery.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Window</source>
@@ -5632,6 +5868,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>Brennweite {value:.0f} px</translation>
   </message>
   <message>
+   <source>from the camera or the imagery</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>gap between neighbors</source>
    <translation>Lücke zwischen Nachbarn</translation>
   </message>
@@ -5702,6 +5942,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>lens distortion up to {value:.1f} % of the width corrected</source>
    <translation>Verzeichnung bis {value:.1f} % der Breite korrigiert</translation>
+  </message>
+  <message>
+   <source>likely position</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>lon, lat</source>
@@ -5802,6 +6046,14 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>of correct positions</source>
    <translation>der richtigen Positionen</translation>
+  </message>
+  <message>
+   <source>of the positions</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>of {count} photos</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>often</source>
@@ -6024,12 +6276,24 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>{count} Bilder zu lokalisieren.</translation>
   </message>
   <message>
+   <source>{count} landmarks are on both maps. {moved:.0%} of them moved. Standard deviation of the positions along each axis: {deviation:.2f} {unit}. If the maps show two dates, use this value as map accuracy.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{count} landmarks are on both maps; {moved} of them moved. The standard deviation of the positions along each axis is {deviation}, for the moved landmarks {of_moved}. If the maps show two dates, use {deviation} as map accuracy in “Build reference database”.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>{count} landmarks in the centered square of {size} pixels.</source>
    <translation>{count} Landmarken im mittigen Quadrat von {size} Pixeln.</translation>
   </message>
   <message>
    <source>{count} landmarks, center {x:.0f} {y:.0f}</source>
    <translation>{count} Landmarken, Mitte {x:.0f} {y:.0f}</translation>
+  </message>
+  <message>
+   <source>{count} of {all} photos with a GPS position were taken outside the map.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{count} other position fits almost as well as the best one.</source>
@@ -6094,6 +6358,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>{device}, {rate:.3g} tiles per second.</source>
    <translation>{device}, {rate:.3g} Kacheln pro Sekunde.</translation>
+  </message>
+  <message>
+   <source>{file} is complete and is used again.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{first} {second}</source>
@@ -6378,6 +6646,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>{path} exists and is another kind of file, which would be lost; choose another name.</source>
    <translation>{path} gibt es schon als Datei anderer Art, die verloren ginge; wählen Sie einen anderen Namen.</translation>
+  </message>
+  <message>
+   <source>{path} exists and was not made by a run with the same values. Choose another folder, or remove the file.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} fails on an image of {width} × {height} pixels: {reason}.</source>
@@ -6760,6 +7032,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>{path} würde als Teil der neuen Datei {name} gelten, gehört aber zu einer anderen; entfernen Sie die Datei oder wählen Sie einen anderen Namen.</translation>
   </message>
   <message>
+   <source>{photos} photos. Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² ({classes}), about {per_photo} in a typical photo. {training}, database about {size:.2g} MB.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>{placed} of {images} images have a position. Tracks: {tracks}.</source>
    <translation>{placed} von {images} Bildern haben eine Position. Spuren: {tracks}.</translation>
   </message>
@@ -7084,6 +7360,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>„{key}“: Objekt {feature} lässt sich nicht in das KBS der Klassenkarte transformieren. Prüfen Sie das KBS des Layers.</translation>
   </message>
   <message>
+   <source>“{layer}” and the extent do not overlap. Choose another extent.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>“{layer}” can’t be drawn: {reason}.</source>
    <translation>„{layer}“ kann nicht gezeichnet werden: {reason}.</translation>
   </message>
@@ -7098,6 +7378,22 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>“{layer}” has no field “{name}”. Choose one of its fields: {names}.</source>
    <translation>„{layer}“ hat kein Feld „{name}“. Wählen Sie eines seiner Felder: {names}.</translation>
+  </message>
+  <message>
+   <source>“{layer}” has no landmarks in the extent, only {classes}. Choose a map with buildings, water or bare land.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{layer}” has no landmarks of the model in the extent. Its classes are {classes}, those of the model are {known}. Choose another model, or train one.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{layer}” has no polygon with a class in the extent. Check the extent, the CRS and the class field.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>“{layer}” has no polygons. Choose a polygon layer.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>“{layer}” has no resolution of its own, and neither have the metadata of {model}. Select a model with a resolution.</source>

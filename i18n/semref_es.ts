@@ -4,6 +4,10 @@
  <context>
   <name>SemRef</name>
   <message>
+   <source> min</source>
+   <translation> min</translation>
+  </message>
+  <message>
    <source>%v of %m done</source>
    <translation>%v de %m hechos</translation>
   </message>
@@ -14,6 +18,10 @@
   <message>
    <source>--state {path} is not a regular file. Choose another name.</source>
    <translation>--state {path} no es un archivo normal. Elija otro nombre.</translation>
+  </message>
+  <message>
+   <source>0, use the model as it is</source>
+   <translation>0: usar el modelo tal cual</translation>
   </message>
   <message>
    <source>1 feature</source>
@@ -120,12 +128,12 @@
    <translation>Una carpeta nueva o vacía. Las etiquetas de cada imagen se guardan como GeoTIFF con la tabla de clases.</translation>
   </message>
   <message>
-   <source>A position is accepted if the probability that it is wrong is not larger than this value, for example 0.0001 (1 in 10,000). A smaller value gives fewer positions. “Published method” does not use it.</source>
-   <translation>Una posición se acepta si la probabilidad de que sea errónea no supera este valor, por ejemplo 0.0001 (1 de cada 10 000). Un valor menor da menos posiciones. “Método publicado” no lo usa.</translation>
+   <source>A position is accepted if the probability that it is wrong is not larger than this value, for example 0.0001 (1 in 10,000). A smaller value gives fewer positions. Above it, up to 0.2, the result is a likely position. “Published method” does not use it.</source>
+   <translation>Una posición se acepta si la probabilidad de que sea errónea no supera este valor, por ejemplo 0.0001 (1 de cada 10 000). Un valor menor da menos posiciones. Por encima de él, hasta 0.2, el resultado es una posición probable. “Método publicado” no lo usa.</translation>
   </message>
   <message>
-   <source>A position is correct within the distance under “Settings”. With the published method, which finds only windows, it is correct if it is the window nearest to the image’s center. False accepts are positions of mirrored images, which are always wrong. CEP50 and CEP95: 50 % and 95 % of the correct positions have at most this error. Heading and scale: median errors of correct positions.</source>
-   <translation>Una posición es correcta si su error no supera la distancia indicada en “Configuración”. Con el método publicado, que solo encuentra ventanas, es correcta si es la ventana más cercana al centro de la imagen. Las falsas aceptaciones son posiciones de imágenes reflejadas, que siempre son erróneas. CEP50 y CEP95: el 50 % y el 95 % de las posiciones correctas tienen como máximo este error. Rumbo y escala: errores medianos de las posiciones correctas.</translation>
+   <source>A position is correct within the distance under “Settings”. With the published method, which finds only windows, it is correct if it is the window nearest to the image’s center. False accepts are positions of mirrored images, which are always wrong. Likely positions are neither correct nor wrong positions; the table shows how many of them are correct. CEP50 and CEP95: 50 % and 95 % of the correct positions have at most this error. Heading and scale: median errors of correct positions.</source>
+   <translation>Una posición es correcta si su error no supera la distancia indicada en “Configuración”. Con el método publicado, que solo encuentra ventanas, es correcta si es la ventana más cercana al centro de la imagen. Las falsas aceptaciones son posiciones de imágenes reflejadas, que siempre son erróneas. Las posiciones probables no cuentan como correctas ni como erróneas; la tabla muestra cuántas de ellas son correctas. CEP50 y CEP95: el 50 % y el 95 % de las posiciones correctas tienen como máximo este error. Rumbo y escala: errores medianos de las posiciones correctas.</translation>
   </message>
   <message>
    <source>A position is expected everywhere along the route.</source>
@@ -142,6 +150,10 @@
   <message>
    <source>A track is accepted if the probability that it is wrong is not larger than this value, for example 0.0001 (1 in 10,000). A smaller value needs more images.</source>
    <translation>Una trayectoria se acepta si la probabilidad de que sea errónea no supera este valor, por ejemplo 0.0001 (1 de cada 10 000). Un valor menor requiere más imágenes.</translation>
+  </message>
+  <message>
+   <source>A typical photo shows about {count} landmarks, but at least {least} are needed. Fly higher, or use a map with more buildings.</source>
+   <translation>Una foto típica muestra unos {count} hitos, pero se necesitan al menos {least}. Vuele más alto o use un mapa con más edificios.</translation>
   </message>
   <message>
    <source>A vector of {count} landmarks is too short; use at least {least}.</source>
@@ -234,6 +246,10 @@
   <message>
    <source>All numbers of the report, for scripts.</source>
    <translation>Todas las cifras del informe, para scripts.</translation>
+  </message>
+  <message>
+   <source>All photos with a GPS position were taken outside “{layer}”. Choose a map of the place of the photos.</source>
+   <translation>Todas las fotos con posición GPS se tomaron fuera de “{layer}”. Elija un mapa del lugar de las fotos.</translation>
   </message>
   <message>
    <source>All places are done.</source>
@@ -432,6 +448,10 @@
    <translation>Inclinación de los edificios (%)</translation>
   </message>
   <message>
+   <source>Building the reference database</source>
+   <translation>Creando la base de datos de referencia</translation>
+  </message>
+  <message>
    <source>Builds a reference database from a label map: its landmarks, and windows that are described by topology vectors.
 
 The GeoPackage contains windows, landmarks, a reduced map (overview), classes and parameters. The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks have no vector.</source>
@@ -508,8 +528,16 @@ El GeoPackage contiene ventanas, hitos, un mapa reducido (vista general), clases
    <translation>Cancelado.</translation>
   </message>
   <message>
+   <source>Canceled. Complete files remain in the folder. Run it again with the same values to continue.</source>
+   <translation>Cancelado. Los archivos completos permanecen en la carpeta. Ejecútelo de nuevo con los mismos valores para continuar.</translation>
+  </message>
+  <message>
    <source>Canceled. Nothing was written.</source>
    <translation>Cancelado. No se escribió nada.</translation>
+  </message>
+  <message>
+   <source>Canceled. Press “Run” to continue.</source>
+   <translation>Cancelado. Pulse “Ejecutar” para continuar.</translation>
   </message>
   <message>
    <source>Canceled. The state of the training is saved in {folder}. Run it again with the same output to continue.</source>
@@ -588,8 +616,16 @@ El GeoPackage contiene ventanas, hitos, un mapa reducido (vista general), clases
    <translation>Elija una base de datos.</translation>
   </message>
   <message>
+   <source>Choose a folder for the results.</source>
+   <translation>Elija una carpeta para los resultados.</translation>
+  </message>
+  <message>
    <source>Choose a folder for the sample project</source>
    <translation>Elegir una carpeta para el proyecto de ejemplo</translation>
+  </message>
+  <message>
+   <source>Choose a folder with photos, and a map of their place.</source>
+   <translation>Elija una carpeta con fotos y un mapa del lugar.</translation>
   </message>
   <message>
    <source>Choose a folder with wheels (*.whl)</source>
@@ -728,12 +764,20 @@ El GeoPackage contiene ventanas, hitos, un mapa reducido (vista general), clases
    <translation>Clasificar OpenStreetMap</translation>
   </message>
   <message>
+   <source>Classifying OpenStreetMap</source>
+   <translation>Clasificando OpenStreetMap</translation>
+  </message>
+  <message>
    <source>Clear the dock and delete all settings of SemRef? Files, layers and installed packages do not change.</source>
    <translation>¿Vaciar el panel y eliminar toda la configuración de SemRef? Los archivos, las capas y los paquetes instalados no cambian.</translation>
   </message>
   <message>
    <source>Click on the map to inspect the window there</source>
    <translation>Pulse en el mapa para inspeccionar la ventana de ese lugar</translation>
+  </message>
+  <message>
+   <source>Close</source>
+   <translation>Cerrar</translation>
   </message>
   <message>
    <source>Color</source>
@@ -766,10 +810,14 @@ El GeoPackage contiene ventanas, hitos, un mapa reducido (vista general), clases
   <message>
    <source>Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall accuracy, and polygons of the disagreements.
 
-Classes are matched by name, otherwise by value. Pixels without prediction count as wrong. The class offset (the distance by which the model shows a class off its position) can be saved in a copy of the model.</source>
+Classes are matched by name, otherwise by value. Pixels without prediction count as wrong. The class offset (the distance by which the model shows a class off its position) can be saved in a copy of the model.
+
+For label maps of two dates, the log and the report show how far landmarks moved: the map accuracy for “Build reference database”.</source>
    <translation>Compara un mapa de etiquetas predicho con uno anotado: matriz de confusión, IoU de cada clase, exactitud global y polígonos de las discrepancias.
 
-Las clases se emparejan por nombre o, si no es posible, por valor. Los píxeles sin predicción cuentan como erróneos. El desplazamiento de clase (la distancia a la que el modelo muestra una clase respecto a su posición) se puede guardar en una copia del modelo.</translation>
+Las clases se emparejan por nombre o, si no es posible, por valor. Los píxeles sin predicción cuentan como erróneos. El desplazamiento de clase (la distancia a la que el modelo muestra una clase respecto a su posición) se puede guardar en una copia del modelo.
+
+Con mapas de etiquetas de dos fechas, el registro y el informe muestran cuánto se movieron los hitos: es la exactitud del mapa para “Crear base de datos de referencia”.</translation>
   </message>
   <message>
    <source>Comparing</source>
@@ -912,6 +960,10 @@ La entrada puede ser un extracto (.osm, .osm.pbf), una capa de QuickOSM, un shap
    <translation>Correctas en la simulación</translation>
   </message>
   <message>
+   <source>Correct likely positions</source>
+   <translation>Posiciones probables correctas</translation>
+  </message>
+  <message>
    <source>Correct positions</source>
    <translation>Posiciones correctas</translation>
   </message>
@@ -938,6 +990,10 @@ La entrada puede ser un extracto (.osm, .osm.pbf), una capa de QuickOSM, un shap
   <message>
    <source>Correlation of east and north</source>
    <translation>Correlación de este y norte</translation>
+  </message>
+  <message>
+   <source>Correlation of their displacements</source>
+   <translation>Correlación de sus desplazamientos</translation>
   </message>
   <message>
    <source>Counting labels</source>
@@ -1124,6 +1180,10 @@ Se reservan bloques enteros de terreno para la validación, y ningún píxel est
    <translation>Distancia de los vectores topológicos</translation>
   </message>
   <message>
+   <source>Distance of two moved landmarks</source>
+   <translation>Distancia entre dos hitos movidos</translation>
+  </message>
+  <message>
    <source>Distance ratios, angle differences, class ranks, and the classes that were used.</source>
    <translation>Relaciones de distancias, diferencias de ángulos, rangos de clase y las clases que se usaron.</translation>
   </message>
@@ -1174,6 +1234,10 @@ Se reservan bloques enteros de terreno para la validación, y ningún píxel est
   <message>
    <source>Duplicate Rings</source>
    <translation>anillos duplicados</translation>
+  </message>
+  <message>
+   <source>Duration of the training. 0 means that the model is used as it is.</source>
+   <translation>Duración del entrenamiento. 0 significa que el modelo se usa tal cual.</translation>
   </message>
   <message>
    <source>Each place was tested with a network that was trained without this place.</source>
@@ -1464,6 +1528,10 @@ La ruta es una capa de líneas o un archivo: GPX, KML, plan de QGroundControl (.
    <translation>Los objetos espaciales {id} y {other} tienen la clase {name} y se tocan en un punto. Sus píxeles suelen convertirse en un solo hito.</translation>
   </message>
   <message>
+   <source>Field with the class of each polygon. If not set, SemRef guesses it, or uses the tags of OpenStreetMap. In a layer without either, all polygons are buildings.</source>
+   <translation>Campo con la clase de cada polígono. Si no se indica, SemRef lo deduce o usa las etiquetas de OpenStreetMap. En una capa sin ninguno de los dos, todos los polígonos son edificios.</translation>
+  </message>
+  <message>
    <source>File</source>
    <translation>Archivo</translation>
   </message>
@@ -1512,6 +1580,14 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
 Cada hallazgo es un objeto espacial con tipo, gravedad y mensaje. “Reparar capa de cobertura del suelo” repara la mayoría de los hallazgos.</translation>
   </message>
   <message>
+   <source>Finds the positions of photos on a map in one run: it builds a reference database, optionally trains the model on imagery of the area, and localizes the photos.
+
+SemRef derives pixel size, window size, stride and minimum area from the map and the photos, and shows them in the log before it starts. Each file in the folder is usable by itself. To continue a canceled run, run it again with the same values.</source>
+   <translation>Busca las posiciones de fotos en un mapa en una sola ejecución: crea una base de datos de referencia, entrena el modelo con imágenes aéreas de la zona (opcional) y localiza las fotos.
+
+SemRef deduce del mapa y de las fotos el tamaño de píxel, el tamaño de ventana, el paso y el área mínima, y los muestra en el registro antes de empezar. Cada archivo de la carpeta se puede usar por separado. Para continuar una ejecución cancelada, ejecútela de nuevo con los mismos valores.</translation>
+  </message>
+  <message>
    <source>Finds where a new orthophoto contradicts the label map, with “Segment image” and “Compare label maps”. The disagreements are polygons, the largest first. Check them in the tab “Correct” of the dock, then run “Corrected land-cover layer to reference database”.</source>
    <translation>Busca dónde una ortofoto nueva contradice el mapa de etiquetas, con “Segmentar imagen” y “Comparar mapas de etiquetas”. Las discrepancias son polígonos, los mayores primero. Revíselas en la pestaña “Corregir” del panel y ejecute después “De capa de cobertura del suelo corregida a base de datos de referencia”.</translation>
   </message>
@@ -1544,12 +1620,20 @@ Cada hallazgo es un objeto espacial con tipo, gravedad y mensaje. “Reparar cap
    <translation>Carpeta</translation>
   </message>
   <message>
+   <source>Folder for all files. Existing files that this algorithm did not make are never replaced.</source>
+   <translation>Carpeta para todos los archivos. Los archivos existentes que no creó este algoritmo nunca se reemplazan.</translation>
+  </message>
+  <message>
    <source>Folder for georeferenced images</source>
    <translation>Carpeta para las imágenes georreferenciadas</translation>
   </message>
   <message>
    <source>Folder for label images</source>
    <translation>Carpeta para las imágenes de etiquetas</translation>
+  </message>
+  <message>
+   <source>Folder for the results</source>
+   <translation>Carpeta para los resultados</translation>
   </message>
   <message>
    <source>Folder for tiles</source>
@@ -1670,18 +1754,30 @@ Cada hallazgo es un objeto espacial con tipo, gravedad y mensaje. “Reparar cap
   <message>
    <source>Georeferences images with the positions of “Localize images”: as GeoTIFFs, with world files, or with control points for the Georeferencer.
 
-Images without a position are left out, and so are positions of “Published method”, which have no heading. The original images are not changed.</source>
+Images without a position are left out, and so are likely positions and positions of “Published method”, which have no heading. The original images are not changed.</source>
    <translation>Georreferencia imágenes con las posiciones de “Localizar imágenes”: como GeoTIFF, con archivos world o con puntos de control para el Georreferenciador.
 
-Se omiten las imágenes sin posición, y también las posiciones de “Método publicado”, que no tienen rumbo. Las imágenes originales no se modifican.</translation>
+Se omiten las imágenes sin posición, y también las posiciones probables y las de “Método publicado”, que no tienen rumbo. Las imágenes originales no se modifican.</translation>
+  </message>
+  <message>
+   <source>Go from a map and a folder of photos to their positions</source>
+   <translation>De un mapa y una carpeta de fotos a sus posiciones</translation>
   </message>
   <message>
    <source>Ground length of the shorter image edge, as a multiple of the window size of the database. If neither limit is set, SemRef uses the height and lens of the camera, or 0.4 to 2.5 if they are unknown. A narrow range is searched faster.</source>
    <translation>Longitud en el terreno del lado corto de la imagen, como múltiplo del tamaño de ventana de la base de datos. Si no se indica ningún límite, SemRef usa la altura y el objetivo de la cámara, o de 0.4 a 2.5 si se desconocen. Un rango estrecho se busca más rápido.</translation>
   </message>
   <message>
+   <source>Ground of the database. If not set, the ground around the photos’ GPS positions, or the whole map.</source>
+   <translation>Terreno de la base de datos. Si no se indica, el terreno alrededor de las posiciones GPS de las fotos o todo el mapa.</translation>
+  </message>
+  <message>
    <source>Ground speed, for example 20. It is used to give the length of gaps in seconds.</source>
    <translation>Velocidad sobre el terreno, por ejemplo 20. Se usa para indicar la longitud de los huecos en segundos.</translation>
+  </message>
+  <message>
+   <source>Ground width of a photo (m)</source>
+   <translation>Ancho de terreno de una foto (m)</translation>
   </message>
   <message>
    <source>Ground without a label</source>
@@ -1756,6 +1852,10 @@ Se omiten las imágenes sin posición, y también las posiciones de “Método p
    <translation>huecos anidados</translation>
   </message>
   <message>
+   <source>If many photos have no position, train the model on imagery of this area, or train longer.</source>
+   <translation>Si muchas fotos no tienen posición, entrene el modelo con imágenes aéreas de esta zona o durante más tiempo.</translation>
+  </message>
+  <message>
    <source>Image</source>
    <translation>Imagen</translation>
   </message>
@@ -1778,6 +1878,10 @@ Se omiten las imágenes sin posición, y también las posiciones de “Método p
   <message>
    <source>Image {path} is a folder, pipe or device; choose an image file.</source>
    <translation>La imagen {path} es una carpeta, una tubería o un dispositivo; elija un archivo de imagen.</translation>
+  </message>
+  <message>
+   <source>Imagery</source>
+   <translation>Imágenes aéreas</translation>
   </message>
   <message>
    <source>Images</source>
@@ -1918,6 +2022,10 @@ Se omiten las imágenes sin posición, y también las posiciones de “Método p
   <message>
    <source>Its position has no heading and pixel size, because it was computed by “Published method”.</source>
    <translation>Su posición no tiene rumbo ni tamaño de píxel, porque se calculó con “Método publicado”.</translation>
+  </message>
+  <message>
+   <source>Its position is only likely. To use it, localize with a larger “Maximum error probability”.</source>
+   <translation>Su posición es solo probable. Para usarla, localice con una “Probabilidad de error máxima” mayor.</translation>
   </message>
   <message>
    <source>JSON files (*.json)</source>
@@ -2140,6 +2248,18 @@ Se omiten las imágenes sin posición, y también las posiciones de “Método p
    <translation>Licencia</translation>
   </message>
   <message>
+   <source>Likely position</source>
+   <translation>Posición probable</translation>
+  </message>
+  <message>
+   <source>Likely positions</source>
+   <translation>Posiciones probables</translation>
+  </message>
+  <message>
+   <source>Likely positions: {likely}.</source>
+   <translation>Posiciones probables: {likely}.</translation>
+  </message>
+  <message>
    <source>Limited search</source>
    <translation>Búsqueda limitada</translation>
   </message>
@@ -2194,6 +2314,10 @@ Se omiten las imágenes sin posición, y también las posiciones de “Método p
   <message>
    <source>Localizing simulated images</source>
    <translation>Localizando imágenes simuladas</translation>
+  </message>
+  <message>
+   <source>Localizing the photos</source>
+   <translation>Localizando las fotos</translation>
   </message>
   <message>
    <source>Log odds</source>
@@ -2282,6 +2406,10 @@ La imagen se remuestrea a la resolución del modelo si ambas se conocen, y se pr
   <message>
    <source>Map</source>
    <translation>Mapa</translation>
+  </message>
+  <message>
+   <source>Map accuracy</source>
+   <translation>Exactitud del mapa</translation>
   </message>
   <message>
    <source>Map accuracy (m)</source>
@@ -2516,6 +2644,10 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
    <translation>Modelo entrenado con SemRef que se sigue entrenando. Sus clases se emparejan por nombre.</translation>
   </message>
   <message>
+   <source>Model to use as it is, or to start the training from. If not set, the one of SemRef.</source>
+   <translation>Modelo que se usa tal cual o con el que empieza el entrenamiento. Si no se indica, el de SemRef.</translation>
+  </message>
+  <message>
    <source>Model with class offset</source>
    <translation>Modelo con desplazamiento de clase</translation>
   </message>
@@ -2682,6 +2814,10 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
   <message>
    <source>No rule matches a tag of “{source}”. Its columns are: {columns}. Select a layer with OpenStreetMap tags or other rules, or enter a class of other polygons.</source>
    <translation>Ninguna regla coincide con una etiqueta de “{source}”. Sus columnas son: {columns}. Seleccione una capa con etiquetas de OpenStreetMap u otras reglas, o indique una clase para los demás polígonos.</translation>
+  </message>
+  <message>
+   <source>No training</source>
+   <translation>Sin entrenamiento</translation>
   </message>
   <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
@@ -2996,6 +3132,10 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
    <translation>Ortofoto, teselas de mapa o vista general de la base de datos. En el informe se dibuja debajo de todo lo demás.</translation>
   </message>
   <message>
+   <source>Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must allow this.</source>
+   <translation>Ortofoto o capa de teselas de mapa con la que se entrena el modelo. La licencia de las teselas de mapa debe permitirlo.</translation>
+  </message>
+  <message>
    <source>Other feature</source>
    <translation>Otro objeto</translation>
   </message>
@@ -3076,6 +3216,10 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
    <translation>Paciencia (épocas)</translation>
   </message>
   <message>
+   <source>Photo</source>
+   <translation>Foto</translation>
+  </message>
+  <message>
    <source>Photo or orthophoto</source>
    <translation>Foto u ortofoto</translation>
   </message>
@@ -3090,6 +3234,18 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
   <message>
    <source>Photo, annotation and prediction</source>
    <translation>Foto, anotación y predicción</translation>
+  </message>
+  <message>
+   <source>Photos</source>
+   <translation>Fotos</translation>
+  </message>
+  <message>
+   <source>Photos with a position</source>
+   <translation>Fotos con posición</translation>
+  </message>
+  <message>
+   <source>Photos, or folders with photos. Without photos, only the database and the model are made.</source>
+   <translation>Fotos o carpetas con fotos. Sin fotos, solo se crean la base de datos y el modelo.</translation>
   </message>
   <message>
    <source>Pick a window on the map, or enter its name.</source>
@@ -3150,6 +3306,10 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
   <message>
    <source>Polygon layer with land-cover classes. Polygons may overlap, and may be multipart, invalid or three-dimensional.</source>
    <translation>Capa de polígonos con clases de cobertura del suelo. Los polígonos pueden solaparse y ser multiparte, no válidos o tridimensionales.</translation>
+  </message>
+  <message>
+   <source>Polygon layer: land cover, OpenStreetMap (layer with tags, or an extract such as .osm.pbf), or buildings only.</source>
+   <translation>Capa de polígonos: cobertura del suelo, OpenStreetMap (capa con etiquetas o un extracto, por ejemplo .osm.pbf) o solo edificios.</translation>
   </message>
   <message>
    <source>Polygons</source>
@@ -3214,6 +3374,10 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
   <message>
    <source>Positions of the flight</source>
    <translation>Posiciones del vuelo</translation>
+  </message>
+  <message>
+   <source>Positions of the photos</source>
+   <translation>Posiciones de las fotos</translation>
   </message>
   <message>
    <source>Possible places</source>
@@ -3392,6 +3556,10 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
    <translation>Rasterizando la capa corregida</translation>
   </message>
   <message>
+   <source>Rasterizing the map</source>
+   <translation>Rasterizando el mapa</translation>
+  </message>
+  <message>
    <source>Reading an image</source>
    <translation>Leyendo una imagen</translation>
   </message>
@@ -3410,6 +3578,14 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
   <message>
    <source>Reading the label map</source>
    <translation>Leyendo el mapa de etiquetas</translation>
+  </message>
+  <message>
+   <source>Reading the photos and the map</source>
+   <translation>Leyendo las fotos y el mapa</translation>
+  </message>
+  <message>
+   <source>Reading the photos and the map…</source>
+   <translation>Leyendo las fotos y el mapa…</translation>
   </message>
   <message>
    <source>Reading…</source>
@@ -3648,6 +3824,10 @@ En un solapamiento se conserva el polígono con mayor prioridad; si no la hay, e
    <translation>Reglas</translation>
   </message>
   <message>
+   <source>Run</source>
+   <translation>Ejecutar</translation>
+  </message>
+  <message>
    <source>Run models on</source>
    <translation>Ejecutar los modelos en</translation>
   </message>
@@ -3760,6 +3940,10 @@ En un solapamiento se conserva el polígono con mayor prioridad; si no la hay, e
    <translation>Seleccione una capa de cobertura del suelo o un mapa de etiquetas.</translation>
   </message>
   <message>
+   <source>Select photos, or enter the ground width of a typical photo in m.</source>
+   <translation>Seleccione fotos o indique el ancho de terreno de una foto típica en m.</translation>
+  </message>
+  <message>
    <source>Selected image. Press + or - to zoom, and 0 to show the whole image.</source>
    <translation>Imagen seleccionada. Pulse + o - para hacer zoom y 0 para mostrar la imagen entera.</translation>
   </message>
@@ -3770,6 +3954,10 @@ En un solapamiento se conserva el polígono con mayor prioridad; si no la hay, e
   <message>
    <source>SemRef footprints</source>
    <translation>Huellas de SemRef</translation>
+  </message>
+  <message>
+   <source>SemRef has no model for this. Select a model, or train one on imagery.</source>
+   <translation>SemRef no tiene ningún modelo para esto. Seleccione un modelo o entrene uno con imágenes aéreas.</translation>
   </message>
   <message>
    <source>SemRef is already creating the sample project.</source>
@@ -3812,8 +4000,20 @@ En un solapamiento se conserva el polígono con mayor prioridad; si no la hay, e
    <translation>SemRef {plugin_version} creó la base de datos sin resúmenes de bloques ni límites de los hitos, por lo que no se pueden detectar cambios. Créela de nuevo una vez con “Crear base de datos de referencia”.</translation>
   </message>
   <message>
+   <source>Set up an area</source>
+   <translation>Preparar una zona</translation>
+  </message>
+  <message>
+   <source>Set up an area…</source>
+   <translation>Preparar una zona…</translation>
+  </message>
+  <message>
    <source>Setting</source>
    <translation>Parámetro</translation>
+  </message>
+  <message>
+   <source>Setting up an area</source>
+   <translation>Preparando una zona</translation>
   </message>
   <message>
    <source>Settings</source>
@@ -4052,8 +4252,8 @@ La imagen se describe en su mayor cuadrado centrado, como las ventanas de una ba
    <translation>Desviación típica</translation>
   </message>
   <message>
-   <source>Standard deviation of landmark positions on the map, along each axis. It increases the 95 % radius, because neighboring landmarks are displaced together. The default of 1.1 m was measured between maps of two dates.</source>
-   <translation>Desviación típica de la posición de los hitos en el mapa, a lo largo de cada eje. Aumenta el radio del 95 %, porque los hitos vecinos se desplazan juntos. El valor predeterminado de 1.1 m se midió entre mapas de dos fechas.</translation>
+   <source>Standard deviation of landmark positions on the map, along each axis. It increases the 95 % radius, because neighboring landmarks are displaced together. The default of 1.2 m was measured between maps of two dates in two countries. “Compare label maps” measures it for your maps.</source>
+   <translation>Desviación típica de la posición de los hitos en el mapa, a lo largo de cada eje. Aumenta el radio del 95 %, porque los hitos vecinos se desplazan juntos. El valor predeterminado de 1.2 m se midió entre mapas de dos fechas en dos países. “Comparar mapas de etiquetas” la mide para sus mapas.</translation>
   </message>
   <message>
    <source>Standard deviation of the heading (°)</source>
@@ -4246,6 +4446,10 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
   <message>
    <source>The area contains {kept} of {landmarks} landmarks and {windows} of {all_windows} windows.</source>
    <translation>La zona contiene {kept} de {landmarks} hitos y {windows} de {all_windows} ventanas.</translation>
+  </message>
+  <message>
+   <source>The area is set up.</source>
+   <translation>La zona está preparada.</translation>
   </message>
   <message>
    <source>The area or route does not fit its CRS {crs}. Correct the CRS of the layer.</source>
@@ -4514,6 +4718,10 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
   <message>
    <source>The image {path} does not exist. Select the folder that contains it now as “Images”.</source>
    <translation>La imagen {path} no existe. Seleccione como “Imágenes” la carpeta que la contiene ahora.</translation>
+  </message>
+  <message>
+   <source>The imagery can't be read. Choose an orthophoto or a layer of map tiles.</source>
+   <translation>No se pueden leer las imágenes aéreas. Elija una ortofoto o una capa de teselas de mapa.</translation>
   </message>
   <message>
    <source>The images are photos, but no model is selected.</source>
@@ -4786,6 +4994,14 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
   <message>
    <source>The packages of the training environment could not be installed: {reason}.</source>
    <translation>No se pudieron instalar los paquetes del entorno de entrenamiento: {reason}.</translation>
+  </message>
+  <message>
+   <source>The photos do not state the height of the camera, so their ground width is unknown. Enter the ground width of a typical photo in m.</source>
+   <translation>Las fotos no indican la altura de la cámara, por lo que no se conoce su ancho de terreno. Indique el ancho de terreno de una foto típica en m.</translation>
+  </message>
+  <message>
+   <source>The photos have no camera data. Their pixels are assumed to be as large as those of the imagery.</source>
+   <translation>Las fotos no tienen datos de la cámara. Se supone que sus píxeles son tan grandes como los de las imágenes aéreas.</translation>
   </message>
   <message>
    <source>The pixel size is {pixel_size:g} m; it must be more than 0.</source>
@@ -5100,6 +5316,10 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>Esta posición no se puede alcanzar a {speed:g} m/s desde las posiciones anterior y posterior.</translation>
   </message>
   <message>
+   <source>This position is only likely: its error probability is {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>Esta posición es solo probable: su probabilidad de error es {risk:.2g}; se permite {allowed:.2g} como máximo.</translation>
+  </message>
+  <message>
    <source>This user has no private folder for the secret that authenticates --state. Create a home folder for the user, or add --require-signature.</source>
    <translation>Este usuario no tiene una carpeta privada para el secreto que autentica --state. Cree una carpeta personal para el usuario o añada --require-signature.</translation>
   </message>
@@ -5212,6 +5432,14 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>Entrenamiento</translation>
   </message>
   <message>
+   <source>Training (minutes)</source>
+   <translation>Entrenamiento (minutos)</translation>
+  </message>
+  <message>
+   <source>Training about {minutes:g} minutes</source>
+   <translation>Entrenamiento de unos {minutes:g} minutos</translation>
+  </message>
+  <message>
    <source>Training environment of SemRef</source>
    <translation>Entorno de entrenamiento de SemRef</translation>
   </message>
@@ -5232,12 +5460,20 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>El entrenamiento necesita un Python con torch. Instale el entorno de entrenamiento en Configuración ▸ Opciones ▸ SemRef (unos 1.5 GB, más con soporte para tarjetas gráficas) o seleccione un Python con torch.</translation>
   </message>
   <message>
+   <source>Training needs imagery. Select imagery, or set the training to 0 minutes.</source>
+   <translation>El entrenamiento necesita imágenes aéreas. Selecciónelas o ponga el entrenamiento en 0 minutos.</translation>
+  </message>
+  <message>
    <source>Training of a model</source>
    <translation>Entrenamiento de un modelo</translation>
   </message>
   <message>
    <source>Training stops if the result on the ground set aside has not improved for this number of epochs. 0 means never.</source>
    <translation>El entrenamiento se detiene si el resultado en el terreno reservado no ha mejorado durante este número de épocas. 0 significa nunca.</translation>
+  </message>
+  <message>
+   <source>Training the model</source>
+   <translation>Entrenando el modelo</translation>
   </message>
   <message>
    <source>Training time</source>
@@ -5340,6 +5576,10 @@ Todos los parámetros provienen de la base de datos. Las filas sin cambios conse
    <translation>Use odometría en los tramos sin posición esperada. El más largo mide {length}.</translation>
   </message>
   <message>
+   <source>Use the database and the model for all further photos of this area.</source>
+   <translation>Use la base de datos y el modelo para todas las demás fotos de esta zona.</translation>
+  </message>
+  <message>
    <source>Use this model</source>
    <translation>Usar este modelo</translation>
   </message>
@@ -5398,6 +5638,10 @@ Todos los parámetros provienen de la base de datos. Las filas sin cambios conse
   <message>
    <source>Whether a position was found</source>
    <translation>Si se encontró una posición</translation>
+  </message>
+  <message>
+   <source>Width of the ground that a typical photo shows, for example 150. If not set, height and focal length of the camera give it, or the pixels of the imagery.</source>
+   <translation>Ancho del terreno que muestra una foto típica, por ejemplo 150. Si no se indica, se obtiene de la altura y la distancia focal de la cámara o de los píxeles de las imágenes aéreas.</translation>
   </message>
   <message>
    <source>Window</source>
@@ -5632,6 +5876,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>distancia focal {value:.0f} px</translation>
   </message>
   <message>
+   <source>from the camera or the imagery</source>
+   <translation>de la cámara o las imágenes aéreas</translation>
+  </message>
+  <message>
    <source>gap between neighbors</source>
    <translation>hueco entre vecinos</translation>
   </message>
@@ -5702,6 +5950,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>lens distortion up to {value:.1f} % of the width corrected</source>
    <translation>distorsión de la lente de hasta el {value:.1f} % del ancho corregida</translation>
+  </message>
+  <message>
+   <source>likely position</source>
+   <translation>posición probable</translation>
   </message>
   <message>
    <source>lon, lat</source>
@@ -5802,6 +6054,14 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>of correct positions</source>
    <translation>de las posiciones correctas</translation>
+  </message>
+  <message>
+   <source>of the positions</source>
+   <translation>de las posiciones</translation>
+  </message>
+  <message>
+   <source>of {count} photos</source>
+   <translation>de {count} fotos</translation>
   </message>
   <message>
    <source>often</source>
@@ -6024,12 +6284,24 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>{count} imágenes para localizar.</translation>
   </message>
   <message>
+   <source>{count} landmarks are on both maps. {moved:.0%} of them moved. Standard deviation of the positions along each axis: {deviation:.2f} {unit}. If the maps show two dates, use this value as map accuracy.</source>
+   <translation>{count} hitos están en ambos mapas. El {moved:.0%} de ellos se movió. Desviación típica de las posiciones a lo largo de cada eje: {deviation:.2f} {unit}. Si los mapas muestran dos fechas, use este valor como exactitud del mapa.</translation>
+  </message>
+  <message>
+   <source>{count} landmarks are on both maps; {moved} of them moved. The standard deviation of the positions along each axis is {deviation}, for the moved landmarks {of_moved}. If the maps show two dates, use {deviation} as map accuracy in “Build reference database”.</source>
+   <translation>{count} hitos están en ambos mapas; {moved} de ellos se movieron. La desviación típica de las posiciones a lo largo de cada eje es {deviation}; la de los hitos movidos, {of_moved}. Si los mapas muestran dos fechas, use {deviation} como exactitud del mapa en “Crear base de datos de referencia”.</translation>
+  </message>
+  <message>
    <source>{count} landmarks in the centered square of {size} pixels.</source>
    <translation>{count} hitos en el cuadrado centrado de {size} píxeles.</translation>
   </message>
   <message>
    <source>{count} landmarks, center {x:.0f} {y:.0f}</source>
    <translation>{count} hitos, centro {x:.0f} {y:.0f}</translation>
+  </message>
+  <message>
+   <source>{count} of {all} photos with a GPS position were taken outside the map.</source>
+   <translation>{count} de {all} fotos con posición GPS se tomaron fuera del mapa.</translation>
   </message>
   <message>
    <source>{count} other position fits almost as well as the best one.</source>
@@ -6094,6 +6366,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>{device}, {rate:.3g} tiles per second.</source>
    <translation>{device}, {rate:.3g} teselas por segundo.</translation>
+  </message>
+  <message>
+   <source>{file} is complete and is used again.</source>
+   <translation>{file} está completo y se usa de nuevo.</translation>
   </message>
   <message>
    <source>{first} {second}</source>
@@ -6378,6 +6654,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>{path} exists and is another kind of file, which would be lost; choose another name.</source>
    <translation>{path} existe y es otro tipo de archivo, que se perdería; elija otro nombre.</translation>
+  </message>
+  <message>
+   <source>{path} exists and was not made by a run with the same values. Choose another folder, or remove the file.</source>
+   <translation>{path} existe y no se creó en una ejecución con los mismos valores. Elija otra carpeta o elimine el archivo.</translation>
   </message>
   <message>
    <source>{path} fails on an image of {width} × {height} pixels: {reason}.</source>
@@ -6760,6 +7040,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>{path} se tomaría por una parte del nuevo {name}, pero pertenece a otro archivo; elimínelo o elija otro nombre.</translation>
   </message>
   <message>
+   <source>{photos} photos. Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² ({classes}), about {per_photo} in a typical photo. {training}, database about {size:.2g} MB.</source>
+   <translation>{photos} fotos. Ventana de {window:g} m, píxeles de {pixel:g} m, {landmarks} polígonos de al menos {area:g} m² ({classes}), unos {per_photo} en una foto típica. {training}, base de datos de unos {size:.2g} MB.</translation>
+  </message>
+  <message>
    <source>{placed} of {images} images have a position. Tracks: {tracks}.</source>
    <translation>{placed} de {images} imágenes tienen posición. Trayectorias: {tracks}.</translation>
   </message>
@@ -7084,6 +7368,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>“{key}”: el objeto espacial {feature} no se puede transformar al SRC del mapa de etiquetas. Compruebe el SRC de la capa.</translation>
   </message>
   <message>
+   <source>“{layer}” and the extent do not overlap. Choose another extent.</source>
+   <translation>“{layer}” y la extensión no se solapan. Elija otra extensión.</translation>
+  </message>
+  <message>
    <source>“{layer}” can’t be drawn: {reason}.</source>
    <translation>“{layer}” no se puede dibujar: {reason}.</translation>
   </message>
@@ -7098,6 +7386,22 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>“{layer}” has no field “{name}”. Choose one of its fields: {names}.</source>
    <translation>“{layer}” no tiene el campo “{name}”. Elija uno de sus campos: {names}.</translation>
+  </message>
+  <message>
+   <source>“{layer}” has no landmarks in the extent, only {classes}. Choose a map with buildings, water or bare land.</source>
+   <translation>“{layer}” no tiene hitos en la extensión, solo {classes}. Elija un mapa con edificios, agua o suelo desnudo.</translation>
+  </message>
+  <message>
+   <source>“{layer}” has no landmarks of the model in the extent. Its classes are {classes}, those of the model are {known}. Choose another model, or train one.</source>
+   <translation>“{layer}” no tiene hitos del modelo en la extensión. Sus clases son {classes}; las del modelo son {known}. Elija otro modelo o entrene uno.</translation>
+  </message>
+  <message>
+   <source>“{layer}” has no polygon with a class in the extent. Check the extent, the CRS and the class field.</source>
+   <translation>“{layer}” no tiene ningún polígono con clase en la extensión. Compruebe la extensión, el SRC y el campo de clase.</translation>
+  </message>
+  <message>
+   <source>“{layer}” has no polygons. Choose a polygon layer.</source>
+   <translation>“{layer}” no tiene polígonos. Elija una capa de polígonos.</translation>
   </message>
   <message>
    <source>“{layer}” has no resolution of its own, and neither have the metadata of {model}. Select a model with a resolution.</source>

@@ -4,6 +4,10 @@
  <context>
   <name>SemRef</name>
   <message>
+   <source> min</source>
+   <translation> min</translation>
+  </message>
+  <message>
    <source>%v of %m done</source>
    <translation>%v sur %m terminés</translation>
   </message>
@@ -14,6 +18,10 @@
   <message>
    <source>--state {path} is not a regular file. Choose another name.</source>
    <translation>--state {path} n’est pas un fichier ordinaire. Choisissez un autre nom.</translation>
+  </message>
+  <message>
+   <source>0, use the model as it is</source>
+   <translation>0, utiliser le modèle tel quel</translation>
   </message>
   <message>
    <source>1 feature</source>
@@ -120,12 +128,12 @@
    <translation>Un dossier nouveau ou vide. Les étiquettes de chaque image sont enregistrées dans un GeoTIFF avec la table des classes.</translation>
   </message>
   <message>
-   <source>A position is accepted if the probability that it is wrong is not larger than this value, for example 0.0001 (1 in 10,000). A smaller value gives fewer positions. “Published method” does not use it.</source>
-   <translation>Une position est acceptée si la probabilité qu’elle soit fausse ne dépasse pas cette valeur, par exemple 0.0001 (1 sur 10 000). Une valeur plus petite donne moins de positions. « Méthode publiée » ne l’utilise pas.</translation>
+   <source>A position is accepted if the probability that it is wrong is not larger than this value, for example 0.0001 (1 in 10,000). A smaller value gives fewer positions. Above it, up to 0.2, the result is a likely position. “Published method” does not use it.</source>
+   <translation>Une position est acceptée si la probabilité qu’elle soit fausse ne dépasse pas cette valeur, par exemple 0.0001 (1 sur 10 000). Une valeur plus petite donne moins de positions. Au-delà, jusqu’à 0.2, le résultat est une position probable. « Méthode publiée » ne l’utilise pas.</translation>
   </message>
   <message>
-   <source>A position is correct within the distance under “Settings”. With the published method, which finds only windows, it is correct if it is the window nearest to the image’s center. False accepts are positions of mirrored images, which are always wrong. CEP50 and CEP95: 50 % and 95 % of the correct positions have at most this error. Heading and scale: median errors of correct positions.</source>
-   <translation>Une position est correcte si son erreur ne dépasse pas la distance indiquée sous « Paramètres ». Avec la méthode publiée, qui ne trouve que des fenêtres, elle est correcte s’il s’agit de la fenêtre la plus proche du centre de l’image. Les fausses acceptations sont des positions d’images en miroir, qui sont toujours fausses. CEP50 et CEP95 : 50 % et 95 % des positions correctes ont au plus cette erreur. Cap et échelle : erreurs médianes des positions correctes.</translation>
+   <source>A position is correct within the distance under “Settings”. With the published method, which finds only windows, it is correct if it is the window nearest to the image’s center. False accepts are positions of mirrored images, which are always wrong. Likely positions are neither correct nor wrong positions; the table shows how many of them are correct. CEP50 and CEP95: 50 % and 95 % of the correct positions have at most this error. Heading and scale: median errors of correct positions.</source>
+   <translation>Une position est correcte si son erreur ne dépasse pas la distance indiquée sous « Paramètres ». Avec la méthode publiée, qui ne trouve que des fenêtres, elle est correcte s’il s’agit de la fenêtre la plus proche du centre de l’image. Les fausses acceptations sont des positions d’images en miroir, qui sont toujours fausses. Les positions probables ne comptent ni comme correctes ni comme fausses ; le tableau indique combien d’entre elles sont correctes. CEP50 et CEP95 : 50 % et 95 % des positions correctes ont au plus cette erreur. Cap et échelle : erreurs médianes des positions correctes.</translation>
   </message>
   <message>
    <source>A position is expected everywhere along the route.</source>
@@ -142,6 +150,10 @@
   <message>
    <source>A track is accepted if the probability that it is wrong is not larger than this value, for example 0.0001 (1 in 10,000). A smaller value needs more images.</source>
    <translation>Une trace est acceptée si la probabilité qu’elle soit fausse ne dépasse pas cette valeur, par exemple 0.0001 (1 sur 10 000). Une valeur plus petite demande plus d’images.</translation>
+  </message>
+  <message>
+   <source>A typical photo shows about {count} landmarks, but at least {least} are needed. Fly higher, or use a map with more buildings.</source>
+   <translation>Une photo typique montre environ {count} repères visuels, mais il en faut au moins {least}. Volez plus haut, ou utilisez une carte avec plus de bâtiments.</translation>
   </message>
   <message>
    <source>A vector of {count} landmarks is too short; use at least {least}.</source>
@@ -234,6 +246,10 @@
   <message>
    <source>All numbers of the report, for scripts.</source>
    <translation>Tous les chiffres du rapport, pour les scripts.</translation>
+  </message>
+  <message>
+   <source>All photos with a GPS position were taken outside “{layer}”. Choose a map of the place of the photos.</source>
+   <translation>Toutes les photos avec une position GPS ont été prises hors de « {layer} ». Choisissez une carte du lieu des photos.</translation>
   </message>
   <message>
    <source>All places are done.</source>
@@ -432,6 +448,10 @@
    <translation>Inclinaison des bâtiments (%)</translation>
   </message>
   <message>
+   <source>Building the reference database</source>
+   <translation>Création de la base de données de référence</translation>
+  </message>
+  <message>
    <source>Builds a reference database from a label map: its landmarks, and windows that are described by topology vectors.
 
 The GeoPackage contains windows, landmarks, a reduced map (overview), classes and parameters. The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks have no vector.</source>
@@ -508,8 +528,16 @@ Le GeoPackage contient les fenêtres, les repères visuels, une carte réduite (
    <translation>Annulé.</translation>
   </message>
   <message>
+   <source>Canceled. Complete files remain in the folder. Run it again with the same values to continue.</source>
+   <translation>Annulé. Les fichiers complets restent dans le dossier. Pour continuer, relancez l’exécution avec les mêmes valeurs.</translation>
+  </message>
+  <message>
    <source>Canceled. Nothing was written.</source>
    <translation>Annulé. Rien n’a été écrit.</translation>
+  </message>
+  <message>
+   <source>Canceled. Press “Run” to continue.</source>
+   <translation>Annulé. Appuyez sur « Exécuter » pour continuer.</translation>
   </message>
   <message>
    <source>Canceled. The state of the training is saved in {folder}. Run it again with the same output to continue.</source>
@@ -588,8 +616,16 @@ Le GeoPackage contient les fenêtres, les repères visuels, une carte réduite (
    <translation>Choisissez une base de données.</translation>
   </message>
   <message>
+   <source>Choose a folder for the results.</source>
+   <translation>Choisissez un dossier pour les résultats.</translation>
+  </message>
+  <message>
    <source>Choose a folder for the sample project</source>
    <translation>Choisir un dossier pour le projet d’exemple</translation>
+  </message>
+  <message>
+   <source>Choose a folder with photos, and a map of their place.</source>
+   <translation>Choisissez un dossier de photos et une carte de leur lieu.</translation>
   </message>
   <message>
    <source>Choose a folder with wheels (*.whl)</source>
@@ -728,12 +764,20 @@ Le GeoPackage contient les fenêtres, les repères visuels, une carte réduite (
    <translation>Classer OpenStreetMap</translation>
   </message>
   <message>
+   <source>Classifying OpenStreetMap</source>
+   <translation>Classification d’OpenStreetMap</translation>
+  </message>
+  <message>
    <source>Clear the dock and delete all settings of SemRef? Files, layers and installed packages do not change.</source>
    <translation>Vider le panneau et supprimer tous les paramètres de SemRef ? Les fichiers, les couches et les paquets installés ne changent pas.</translation>
   </message>
   <message>
    <source>Click on the map to inspect the window there</source>
    <translation>Cliquer sur la carte pour inspecter la fenêtre à cet endroit</translation>
+  </message>
+  <message>
+   <source>Close</source>
+   <translation>Fermer</translation>
   </message>
   <message>
    <source>Color</source>
@@ -766,10 +810,14 @@ Le GeoPackage contient les fenêtres, les repères visuels, une carte réduite (
   <message>
    <source>Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall accuracy, and polygons of the disagreements.
 
-Classes are matched by name, otherwise by value. Pixels without prediction count as wrong. The class offset (the distance by which the model shows a class off its position) can be saved in a copy of the model.</source>
+Classes are matched by name, otherwise by value. Pixels without prediction count as wrong. The class offset (the distance by which the model shows a class off its position) can be saved in a copy of the model.
+
+For label maps of two dates, the log and the report show how far landmarks moved: the map accuracy for “Build reference database”.</source>
    <translation>Compare une carte d’étiquettes prédite avec une carte annotée : matrice de confusion, IoU de chaque classe, exactitude globale et polygones des divergences.
 
-Les classes sont associées par leur nom, sinon par leur valeur. Les pixels sans prédiction comptent comme faux. Le décalage de classe (la distance entre la position d’une classe selon le modèle et sa vraie position) peut être enregistré dans une copie du modèle.</translation>
+Les classes sont associées par leur nom, sinon par leur valeur. Les pixels sans prédiction comptent comme faux. Le décalage de classe (la distance entre la position d’une classe selon le modèle et sa vraie position) peut être enregistré dans une copie du modèle.
+
+Pour des cartes d’étiquettes de deux dates, le journal et le rapport indiquent de combien les repères visuels se sont déplacés : c’est l’exactitude de la carte pour « Créer une base de données de référence ».</translation>
   </message>
   <message>
    <source>Comparing</source>
@@ -912,6 +960,10 @@ L’entrée peut être un extrait (.osm, .osm.pbf), une couche QuickOSM, un shap
    <translation>Correct dans la simulation</translation>
   </message>
   <message>
+   <source>Correct likely positions</source>
+   <translation>Positions probables correctes</translation>
+  </message>
+  <message>
    <source>Correct positions</source>
    <translation>Positions correctes</translation>
   </message>
@@ -938,6 +990,10 @@ L’entrée peut être un extrait (.osm, .osm.pbf), une couche QuickOSM, un shap
   <message>
    <source>Correlation of east and north</source>
    <translation>Corrélation entre est et nord</translation>
+  </message>
+  <message>
+   <source>Correlation of their displacements</source>
+   <translation>Corrélation de leurs déplacements</translation>
   </message>
   <message>
    <source>Counting labels</source>
@@ -1124,6 +1180,10 @@ Des blocs de terrain entiers sont réservés à la validation, et aucun pixel n�
    <translation>Distance entre les vecteurs topologiques</translation>
   </message>
   <message>
+   <source>Distance of two moved landmarks</source>
+   <translation>Distance entre deux repères déplacés</translation>
+  </message>
+  <message>
    <source>Distance ratios, angle differences, class ranks, and the classes that were used.</source>
    <translation>Rapports de distances, différences d’angles, rangs des classes, et les classes utilisées.</translation>
   </message>
@@ -1174,6 +1234,10 @@ Des blocs de terrain entiers sont réservés à la validation, et aucun pixel n�
   <message>
    <source>Duplicate Rings</source>
    <translation>anneaux en double</translation>
+  </message>
+  <message>
+   <source>Duration of the training. 0 means that the model is used as it is.</source>
+   <translation>Durée de l’entraînement. 0 signifie que le modèle est utilisé tel quel.</translation>
   </message>
   <message>
    <source>Each place was tested with a network that was trained without this place.</source>
@@ -1464,6 +1528,10 @@ L’itinéraire est une couche de lignes ou un fichier : GPX, KML, plan QGroundC
    <translation>Les entités {id} et {other} ont la classe {name} et se touchent en un point. Leurs pixels deviennent en général un seul repère visuel.</translation>
   </message>
   <message>
+   <source>Field with the class of each polygon. If not set, SemRef guesses it, or uses the tags of OpenStreetMap. In a layer without either, all polygons are buildings.</source>
+   <translation>Champ contenant la classe de chaque polygone. S’il n’est pas indiqué, SemRef le devine ou utilise les attributs d’OpenStreetMap. Dans une couche sans l’un ni l’autre, tous les polygones sont des bâtiments.</translation>
+  </message>
+  <message>
    <source>File</source>
    <translation>Fichier</translation>
   </message>
@@ -1512,6 +1580,14 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
 Chaque constat est une entité avec un type, une gravité et un message. « Réparer une couche d’occupation du sol » répare la plupart des constats.</translation>
   </message>
   <message>
+   <source>Finds the positions of photos on a map in one run: it builds a reference database, optionally trains the model on imagery of the area, and localizes the photos.
+
+SemRef derives pixel size, window size, stride and minimum area from the map and the photos, and shows them in the log before it starts. Each file in the folder is usable by itself. To continue a canceled run, run it again with the same values.</source>
+   <translation>Trouve les positions de photos sur une carte en une seule exécution : crée une base de données de référence, entraîne au besoin le modèle sur une imagerie de la zone, et localise les photos.
+
+SemRef déduit la taille de pixel, la taille de fenêtre, le pas et la surface minimale de la carte et des photos, et les affiche dans le journal avant de commencer. Chaque fichier du dossier est utilisable seul. Pour poursuivre une exécution annulée, relancez-la avec les mêmes valeurs.</translation>
+  </message>
+  <message>
    <source>Finds where a new orthophoto contradicts the label map, with “Segment image” and “Compare label maps”. The disagreements are polygons, the largest first. Check them in the tab “Correct” of the dock, then run “Corrected land-cover layer to reference database”.</source>
    <translation>Trouve où une nouvelle orthophoto contredit la carte d’étiquettes, avec « Segmenter une image » et « Comparer des cartes d’étiquettes ». Les divergences sont des polygones, les plus grands d’abord. Vérifiez-les dans l’onglet « Corriger » du panneau, puis lancez « De la couche d’occupation du sol corrigée à la base de données de référence ».</translation>
   </message>
@@ -1544,12 +1620,20 @@ Chaque constat est une entité avec un type, une gravité et un message. « Rép
    <translation>Dossier</translation>
   </message>
   <message>
+   <source>Folder for all files. Existing files that this algorithm did not make are never replaced.</source>
+   <translation>Dossier pour tous les fichiers. Les fichiers existants que cet algorithme n’a pas créés ne sont jamais remplacés.</translation>
+  </message>
+  <message>
    <source>Folder for georeferenced images</source>
    <translation>Dossier des images géoréférencées</translation>
   </message>
   <message>
    <source>Folder for label images</source>
    <translation>Dossier des images d’étiquettes</translation>
+  </message>
+  <message>
+   <source>Folder for the results</source>
+   <translation>Dossier des résultats</translation>
   </message>
   <message>
    <source>Folder for tiles</source>
@@ -1670,18 +1754,30 @@ Chaque constat est une entité avec un type, une gravité et un message. « Rép
   <message>
    <source>Georeferences images with the positions of “Localize images”: as GeoTIFFs, with world files, or with control points for the Georeferencer.
 
-Images without a position are left out, and so are positions of “Published method”, which have no heading. The original images are not changed.</source>
+Images without a position are left out, and so are likely positions and positions of “Published method”, which have no heading. The original images are not changed.</source>
    <translation>Géoréférence des images avec les positions de « Localiser des images » : en GeoTIFF, avec des fichiers world ou avec des points de calage pour le Géoréférenceur.
 
-Les images sans position sont exclues, de même que les positions de « Méthode publiée », qui n’ont pas de cap. Les images d’origine ne sont pas modifiées.</translation>
+Les images sans position sont exclues, de même que les positions probables et les positions de « Méthode publiée », qui n’ont pas de cap. Les images d’origine ne sont pas modifiées.</translation>
+  </message>
+  <message>
+   <source>Go from a map and a folder of photos to their positions</source>
+   <translation>Passer d’une carte et d’un dossier de photos à leurs positions</translation>
   </message>
   <message>
    <source>Ground length of the shorter image edge, as a multiple of the window size of the database. If neither limit is set, SemRef uses the height and lens of the camera, or 0.4 to 2.5 if they are unknown. A narrow range is searched faster.</source>
    <translation>Longueur au sol du petit côté de l’image, en multiple de la taille de fenêtre de la base de données. Si aucune des deux limites n’est indiquée, SemRef utilise la hauteur et l’objectif de la caméra, ou de 0.4 à 2.5 s’ils sont inconnus. Une plage étroite est parcourue plus vite.</translation>
   </message>
   <message>
+   <source>Ground of the database. If not set, the ground around the photos’ GPS positions, or the whole map.</source>
+   <translation>Terrain de la base de données. Par défaut, le terrain autour des positions GPS des photos, ou toute la carte.</translation>
+  </message>
+  <message>
    <source>Ground speed, for example 20. It is used to give the length of gaps in seconds.</source>
    <translation>Vitesse au sol, par exemple 20. Elle sert à donner la longueur des lacunes en secondes.</translation>
+  </message>
+  <message>
+   <source>Ground width of a photo (m)</source>
+   <translation>Largeur au sol d’une photo (m)</translation>
   </message>
   <message>
    <source>Ground without a label</source>
@@ -1756,6 +1852,10 @@ Les images sans position sont exclues, de même que les positions de « Méthode
    <translation>trous imbriqués</translation>
   </message>
   <message>
+   <source>If many photos have no position, train the model on imagery of this area, or train longer.</source>
+   <translation>Si beaucoup de photos n’ont pas de position, entraînez le modèle sur une imagerie de cette zone, ou plus longtemps.</translation>
+  </message>
+  <message>
    <source>Image</source>
    <translation>Image</translation>
   </message>
@@ -1778,6 +1878,10 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   <message>
    <source>Image {path} is a folder, pipe or device; choose an image file.</source>
    <translation>L’image {path} est un dossier, un tube ou un périphérique ; choisissez un fichier image.</translation>
+  </message>
+  <message>
+   <source>Imagery</source>
+   <translation>Imagerie</translation>
   </message>
   <message>
    <source>Images</source>
@@ -1918,6 +2022,10 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   <message>
    <source>Its position has no heading and pixel size, because it was computed by “Published method”.</source>
    <translation>Sa position n’a ni cap ni taille de pixel, car elle a été calculée avec « Méthode publiée ».</translation>
+  </message>
+  <message>
+   <source>Its position is only likely. To use it, localize with a larger “Maximum error probability”.</source>
+   <translation>Sa position n’est que probable. Pour l’utiliser, localisez avec une valeur plus grande de « Probabilité d’erreur maximale ».</translation>
   </message>
   <message>
    <source>JSON files (*.json)</source>
@@ -2140,6 +2248,18 @@ Les images sans position sont exclues, de même que les positions de « Méthode
    <translation>Licence</translation>
   </message>
   <message>
+   <source>Likely position</source>
+   <translation>Position probable</translation>
+  </message>
+  <message>
+   <source>Likely positions</source>
+   <translation>Positions probables</translation>
+  </message>
+  <message>
+   <source>Likely positions: {likely}.</source>
+   <translation>Positions probables : {likely}.</translation>
+  </message>
+  <message>
    <source>Limited search</source>
    <translation>Recherche limitée</translation>
   </message>
@@ -2194,6 +2314,10 @@ Les images sans position sont exclues, de même que les positions de « Méthode
   <message>
    <source>Localizing simulated images</source>
    <translation>Localisation d’images simulées</translation>
+  </message>
+  <message>
+   <source>Localizing the photos</source>
+   <translation>Localisation des photos</translation>
   </message>
   <message>
    <source>Log odds</source>
@@ -2282,6 +2406,10 @@ L’image est rééchantillonnée à la résolution du modèle si les deux sont 
   <message>
    <source>Map</source>
    <translation>Carte</translation>
+  </message>
+  <message>
+   <source>Map accuracy</source>
+   <translation>Exactitude de la carte</translation>
   </message>
   <message>
    <source>Map accuracy (m)</source>
@@ -2516,6 +2644,10 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
    <translation>Modèle entraîné avec SemRef, dont l’entraînement est poursuivi. Ses classes sont associées par leur nom.</translation>
   </message>
   <message>
+   <source>Model to use as it is, or to start the training from. If not set, the one of SemRef.</source>
+   <translation>Modèle à utiliser tel quel, ou dont part l’entraînement. Par défaut, celui de SemRef.</translation>
+  </message>
+  <message>
    <source>Model with class offset</source>
    <translation>Modèle avec décalage de classe</translation>
   </message>
@@ -2682,6 +2814,10 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   <message>
    <source>No rule matches a tag of “{source}”. Its columns are: {columns}. Select a layer with OpenStreetMap tags or other rules, or enter a class of other polygons.</source>
    <translation>Aucune règle ne s’applique à un attribut de « {source} ». Ses colonnes sont : {columns}. Sélectionnez une couche avec des attributs OpenStreetMap ou d’autres règles, ou saisissez une classe pour les autres polygones.</translation>
+  </message>
+  <message>
+   <source>No training</source>
+   <translation>Sans entraînement</translation>
   </message>
   <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
@@ -2996,6 +3132,10 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
    <translation>Orthophoto, tuiles de carte ou vue d’ensemble de la base de données. Elle est dessinée sous tout le reste dans le rapport.</translation>
   </message>
   <message>
+   <source>Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must allow this.</source>
+   <translation>Orthophoto, ou couche de tuiles de carte, sur laquelle le modèle est entraîné. La licence des tuiles de carte doit le permettre.</translation>
+  </message>
+  <message>
    <source>Other feature</source>
    <translation>Autre entité</translation>
   </message>
@@ -3076,6 +3216,10 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
    <translation>Patience (époques)</translation>
   </message>
   <message>
+   <source>Photo</source>
+   <translation>Photo</translation>
+  </message>
+  <message>
    <source>Photo or orthophoto</source>
    <translation>Photo ou orthophoto</translation>
   </message>
@@ -3090,6 +3234,18 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   <message>
    <source>Photo, annotation and prediction</source>
    <translation>Photo, annotation et prédiction</translation>
+  </message>
+  <message>
+   <source>Photos</source>
+   <translation>Photos</translation>
+  </message>
+  <message>
+   <source>Photos with a position</source>
+   <translation>Photos avec une position</translation>
+  </message>
+  <message>
+   <source>Photos, or folders with photos. Without photos, only the database and the model are made.</source>
+   <translation>Photos, ou dossiers de photos. Sans photos, seuls la base de données et le modèle sont créés.</translation>
   </message>
   <message>
    <source>Pick a window on the map, or enter its name.</source>
@@ -3150,6 +3306,10 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   <message>
    <source>Polygon layer with land-cover classes. Polygons may overlap, and may be multipart, invalid or three-dimensional.</source>
    <translation>Couche de polygones avec des classes d’occupation du sol. Les polygones peuvent se recouvrir, être multiparties, non valides ou tridimensionnels.</translation>
+  </message>
+  <message>
+   <source>Polygon layer: land cover, OpenStreetMap (layer with tags, or an extract such as .osm.pbf), or buildings only.</source>
+   <translation>Couche de polygones : occupation du sol, OpenStreetMap (couche avec des attributs, ou extrait tel que .osm.pbf), ou seulement des bâtiments.</translation>
   </message>
   <message>
    <source>Polygons</source>
@@ -3214,6 +3374,10 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   <message>
    <source>Positions of the flight</source>
    <translation>Positions du vol</translation>
+  </message>
+  <message>
+   <source>Positions of the photos</source>
+   <translation>Positions des photos</translation>
   </message>
   <message>
    <source>Possible places</source>
@@ -3392,6 +3556,10 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
    <translation>Rastérisation de la couche corrigée</translation>
   </message>
   <message>
+   <source>Rasterizing the map</source>
+   <translation>Rastérisation de la carte</translation>
+  </message>
+  <message>
    <source>Reading an image</source>
    <translation>Lecture d’une image</translation>
   </message>
@@ -3410,6 +3578,14 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   <message>
    <source>Reading the label map</source>
    <translation>Lecture de la carte d’étiquettes</translation>
+  </message>
+  <message>
+   <source>Reading the photos and the map</source>
+   <translation>Lecture des photos et de la carte</translation>
+  </message>
+  <message>
+   <source>Reading the photos and the map…</source>
+   <translation>Lecture des photos et de la carte…</translation>
   </message>
   <message>
    <source>Reading…</source>
@@ -3648,6 +3824,10 @@ Dans un recouvrement, le polygone de priorité supérieure est conservé, sinon 
    <translation>Règles</translation>
   </message>
   <message>
+   <source>Run</source>
+   <translation>Exécuter</translation>
+  </message>
+  <message>
    <source>Run models on</source>
    <translation>Exécuter les modèles sur</translation>
   </message>
@@ -3760,6 +3940,10 @@ Dans un recouvrement, le polygone de priorité supérieure est conservé, sinon 
    <translation>Sélectionnez soit une couche d’occupation du sol, soit une carte d’étiquettes.</translation>
   </message>
   <message>
+   <source>Select photos, or enter the ground width of a typical photo in m.</source>
+   <translation>Sélectionnez des photos, ou saisissez la largeur au sol d’une photo typique en m.</translation>
+  </message>
+  <message>
    <source>Selected image. Press + or - to zoom, and 0 to show the whole image.</source>
    <translation>Image sélectionnée. Appuyez sur + ou - pour zoomer, et sur 0 pour afficher toute l’image.</translation>
   </message>
@@ -3770,6 +3954,10 @@ Dans un recouvrement, le polygone de priorité supérieure est conservé, sinon 
   <message>
    <source>SemRef footprints</source>
    <translation>Emprises au sol SemRef</translation>
+  </message>
+  <message>
+   <source>SemRef has no model for this. Select a model, or train one on imagery.</source>
+   <translation>SemRef n’a pas de modèle pour cela. Sélectionnez un modèle, ou entraînez-en un sur une imagerie.</translation>
   </message>
   <message>
    <source>SemRef is already creating the sample project.</source>
@@ -3812,8 +4000,20 @@ Dans un recouvrement, le polygone de priorité supérieure est conservé, sinon 
    <translation>SemRef {plugin_version} a créé la base de données sans empreintes de blocs ni limites de repères visuels ; les modifications sont donc introuvables. Recréez-la une fois avec « Créer une base de données de référence ».</translation>
   </message>
   <message>
+   <source>Set up an area</source>
+   <translation>Préparer une zone</translation>
+  </message>
+  <message>
+   <source>Set up an area…</source>
+   <translation>Préparer une zone…</translation>
+  </message>
+  <message>
    <source>Setting</source>
    <translation>Paramètre</translation>
+  </message>
+  <message>
+   <source>Setting up an area</source>
+   <translation>Préparation d’une zone</translation>
   </message>
   <message>
    <source>Settings</source>
@@ -4052,8 +4252,8 @@ L’image est décrite dans son plus grand carré centré, comme les fenêtres d
    <translation>Écart type</translation>
   </message>
   <message>
-   <source>Standard deviation of landmark positions on the map, along each axis. It increases the 95 % radius, because neighboring landmarks are displaced together. The default of 1.1 m was measured between maps of two dates.</source>
-   <translation>Écart type des positions des repères visuels sur la carte, le long de chaque axe. Il augmente le rayon à 95 %, car les repères visuels voisins sont déplacés ensemble. La valeur par défaut de 1.1 m a été mesurée entre des cartes de deux dates.</translation>
+   <source>Standard deviation of landmark positions on the map, along each axis. It increases the 95 % radius, because neighboring landmarks are displaced together. The default of 1.2 m was measured between maps of two dates in two countries. “Compare label maps” measures it for your maps.</source>
+   <translation>Écart type des positions des repères visuels sur la carte, le long de chaque axe. Il augmente le rayon à 95 %, car les repères visuels voisins sont déplacés ensemble. La valeur par défaut de 1.2 m a été mesurée entre des cartes de deux dates dans deux pays. « Comparer des cartes d’étiquettes » la mesure pour vos cartes.</translation>
   </message>
   <message>
    <source>Standard deviation of the heading (°)</source>
@@ -4246,6 +4446,10 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   <message>
    <source>The area contains {kept} of {landmarks} landmarks and {windows} of {all_windows} windows.</source>
    <translation>La zone contient {kept} repères visuels sur {landmarks} et {windows} fenêtres sur {all_windows}.</translation>
+  </message>
+  <message>
+   <source>The area is set up.</source>
+   <translation>La zone est prête.</translation>
   </message>
   <message>
    <source>The area or route does not fit its CRS {crs}. Correct the CRS of the layer.</source>
@@ -4514,6 +4718,10 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   <message>
    <source>The image {path} does not exist. Select the folder that contains it now as “Images”.</source>
    <translation>L’image {path} n’existe pas. Sélectionnez comme « Images » le dossier qui la contient maintenant.</translation>
+  </message>
+  <message>
+   <source>The imagery can't be read. Choose an orthophoto or a layer of map tiles.</source>
+   <translation>L’imagerie ne peut pas être lue. Choisissez une orthophoto ou une couche de tuiles de carte.</translation>
   </message>
   <message>
    <source>The images are photos, but no model is selected.</source>
@@ -4786,6 +4994,14 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   <message>
    <source>The packages of the training environment could not be installed: {reason}.</source>
    <translation>Les paquets de l’environnement d’entraînement n’ont pas pu être installés : {reason}.</translation>
+  </message>
+  <message>
+   <source>The photos do not state the height of the camera, so their ground width is unknown. Enter the ground width of a typical photo in m.</source>
+   <translation>Les photos n’indiquent pas la hauteur de la caméra ; leur largeur au sol est donc inconnue. Saisissez la largeur au sol d’une photo typique en m.</translation>
+  </message>
+  <message>
+   <source>The photos have no camera data. Their pixels are assumed to be as large as those of the imagery.</source>
+   <translation>Les photos n’ont pas de données de caméra. Leurs pixels sont supposés aussi grands que ceux de l’imagerie.</translation>
   </message>
   <message>
    <source>The pixel size is {pixel_size:g} m; it must be more than 0.</source>
@@ -5100,6 +5316,10 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>Cette position ne peut pas être atteinte à {speed:g} m/s depuis les positions qui la précèdent et la suivent.</translation>
   </message>
   <message>
+   <source>This position is only likely: its error probability is {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>Cette position n’est que probable : sa probabilité d’erreur est de {risk:.2g} ; au plus {allowed:.2g} est admis.</translation>
+  </message>
+  <message>
    <source>This user has no private folder for the secret that authenticates --state. Create a home folder for the user, or add --require-signature.</source>
    <translation>Cet utilisateur n’a pas de dossier privé pour le secret qui authentifie --state. Créez un dossier personnel pour l’utilisateur, ou ajoutez --require-signature.</translation>
   </message>
@@ -5212,6 +5432,14 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>Entraînement</translation>
   </message>
   <message>
+   <source>Training (minutes)</source>
+   <translation>Entraînement (minutes)</translation>
+  </message>
+  <message>
+   <source>Training about {minutes:g} minutes</source>
+   <translation>Entraînement d’environ {minutes:g} minutes</translation>
+  </message>
+  <message>
    <source>Training environment of SemRef</source>
    <translation>Environnement d’entraînement de SemRef</translation>
   </message>
@@ -5232,12 +5460,20 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>L’entraînement exige un Python avec torch. Installez l’environnement d’entraînement sous Préférences ▸ Options ▸ SemRef (environ 1.5 Go, davantage avec la prise en charge des cartes graphiques), ou sélectionnez un Python avec torch.</translation>
   </message>
   <message>
+   <source>Training needs imagery. Select imagery, or set the training to 0 minutes.</source>
+   <translation>L’entraînement demande une imagerie. Sélectionnez une imagerie, ou réglez l’entraînement sur 0 minute.</translation>
+  </message>
+  <message>
    <source>Training of a model</source>
    <translation>Entraînement d’un modèle</translation>
   </message>
   <message>
    <source>Training stops if the result on the ground set aside has not improved for this number of epochs. 0 means never.</source>
    <translation>L’entraînement s’arrête si le résultat sur le terrain réservé ne s’est pas amélioré pendant ce nombre d’époques. 0 signifie jamais.</translation>
+  </message>
+  <message>
+   <source>Training the model</source>
+   <translation>Entraînement du modèle</translation>
   </message>
   <message>
    <source>Training time</source>
@@ -5340,6 +5576,10 @@ Tous les paramètres viennent de la base de données. Les lignes inchangées gar
    <translation>Utilisez l’odométrie sur les tronçons sans position attendue. Le plus long mesure {length}.</translation>
   </message>
   <message>
+   <source>Use the database and the model for all further photos of this area.</source>
+   <translation>Utilisez la base de données et le modèle pour toutes les autres photos de cette zone.</translation>
+  </message>
+  <message>
    <source>Use this model</source>
    <translation>Utiliser ce modèle</translation>
   </message>
@@ -5398,6 +5638,10 @@ Tous les paramètres viennent de la base de données. Les lignes inchangées gar
   <message>
    <source>Whether a position was found</source>
    <translation>Indique si une position a été trouvée</translation>
+  </message>
+  <message>
+   <source>Width of the ground that a typical photo shows, for example 150. If not set, height and focal length of the camera give it, or the pixels of the imagery.</source>
+   <translation>Largeur du terrain que montre une photo typique, par exemple 150. Si elle n’est pas indiquée, elle est déduite de la hauteur et de la focale de la caméra, ou des pixels de l’imagerie.</translation>
   </message>
   <message>
    <source>Window</source>
@@ -5632,6 +5876,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>focale {value:.0f} px</translation>
   </message>
   <message>
+   <source>from the camera or the imagery</source>
+   <translation>d’après la caméra ou l’imagerie</translation>
+  </message>
+  <message>
    <source>gap between neighbors</source>
    <translation>lacune entre voisins</translation>
   </message>
@@ -5702,6 +5950,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>lens distortion up to {value:.1f} % of the width corrected</source>
    <translation>distorsion de l’objectif corrigée, jusqu’à {value:.1f} % de la largeur</translation>
+  </message>
+  <message>
+   <source>likely position</source>
+   <translation>position probable</translation>
   </message>
   <message>
    <source>lon, lat</source>
@@ -5802,6 +6054,14 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>of correct positions</source>
    <translation>des positions correctes</translation>
+  </message>
+  <message>
+   <source>of the positions</source>
+   <translation>des positions</translation>
+  </message>
+  <message>
+   <source>of {count} photos</source>
+   <translation>sur {count} photos</translation>
   </message>
   <message>
    <source>often</source>
@@ -6024,12 +6284,24 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>{count} images à localiser.</translation>
   </message>
   <message>
+   <source>{count} landmarks are on both maps. {moved:.0%} of them moved. Standard deviation of the positions along each axis: {deviation:.2f} {unit}. If the maps show two dates, use this value as map accuracy.</source>
+   <translation>{count} repères visuels figurent sur les deux cartes. {moved:.0%} d’entre eux se sont déplacés. Écart type des positions le long de chaque axe : {deviation:.2f} {unit}. Si les cartes montrent deux dates, utilisez cette valeur comme exactitude de la carte.</translation>
+  </message>
+  <message>
+   <source>{count} landmarks are on both maps; {moved} of them moved. The standard deviation of the positions along each axis is {deviation}, for the moved landmarks {of_moved}. If the maps show two dates, use {deviation} as map accuracy in “Build reference database”.</source>
+   <translation>{count} repères visuels figurent sur les deux cartes ; {moved} d’entre eux se sont déplacés. L’écart type des positions le long de chaque axe est de {deviation}, et de {of_moved} pour les repères déplacés. Si les cartes montrent deux dates, utilisez {deviation} comme exactitude de la carte dans « Créer une base de données de référence ».</translation>
+  </message>
+  <message>
    <source>{count} landmarks in the centered square of {size} pixels.</source>
    <translation>{count} repères visuels dans le carré centré de {size} pixels.</translation>
   </message>
   <message>
    <source>{count} landmarks, center {x:.0f} {y:.0f}</source>
    <translation>{count} repères visuels, centre {x:.0f} {y:.0f}</translation>
+  </message>
+  <message>
+   <source>{count} of {all} photos with a GPS position were taken outside the map.</source>
+   <translation>{count} photos sur {all} avec une position GPS ont été prises hors de la carte.</translation>
   </message>
   <message>
    <source>{count} other position fits almost as well as the best one.</source>
@@ -6094,6 +6366,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>{device}, {rate:.3g} tiles per second.</source>
    <translation>{device}, {rate:.3g} tuiles par seconde.</translation>
+  </message>
+  <message>
+   <source>{file} is complete and is used again.</source>
+   <translation>{file} est complet et est réutilisé.</translation>
   </message>
   <message>
    <source>{first} {second}</source>
@@ -6378,6 +6654,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>{path} exists and is another kind of file, which would be lost; choose another name.</source>
    <translation>{path} existe déjà comme fichier d’un autre type, qui serait perdu ; choisissez un autre nom.</translation>
+  </message>
+  <message>
+   <source>{path} exists and was not made by a run with the same values. Choose another folder, or remove the file.</source>
+   <translation>{path} existe et n’a pas été créé par une exécution avec les mêmes valeurs. Choisissez un autre dossier, ou supprimez le fichier.</translation>
   </message>
   <message>
    <source>{path} fails on an image of {width} × {height} pixels: {reason}.</source>
@@ -6760,6 +7040,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>{path} serait pris pour une partie du nouveau fichier {name}, mais appartient à un autre fichier ; supprimez-le ou choisissez un autre nom.</translation>
   </message>
   <message>
+   <source>{photos} photos. Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² ({classes}), about {per_photo} in a typical photo. {training}, database about {size:.2g} MB.</source>
+   <translation>{photos} photos. Fenêtre de {window:g} m, pixels de {pixel:g} m, {landmarks} polygones d’au moins {area:g} m² ({classes}), environ {per_photo} dans une photo typique. {training}, base de données d’environ {size:.2g} Mo.</translation>
+  </message>
+  <message>
    <source>{placed} of {images} images have a position. Tracks: {tracks}.</source>
    <translation>{placed} images sur {images} ont une position. Traces : {tracks}.</translation>
   </message>
@@ -7084,6 +7368,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>« {key} » : l’entité {feature} ne peut pas être transformée dans le SCR de la carte d’étiquettes. Vérifiez le SCR de la couche.</translation>
   </message>
   <message>
+   <source>“{layer}” and the extent do not overlap. Choose another extent.</source>
+   <translation>« {layer} » et l’emprise ne se recouvrent pas. Choisissez une autre emprise.</translation>
+  </message>
+  <message>
    <source>“{layer}” can’t be drawn: {reason}.</source>
    <translation>« {layer} » ne peut pas être dessinée : {reason}.</translation>
   </message>
@@ -7098,6 +7386,22 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>“{layer}” has no field “{name}”. Choose one of its fields: {names}.</source>
    <translation>« {layer} » n’a pas de champ « {name} ». Choisissez l’un de ses champs : {names}.</translation>
+  </message>
+  <message>
+   <source>“{layer}” has no landmarks in the extent, only {classes}. Choose a map with buildings, water or bare land.</source>
+   <translation>« {layer} » n’a pas de repères visuels dans l’emprise, seulement {classes}. Choisissez une carte avec des bâtiments, de l’eau ou du sol nu.</translation>
+  </message>
+  <message>
+   <source>“{layer}” has no landmarks of the model in the extent. Its classes are {classes}, those of the model are {known}. Choose another model, or train one.</source>
+   <translation>« {layer} » n’a pas de repères visuels du modèle dans l’emprise. Ses classes sont {classes}, celles du modèle sont {known}. Choisissez un autre modèle, ou entraînez-en un.</translation>
+  </message>
+  <message>
+   <source>“{layer}” has no polygon with a class in the extent. Check the extent, the CRS and the class field.</source>
+   <translation>« {layer} » n’a aucun polygone avec une classe dans l’emprise. Vérifiez l’emprise, le SCR et le champ de classe.</translation>
+  </message>
+  <message>
+   <source>“{layer}” has no polygons. Choose a polygon layer.</source>
+   <translation>« {layer} » n’a pas de polygones. Choisissez une couche de polygones.</translation>
   </message>
   <message>
    <source>“{layer}” has no resolution of its own, and neither have the metadata of {model}. Select a model with a resolution.</source>

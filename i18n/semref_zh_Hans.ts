@@ -4,6 +4,10 @@
  <context>
   <name>SemRef</name>
   <message>
+   <source> min</source>
+   <translation> 分钟</translation>
+  </message>
+  <message>
    <source>%v of %m done</source>
    <translation>已完成 %v / %m</translation>
   </message>
@@ -14,6 +18,10 @@
   <message>
    <source>--state {path} is not a regular file. Choose another name.</source>
    <translation>--state {path} 不是普通文件。请选择其他名称。</translation>
+  </message>
+  <message>
+   <source>0, use the model as it is</source>
+   <translation>0，直接使用模型</translation>
   </message>
   <message>
    <source>1 feature</source>
@@ -120,12 +128,12 @@
    <translation>新文件夹或空文件夹。每幅影像的标签保存为带类别表的 GeoTIFF。</translation>
   </message>
   <message>
-   <source>A position is accepted if the probability that it is wrong is not larger than this value, for example 0.0001 (1 in 10,000). A smaller value gives fewer positions. “Published method” does not use it.</source>
-   <translation>如果位置错误的概率不大于此值，则接受该位置，例如 0.0001（万分之一）。值越小，得到的位置越少。“已发表方法”不使用此值。</translation>
+   <source>A position is accepted if the probability that it is wrong is not larger than this value, for example 0.0001 (1 in 10,000). A smaller value gives fewer positions. Above it, up to 0.2, the result is a likely position. “Published method” does not use it.</source>
+   <translation>如果位置错误的概率不大于此值，则接受该位置，例如 0.0001（万分之一）。值越小，得到的位置越少。大于此值但不超过 0.2 时，结果为可能位置。“已发表方法”不使用此值。</translation>
   </message>
   <message>
-   <source>A position is correct within the distance under “Settings”. With the published method, which finds only windows, it is correct if it is the window nearest to the image’s center. False accepts are positions of mirrored images, which are always wrong. CEP50 and CEP95: 50 % and 95 % of the correct positions have at most this error. Heading and scale: median errors of correct positions.</source>
-   <translation>误差在“设置”中的距离以内时，位置视为正确。已发表方法只查找窗口，找到的窗口是离影像中心最近的窗口时，位置视为正确。误接受是指镜像影像得到的位置，这些位置总是错误的。CEP50 和 CEP95：50 % 和 95 % 的正确位置的误差不超过此值。航向和比例：正确位置的误差中值。</translation>
+   <source>A position is correct within the distance under “Settings”. With the published method, which finds only windows, it is correct if it is the window nearest to the image’s center. False accepts are positions of mirrored images, which are always wrong. Likely positions are neither correct nor wrong positions; the table shows how many of them are correct. CEP50 and CEP95: 50 % and 95 % of the correct positions have at most this error. Heading and scale: median errors of correct positions.</source>
+   <translation>误差在“设置”中的距离以内时，位置视为正确。已发表方法只查找窗口，找到的窗口是离影像中心最近的窗口时，位置视为正确。误接受是指镜像影像得到的位置，这些位置总是错误的。可能位置既不计为正确位置，也不计为错误位置；表中列出其中有多少是正确的。CEP50 和 CEP95：50 % 和 95 % 的正确位置的误差不超过此值。航向和比例：正确位置的误差中值。</translation>
   </message>
   <message>
    <source>A position is expected everywhere along the route.</source>
@@ -142,6 +150,10 @@
   <message>
    <source>A track is accepted if the probability that it is wrong is not larger than this value, for example 0.0001 (1 in 10,000). A smaller value needs more images.</source>
    <translation>如果航迹错误的概率不大于此值，则接受该航迹，例如 0.0001（万分之一）。值越小，需要的影像越多。</translation>
+  </message>
+  <message>
+   <source>A typical photo shows about {count} landmarks, but at least {least} are needed. Fly higher, or use a map with more buildings.</source>
+   <translation>一张典型照片显示约 {count} 个地标，但至少需要 {least} 个。请提高飞行高度，或使用建筑物更多的地图。</translation>
   </message>
   <message>
    <source>A vector of {count} landmarks is too short; use at least {least}.</source>
@@ -234,6 +246,10 @@
   <message>
    <source>All numbers of the report, for scripts.</source>
    <translation>报告中的所有数值，供脚本使用。</translation>
+  </message>
+  <message>
+   <source>All photos with a GPS position were taken outside “{layer}”. Choose a map of the place of the photos.</source>
+   <translation>所有带 GPS 位置的照片都拍摄于“{layer}”之外。请选择照片所在地的地图。</translation>
   </message>
   <message>
    <source>All places are done.</source>
@@ -432,6 +448,10 @@
    <translation>建筑物倾斜（%）</translation>
   </message>
   <message>
+   <source>Building the reference database</source>
+   <translation>正在构建参考数据库</translation>
+  </message>
+  <message>
    <source>Builds a reference database from a label map: its landmarks, and windows that are described by topology vectors.
 
 The GeoPackage contains windows, landmarks, a reduced map (overview), classes and parameters. The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks have no vector.</source>
@@ -508,8 +528,16 @@ GeoPackage 包含窗口、地标、缩小的地图（概览）、类别和参数
    <translation>已取消。</translation>
   </message>
   <message>
+   <source>Canceled. Complete files remain in the folder. Run it again with the same values to continue.</source>
+   <translation>已取消。完整的文件保留在文件夹中。使用相同的值再次运行即可继续。</translation>
+  </message>
+  <message>
    <source>Canceled. Nothing was written.</source>
    <translation>已取消。未写入任何内容。</translation>
+  </message>
+  <message>
+   <source>Canceled. Press “Run” to continue.</source>
+   <translation>已取消。按“运行”继续。</translation>
   </message>
   <message>
    <source>Canceled. The state of the training is saved in {folder}. Run it again with the same output to continue.</source>
@@ -588,8 +616,16 @@ GeoPackage 包含窗口、地标、缩小的地图（概览）、类别和参数
    <translation>请选择数据库。</translation>
   </message>
   <message>
+   <source>Choose a folder for the results.</source>
+   <translation>请选择结果文件夹。</translation>
+  </message>
+  <message>
    <source>Choose a folder for the sample project</source>
    <translation>选择示例工程的文件夹</translation>
+  </message>
+  <message>
+   <source>Choose a folder with photos, and a map of their place.</source>
+   <translation>请选择照片文件夹，以及照片所在地的地图。</translation>
   </message>
   <message>
    <source>Choose a folder with wheels (*.whl)</source>
@@ -728,12 +764,20 @@ GeoPackage 包含窗口、地标、缩小的地图（概览）、类别和参数
    <translation>OpenStreetMap 分类</translation>
   </message>
   <message>
+   <source>Classifying OpenStreetMap</source>
+   <translation>正在对 OpenStreetMap 分类</translation>
+  </message>
+  <message>
    <source>Clear the dock and delete all settings of SemRef? Files, layers and installed packages do not change.</source>
    <translation>清空面板并删除 SemRef 的所有设置吗？文件、图层和已安装的软件包不会更改。</translation>
   </message>
   <message>
    <source>Click on the map to inspect the window there</source>
    <translation>在地图上点击以查看该处的窗口</translation>
+  </message>
+  <message>
+   <source>Close</source>
+   <translation>关闭</translation>
   </message>
   <message>
    <source>Color</source>
@@ -766,10 +810,14 @@ GeoPackage 包含窗口、地标、缩小的地图（概览）、类别和参数
   <message>
    <source>Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall accuracy, and polygons of the disagreements.
 
-Classes are matched by name, otherwise by value. Pixels without prediction count as wrong. The class offset (the distance by which the model shows a class off its position) can be saved in a copy of the model.</source>
+Classes are matched by name, otherwise by value. Pixels without prediction count as wrong. The class offset (the distance by which the model shows a class off its position) can be saved in a copy of the model.
+
+For label maps of two dates, the log and the report show how far landmarks moved: the map accuracy for “Build reference database”.</source>
    <translation>比较预测的标签图与标注的标签图：混淆矩阵、各类别的 IoU、总体精度，以及不一致之处的多边形。
 
-类别按名称匹配，否则按值匹配。没有预测的像元计为错误。类别偏移（模型显示的类别偏离其位置的距离）可以保存到模型的副本中。</translation>
+类别按名称匹配，否则按值匹配。没有预测的像元计为错误。类别偏移（模型显示的类别偏离其位置的距离）可以保存到模型的副本中。
+
+对于两个日期的标签图，日志和报告会显示地标移动了多远：即“构建参考数据库”的地图精度。</translation>
   </message>
   <message>
    <source>Comparing</source>
@@ -912,6 +960,10 @@ The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shap
    <translation>模拟中正确</translation>
   </message>
   <message>
+   <source>Correct likely positions</source>
+   <translation>正确的可能位置</translation>
+  </message>
+  <message>
    <source>Correct positions</source>
    <translation>正确位置</translation>
   </message>
@@ -938,6 +990,10 @@ The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shap
   <message>
    <source>Correlation of east and north</source>
    <translation>东、北方向的相关系数</translation>
+  </message>
+  <message>
+   <source>Correlation of their displacements</source>
+   <translation>其位移的相关性</translation>
   </message>
   <message>
    <source>Counting labels</source>
@@ -1124,6 +1180,10 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
    <translation>拓扑向量的距离</translation>
   </message>
   <message>
+   <source>Distance of two moved landmarks</source>
+   <translation>两个移动地标的间距</translation>
+  </message>
+  <message>
    <source>Distance ratios, angle differences, class ranks, and the classes that were used.</source>
    <translation>距离比、角度差、类别序号，以及所用的类别。</translation>
   </message>
@@ -1174,6 +1234,10 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   <message>
    <source>Duplicate Rings</source>
    <translation>重复的环</translation>
+  </message>
+  <message>
+   <source>Duration of the training. 0 means that the model is used as it is.</source>
+   <translation>训练时长。0 表示直接使用模型，不进行训练。</translation>
   </message>
   <message>
    <source>Each place was tested with a network that was trained without this place.</source>
@@ -1464,6 +1528,10 @@ The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also 
    <translation>要素 {id} 和 {other} 的类别同为 {name}，并在一点相接。它们的像元通常会成为一个地标。</translation>
   </message>
   <message>
+   <source>Field with the class of each polygon. If not set, SemRef guesses it, or uses the tags of OpenStreetMap. In a layer without either, all polygons are buildings.</source>
+   <translation>包含各多边形类别的字段。如果未设置，SemRef 会推测该字段，或使用 OpenStreetMap 的标签。如果图层两者皆无，则所有多边形均为建筑物。</translation>
+  </message>
+  <message>
    <source>File</source>
    <translation>文件</translation>
   </message>
@@ -1512,6 +1580,14 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
 每个问题是一个要素，带有种类、严重程度和说明。“修复土地覆盖图层”可修复大多数问题。</translation>
   </message>
   <message>
+   <source>Finds the positions of photos on a map in one run: it builds a reference database, optionally trains the model on imagery of the area, and localizes the photos.
+
+SemRef derives pixel size, window size, stride and minimum area from the map and the photos, and shows them in the log before it starts. Each file in the folder is usable by itself. To continue a canceled run, run it again with the same values.</source>
+   <translation>一次运行即可在地图上找到照片的位置：构建参考数据库，可选择用该区域的底图影像训练模型，并定位照片。
+
+SemRef 根据地图和照片确定像元大小、窗口大小、步长和最小面积，并在开始前显示在日志中。文件夹中的每个文件都可单独使用。要继续已取消的运行，请使用相同的值再次运行。</translation>
+  </message>
+  <message>
    <source>Finds where a new orthophoto contradicts the label map, with “Segment image” and “Compare label maps”. The disagreements are polygons, the largest first. Check them in the tab “Correct” of the dock, then run “Corrected land-cover layer to reference database”.</source>
    <translation>用“分割影像”和“比较标签图”查找新正射影像与标签图矛盾之处。不一致之处为多边形，最大的在前。请在面板的“修正”选项卡中检查，然后运行“从更正后的土地覆盖图层到参考数据库”。</translation>
   </message>
@@ -1544,12 +1620,20 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
    <translation>文件夹</translation>
   </message>
   <message>
+   <source>Folder for all files. Existing files that this algorithm did not make are never replaced.</source>
+   <translation>所有文件的文件夹。绝不会替换并非由此算法生成的已有文件。</translation>
+  </message>
+  <message>
    <source>Folder for georeferenced images</source>
    <translation>地理配准影像的文件夹</translation>
   </message>
   <message>
    <source>Folder for label images</source>
    <translation>标签影像的文件夹</translation>
+  </message>
+  <message>
+   <source>Folder for the results</source>
+   <translation>结果文件夹</translation>
   </message>
   <message>
    <source>Folder for tiles</source>
@@ -1670,18 +1754,30 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
   <message>
    <source>Georeferences images with the positions of “Localize images”: as GeoTIFFs, with world files, or with control points for the Georeferencer.
 
-Images without a position are left out, and so are positions of “Published method”, which have no heading. The original images are not changed.</source>
+Images without a position are left out, and so are likely positions and positions of “Published method”, which have no heading. The original images are not changed.</source>
    <translation>用“定位影像”得到的位置对影像进行地理配准：生成 GeoTIFF、世界文件，或供地理配准工具使用的控制点。
 
-没有位置的影像会被舍弃，“已发表方法”的位置也会被舍弃，因为它们没有航向。原始影像不会更改。</translation>
+没有位置的影像会被舍弃，可能位置以及“已发表方法”的位置（没有航向）也会被舍弃。原始影像不会更改。</translation>
+  </message>
+  <message>
+   <source>Go from a map and a folder of photos to their positions</source>
+   <translation>从地图和照片文件夹得到照片的位置</translation>
   </message>
   <message>
    <source>Ground length of the shorter image edge, as a multiple of the window size of the database. If neither limit is set, SemRef uses the height and lens of the camera, or 0.4 to 2.5 if they are unknown. A narrow range is searched faster.</source>
    <translation>影像短边在地面上的长度，以数据库窗口大小的倍数表示。如果上下限均未设置，SemRef 使用相机的高度和镜头；若未知，则使用 0.4 至 2.5。范围越窄，搜索越快。</translation>
   </message>
   <message>
+   <source>Ground of the database. If not set, the ground around the photos’ GPS positions, or the whole map.</source>
+   <translation>数据库的地面范围。如果未设置，则为照片 GPS 位置周围的地面，或整幅地图。</translation>
+  </message>
+  <message>
    <source>Ground speed, for example 20. It is used to give the length of gaps in seconds.</source>
    <translation>地速，例如 20。用于以秒给出间断的长度。</translation>
+  </message>
+  <message>
+   <source>Ground width of a photo (m)</source>
+   <translation>照片的地面宽度（m）</translation>
   </message>
   <message>
    <source>Ground without a label</source>
@@ -1756,6 +1852,10 @@ Images without a position are left out, and so are positions of “Published met
    <translation>孔洞相互嵌套</translation>
   </message>
   <message>
+   <source>If many photos have no position, train the model on imagery of this area, or train longer.</source>
+   <translation>如果许多照片没有位置，请用该区域的底图影像训练模型，或延长训练时间。</translation>
+  </message>
+  <message>
    <source>Image</source>
    <translation>影像</translation>
   </message>
@@ -1778,6 +1878,10 @@ Images without a position are left out, and so are positions of “Published met
   <message>
    <source>Image {path} is a folder, pipe or device; choose an image file.</source>
    <translation>影像 {path} 是文件夹、管道或设备；请选择影像文件。</translation>
+  </message>
+  <message>
+   <source>Imagery</source>
+   <translation>底图影像</translation>
   </message>
   <message>
    <source>Images</source>
@@ -1918,6 +2022,10 @@ Images without a position are left out, and so are positions of “Published met
   <message>
    <source>Its position has no heading and pixel size, because it was computed by “Published method”.</source>
    <translation>其位置没有航向和像元大小，因为它由“已发表方法”计算得出。</translation>
+  </message>
+  <message>
+   <source>Its position is only likely. To use it, localize with a larger “Maximum error probability”.</source>
+   <translation>其位置仅为可能位置。要使用它，请以更大的“最大错误概率”进行定位。</translation>
   </message>
   <message>
    <source>JSON files (*.json)</source>
@@ -2140,6 +2248,18 @@ Images without a position are left out, and so are positions of “Published met
    <translation>许可</translation>
   </message>
   <message>
+   <source>Likely position</source>
+   <translation>可能位置</translation>
+  </message>
+  <message>
+   <source>Likely positions</source>
+   <translation>可能位置</translation>
+  </message>
+  <message>
+   <source>Likely positions: {likely}.</source>
+   <translation>可能位置：{likely}。</translation>
+  </message>
+  <message>
    <source>Limited search</source>
    <translation>限定搜索</translation>
   </message>
@@ -2194,6 +2314,10 @@ Images without a position are left out, and so are positions of “Published met
   <message>
    <source>Localizing simulated images</source>
    <translation>正在定位模拟影像</translation>
+  </message>
+  <message>
+   <source>Localizing the photos</source>
+   <translation>正在定位照片</translation>
   </message>
   <message>
    <source>Log odds</source>
@@ -2282,6 +2406,10 @@ The image is resampled to the resolution of the model if both are known, and pro
   <message>
    <source>Map</source>
    <translation>地图</translation>
+  </message>
+  <message>
+   <source>Map accuracy</source>
+   <translation>地图精度</translation>
   </message>
   <message>
    <source>Map accuracy (m)</source>
@@ -2516,6 +2644,10 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation>用 SemRef 训练过并将继续训练的模型。其类别按名称匹配。</translation>
   </message>
   <message>
+   <source>Model to use as it is, or to start the training from. If not set, the one of SemRef.</source>
+   <translation>直接使用的模型，或作为训练起点的模型。如果未设置，则使用 SemRef 的模型。</translation>
+  </message>
+  <message>
    <source>Model with class offset</source>
    <translation>带类别偏移的模型</translation>
   </message>
@@ -2682,6 +2814,10 @@ The result is too optimistic if the real errors are larger or the ground has cha
   <message>
    <source>No rule matches a tag of “{source}”. Its columns are: {columns}. Select a layer with OpenStreetMap tags or other rules, or enter a class of other polygons.</source>
    <translation>没有规则与“{source}”的标签匹配。其列为：{columns}。请选择带有 OpenStreetMap 标签的图层或其他规则，或输入其他多边形的类别。</translation>
+  </message>
+  <message>
+   <source>No training</source>
+   <translation>不训练</translation>
   </message>
   <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
@@ -2996,6 +3132,10 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation>正射影像、地图瓦片或数据库的概览。在报告中绘制于其他所有内容之下。</translation>
   </message>
   <message>
+   <source>Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must allow this.</source>
+   <translation>用于训练模型的正射影像或地图瓦片图层。地图瓦片的许可必须允许这样使用。</translation>
+  </message>
+  <message>
    <source>Other feature</source>
    <translation>另一要素</translation>
   </message>
@@ -3076,6 +3216,10 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation>耐心（轮数）</translation>
   </message>
   <message>
+   <source>Photo</source>
+   <translation>照片</translation>
+  </message>
+  <message>
    <source>Photo or orthophoto</source>
    <translation>照片或正射影像</translation>
   </message>
@@ -3090,6 +3234,18 @@ The result is too optimistic if the real errors are larger or the ground has cha
   <message>
    <source>Photo, annotation and prediction</source>
    <translation>照片、标注和预测</translation>
+  </message>
+  <message>
+   <source>Photos</source>
+   <translation>照片</translation>
+  </message>
+  <message>
+   <source>Photos with a position</source>
+   <translation>有位置的照片</translation>
+  </message>
+  <message>
+   <source>Photos, or folders with photos. Without photos, only the database and the model are made.</source>
+   <translation>照片，或包含照片的文件夹。没有照片时，只生成数据库和模型。</translation>
   </message>
   <message>
    <source>Pick a window on the map, or enter its name.</source>
@@ -3150,6 +3306,10 @@ The result is too optimistic if the real errors are larger or the ground has cha
   <message>
    <source>Polygon layer with land-cover classes. Polygons may overlap, and may be multipart, invalid or three-dimensional.</source>
    <translation>带有土地覆盖类别的多边形图层。多边形可以重叠，也可以是多部件、无效或三维的。</translation>
+  </message>
+  <message>
+   <source>Polygon layer: land cover, OpenStreetMap (layer with tags, or an extract such as .osm.pbf), or buildings only.</source>
+   <translation>多边形图层：土地覆盖、OpenStreetMap（带标签的图层，或 .osm.pbf 等提取文件），或仅建筑物。</translation>
   </message>
   <message>
    <source>Polygons</source>
@@ -3214,6 +3374,10 @@ The result is too optimistic if the real errors are larger or the ground has cha
   <message>
    <source>Positions of the flight</source>
    <translation>航次位置</translation>
+  </message>
+  <message>
+   <source>Positions of the photos</source>
+   <translation>照片的位置</translation>
   </message>
   <message>
    <source>Possible places</source>
@@ -3392,6 +3556,10 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation>正在栅格化更正后的图层</translation>
   </message>
   <message>
+   <source>Rasterizing the map</source>
+   <translation>正在栅格化地图</translation>
+  </message>
+  <message>
    <source>Reading an image</source>
    <translation>正在读取影像</translation>
   </message>
@@ -3410,6 +3578,14 @@ The result is too optimistic if the real errors are larger or the ground has cha
   <message>
    <source>Reading the label map</source>
    <translation>正在读取标签图</translation>
+  </message>
+  <message>
+   <source>Reading the photos and the map</source>
+   <translation>正在读取照片和地图</translation>
+  </message>
+  <message>
+   <source>Reading the photos and the map…</source>
+   <translation>正在读取照片和地图…</translation>
   </message>
   <message>
    <source>Reading…</source>
@@ -3648,6 +3824,10 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
    <translation>规则</translation>
   </message>
   <message>
+   <source>Run</source>
+   <translation>运行</translation>
+  </message>
+  <message>
    <source>Run models on</source>
    <translation>模型运行设备</translation>
   </message>
@@ -3760,6 +3940,10 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
    <translation>请选择土地覆盖图层或标签图，二者只选其一。</translation>
   </message>
   <message>
+   <source>Select photos, or enter the ground width of a typical photo in m.</source>
+   <translation>请选择照片，或输入典型照片的地面宽度（m）。</translation>
+  </message>
+  <message>
    <source>Selected image. Press + or - to zoom, and 0 to show the whole image.</source>
    <translation>所选影像。按 + 或 - 缩放，按 0 显示整幅影像。</translation>
   </message>
@@ -3770,6 +3954,10 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   <message>
    <source>SemRef footprints</source>
    <translation>SemRef 覆盖范围</translation>
+  </message>
+  <message>
+   <source>SemRef has no model for this. Select a model, or train one on imagery.</source>
+   <translation>SemRef 没有适用的模型。请选择模型，或用底图影像训练模型。</translation>
   </message>
   <message>
    <source>SemRef is already creating the sample project.</source>
@@ -3812,8 +4000,20 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
    <translation>此数据库由 SemRef {plugin_version} 构建，没有分块哈希和地标边界，因此无法查找更改。请用“构建参考数据库”重新构建一次。</translation>
   </message>
   <message>
+   <source>Set up an area</source>
+   <translation>设置区域</translation>
+  </message>
+  <message>
+   <source>Set up an area…</source>
+   <translation>设置区域…</translation>
+  </message>
+  <message>
    <source>Setting</source>
    <translation>设置项</translation>
+  </message>
+  <message>
+   <source>Setting up an area</source>
+   <translation>正在设置区域</translation>
   </message>
   <message>
    <source>Settings</source>
@@ -4052,8 +4252,8 @@ The image is described in its largest centered square, like the windows of a dat
    <translation>标准差</translation>
   </message>
   <message>
-   <source>Standard deviation of landmark positions on the map, along each axis. It increases the 95 % radius, because neighboring landmarks are displaced together. The default of 1.1 m was measured between maps of two dates.</source>
-   <translation>地图上地标位置沿各轴的标准差。相邻地标会一起偏移，因此会增大 95 % 半径。默认值 1.1 m 是在两个日期的地图之间测得的。</translation>
+   <source>Standard deviation of landmark positions on the map, along each axis. It increases the 95 % radius, because neighboring landmarks are displaced together. The default of 1.2 m was measured between maps of two dates in two countries. “Compare label maps” measures it for your maps.</source>
+   <translation>地图上地标位置沿各轴的标准差。相邻地标会一起偏移，因此会增大 95 % 半径。默认值 1.2 m 是在两个国家的两个日期的地图之间测得的。“比较标签图”可测出您的地图的值。</translation>
   </message>
   <message>
    <source>Standard deviation of the heading (°)</source>
@@ -4246,6 +4446,10 @@ Use a label map of another date than that of the database, with a map displaceme
   <message>
    <source>The area contains {kept} of {landmarks} landmarks and {windows} of {all_windows} windows.</source>
    <translation>该区域包含 {landmarks} 个地标中的 {kept} 个和 {all_windows} 个窗口中的 {windows} 个。</translation>
+  </message>
+  <message>
+   <source>The area is set up.</source>
+   <translation>区域已设置完成。</translation>
   </message>
   <message>
    <source>The area or route does not fit its CRS {crs}. Correct the CRS of the layer.</source>
@@ -4514,6 +4718,10 @@ Use a label map of another date than that of the database, with a map displaceme
   <message>
    <source>The image {path} does not exist. Select the folder that contains it now as “Images”.</source>
    <translation>影像 {path} 不存在。请将其当前所在的文件夹选为“影像”。</translation>
+  </message>
+  <message>
+   <source>The imagery can't be read. Choose an orthophoto or a layer of map tiles.</source>
+   <translation>无法读取底图影像。请选择正射影像或地图瓦片图层。</translation>
   </message>
   <message>
    <source>The images are photos, but no model is selected.</source>
@@ -4786,6 +4994,14 @@ Use a label map of another date than that of the database, with a map displaceme
   <message>
    <source>The packages of the training environment could not be installed: {reason}.</source>
    <translation>无法安装训练环境的软件包：{reason}。</translation>
+  </message>
+  <message>
+   <source>The photos do not state the height of the camera, so their ground width is unknown. Enter the ground width of a typical photo in m.</source>
+   <translation>照片未注明相机高度，因此其地面宽度未知。请输入典型照片的地面宽度（m）。</translation>
+  </message>
+  <message>
+   <source>The photos have no camera data. Their pixels are assumed to be as large as those of the imagery.</source>
+   <translation>照片没有相机数据。假定其像元与底图影像的像元一样大。</translation>
   </message>
   <message>
    <source>The pixel size is {pixel_size:g} m; it must be more than 0.</source>
@@ -5100,6 +5316,10 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>以 {speed:g} m/s 的速度，无法从其前后的位置到达此位置。</translation>
   </message>
   <message>
+   <source>This position is only likely: its error probability is {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>此位置仅为可能位置：其错误概率为 {risk:.2g}；最大允许 {allowed:.2g}。</translation>
+  </message>
+  <message>
    <source>This user has no private folder for the secret that authenticates --state. Create a home folder for the user, or add --require-signature.</source>
    <translation>此用户没有私有文件夹来存放用于验证 --state 的密钥。请为该用户创建主文件夹，或添加 --require-signature。</translation>
   </message>
@@ -5212,6 +5432,14 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>训练</translation>
   </message>
   <message>
+   <source>Training (minutes)</source>
+   <translation>训练（分钟）</translation>
+  </message>
+  <message>
+   <source>Training about {minutes:g} minutes</source>
+   <translation>训练约 {minutes:g} 分钟</translation>
+  </message>
+  <message>
    <source>Training environment of SemRef</source>
    <translation>SemRef 的训练环境</translation>
   </message>
@@ -5232,12 +5460,20 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>训练需要带有 torch 的 Python。请在 设置 ▸ 选项 ▸ SemRef 中安装训练环境（约 1.5 GB，支持显卡时更大），或选择带有 torch 的 Python。</translation>
   </message>
   <message>
+   <source>Training needs imagery. Select imagery, or set the training to 0 minutes.</source>
+   <translation>训练需要底图影像。请选择底图影像，或将训练设为 0 分钟。</translation>
+  </message>
+  <message>
    <source>Training of a model</source>
    <translation>模型训练</translation>
   </message>
   <message>
    <source>Training stops if the result on the ground set aside has not improved for this number of epochs. 0 means never.</source>
    <translation>如果留出地面上的结果在这么多轮内没有改善，则停止训练。0 表示从不停止。</translation>
+  </message>
+  <message>
+   <source>Training the model</source>
+   <translation>正在训练模型</translation>
   </message>
   <message>
    <source>Training time</source>
@@ -5340,6 +5576,10 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
    <translation>在无预期位置的航段上请使用里程计。最长的航段为 {length}。</translation>
   </message>
   <message>
+   <source>Use the database and the model for all further photos of this area.</source>
+   <translation>该区域今后的所有照片都可使用此数据库和模型。</translation>
+  </message>
+  <message>
    <source>Use this model</source>
    <translation>使用此模型</translation>
   </message>
@@ -5398,6 +5638,10 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
   <message>
    <source>Whether a position was found</source>
    <translation>是否找到位置</translation>
+  </message>
+  <message>
+   <source>Width of the ground that a typical photo shows, for example 150. If not set, height and focal length of the camera give it, or the pixels of the imagery.</source>
+   <translation>典型照片所显示地面的宽度，例如 150。如果未设置，则由相机的高度和焦距得出，或由底图影像的像元得出。</translation>
   </message>
   <message>
    <source>Window</source>
@@ -5632,6 +5876,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>焦距 {value:.0f} 像素</translation>
   </message>
   <message>
+   <source>from the camera or the imagery</source>
+   <translation>由相机或底图影像得出</translation>
+  </message>
+  <message>
    <source>gap between neighbors</source>
    <translation>相邻间空隙</translation>
   </message>
@@ -5702,6 +5950,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>lens distortion up to {value:.1f} % of the width corrected</source>
    <translation>已校正镜头畸变，最大为宽度的 {value:.1f} %</translation>
+  </message>
+  <message>
+   <source>likely position</source>
+   <translation>可能位置</translation>
   </message>
   <message>
    <source>lon, lat</source>
@@ -5802,6 +6054,14 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>of correct positions</source>
    <translation>占正确位置</translation>
+  </message>
+  <message>
+   <source>of the positions</source>
+   <translation>占位置的比例</translation>
+  </message>
+  <message>
+   <source>of {count} photos</source>
+   <translation>共 {count} 张照片</translation>
   </message>
   <message>
    <source>often</source>
@@ -6024,12 +6284,24 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>待定位影像 {count} 幅。</translation>
   </message>
   <message>
+   <source>{count} landmarks are on both maps. {moved:.0%} of them moved. Standard deviation of the positions along each axis: {deviation:.2f} {unit}. If the maps show two dates, use this value as map accuracy.</source>
+   <translation>两幅地图上共有 {count} 个相同的地标，其中 {moved:.0%} 发生了移动。位置沿各轴的标准差：{deviation:.2f} {unit}。如果两幅地图的日期不同，请将此值用作地图精度。</translation>
+  </message>
+  <message>
+   <source>{count} landmarks are on both maps; {moved} of them moved. The standard deviation of the positions along each axis is {deviation}, for the moved landmarks {of_moved}. If the maps show two dates, use {deviation} as map accuracy in “Build reference database”.</source>
+   <translation>两幅地图上共有 {count} 个相同的地标，其中 {moved} 个发生了移动。位置沿各轴的标准差为 {deviation}，移动的地标为 {of_moved}。如果两幅地图的日期不同，请在“构建参考数据库”中将 {deviation} 用作地图精度。</translation>
+  </message>
+  <message>
    <source>{count} landmarks in the centered square of {size} pixels.</source>
    <translation>{size} 像元的居中正方形内有 {count} 个地标。</translation>
   </message>
   <message>
    <source>{count} landmarks, center {x:.0f} {y:.0f}</source>
    <translation>{count} 个地标，中心 {x:.0f} {y:.0f}</translation>
+  </message>
+  <message>
+   <source>{count} of {all} photos with a GPS position were taken outside the map.</source>
+   <translation>{all} 张带 GPS 位置的照片中，有 {count} 张拍摄于地图之外。</translation>
   </message>
   <message>
    <source>{count} other position fits almost as well as the best one.</source>
@@ -6094,6 +6366,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>{device}, {rate:.3g} tiles per second.</source>
    <translation>{device}，每秒 {rate:.3g} 个图块。</translation>
+  </message>
+  <message>
+   <source>{file} is complete and is used again.</source>
+   <translation>{file} 已完整，将再次使用。</translation>
   </message>
   <message>
    <source>{first} {second}</source>
@@ -6378,6 +6654,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>{path} exists and is another kind of file, which would be lost; choose another name.</source>
    <translation>{path} 已存在且是另一种文件，会因此丢失；请选择其他名称。</translation>
+  </message>
+  <message>
+   <source>{path} exists and was not made by a run with the same values. Choose another folder, or remove the file.</source>
+   <translation>{path} 已存在，且不是由使用相同值的运行生成的。请选择其他文件夹，或移除该文件。</translation>
   </message>
   <message>
    <source>{path} fails on an image of {width} × {height} pixels: {reason}.</source>
@@ -6760,6 +7040,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>{path} 会被当作新文件 {name} 的一部分，但它属于另一个文件；请将其删除或选择其他名称。</translation>
   </message>
   <message>
+   <source>{photos} photos. Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² ({classes}), about {per_photo} in a typical photo. {training}, database about {size:.2g} MB.</source>
+   <translation>{photos} 张照片。窗口 {window:g} m，像元 {pixel:g} m，{landmarks} 个不小于 {area:g} m² 的多边形（{classes}），典型照片中约 {per_photo} 个。{training}，数据库约 {size:.2g} MB。</translation>
+  </message>
+  <message>
    <source>{placed} of {images} images have a position. Tracks: {tracks}.</source>
    <translation>{images} 幅影像中有 {placed} 幅有位置。航迹数：{tracks}。</translation>
   </message>
@@ -7084,6 +7368,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>“{key}”：要素 {feature} 无法转换到标签图的坐标参照系。请检查图层的坐标参照系。</translation>
   </message>
   <message>
+   <source>“{layer}” and the extent do not overlap. Choose another extent.</source>
+   <translation>“{layer}”与范围不重叠。请选择其他范围。</translation>
+  </message>
+  <message>
    <source>“{layer}” can’t be drawn: {reason}.</source>
    <translation>“{layer}”无法绘制：{reason}。</translation>
   </message>
@@ -7098,6 +7386,22 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>“{layer}” has no field “{name}”. Choose one of its fields: {names}.</source>
    <translation>“{layer}”没有字段“{name}”。请从其字段中选择：{names}。</translation>
+  </message>
+  <message>
+   <source>“{layer}” has no landmarks in the extent, only {classes}. Choose a map with buildings, water or bare land.</source>
+   <translation>“{layer}”在范围内没有地标，只有 {classes}。请选择包含建筑物、水体或裸地的地图。</translation>
+  </message>
+  <message>
+   <source>“{layer}” has no landmarks of the model in the extent. Its classes are {classes}, those of the model are {known}. Choose another model, or train one.</source>
+   <translation>“{layer}”在范围内没有模型的地标。其类别为 {classes}，模型的类别为 {known}。请选择其他模型，或训练一个模型。</translation>
+  </message>
+  <message>
+   <source>“{layer}” has no polygon with a class in the extent. Check the extent, the CRS and the class field.</source>
+   <translation>“{layer}”在范围内没有带类别的多边形。请检查范围、坐标参照系和类别字段。</translation>
+  </message>
+  <message>
+   <source>“{layer}” has no polygons. Choose a polygon layer.</source>
+   <translation>“{layer}”没有多边形。请选择多边形图层。</translation>
   </message>
   <message>
    <source>“{layer}” has no resolution of its own, and neither have the metadata of {model}. Select a model with a resolution.</source>
