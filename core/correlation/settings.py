@@ -46,9 +46,9 @@ class CorrelationSettings:
             time; correlation times].
         blocks: Blocks along each edge of the image with independent errors (covariance) [Liechtenstein, north; aerial;
             radius].
-        confidence_curve: Logarithm of the odds that the best place is right: offset; slope per unit of its lead over
-            the stronger opponent (the unit is the opponent's Fisher's z = artanh(correlation)); slope per unit of the
-            surprise of its detail; slope per unit of the product of both. A logistic curve fitted to photos of unseen
+        confidence_curve: Logarithm of the odds that the best place is right: offset; slopes per unit of its lead over
+            the stronger opponent, of the surprise of its detail, and of their product. The unit of the lead is the
+            opponent's Fisher's z = artanh(correlation). A logistic curve fitted to photos of unseen
             places and to simulated labels of maps of 1 km² alike, tested on each place left out [photos; parts of
             Liechtenstein; probability on photos].
         detail_alone: Largest surprise of the detail that counts without a lead: wrong places with a lead near 0 had

@@ -27,7 +27,7 @@ class LocalizerSettings:
             likelihood ratio of right against wrong candidates: offset, slope per unit of Fisher's z, minimum, maximum
             [Liechtenstein, north; probability].
         agreement_worth: Additional log odds of a position that both methods found independently. Of 179 such positions
-            all were right, also the 20 whose error probability was above 0.5 by the constellation [photos of Uganda,
+            all were right, also 20 with an error probability above 0.5 by the constellation [photos of Uganda,
             parts of Liechtenstein; probability on photos].
         near_errors: Largest distance between the positions of both methods for equal poses, in 95 % radii of map
             correlation [Liechtenstein, north; automatic, north, with evidence].
