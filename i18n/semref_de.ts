@@ -5,7 +5,7 @@
   <name>SemRef</name>
   <message>
    <source> min</source>
-   <translation type="unfinished" />
+   <translation> min</translation>
   </message>
   <message>
    <source>%v of %m done</source>
@@ -21,7 +21,7 @@
   </message>
   <message>
    <source>0, use the model as it is</source>
-   <translation type="unfinished" />
+   <translation>0, Modell unverändert verwenden</translation>
   </message>
   <message>
    <source>1 feature</source>
@@ -129,11 +129,11 @@
   </message>
   <message>
    <source>A position is accepted if the probability that it is wrong is not larger than this value, for example 0.0001 (1 in 10,000). A smaller value gives fewer positions. Above it, up to 0.2, the result is a likely position. “Published method” does not use it.</source>
-   <translation type="unfinished" />
+   <translation>Eine Position wird angenommen, wenn ihre Irrtumswahrscheinlichkeit höchstens diesen Wert hat, zum Beispiel 0,0001 (1 zu 10.000). Ein kleinerer Wert ergibt weniger Positionen. Darüber, bis 0,2, ist das Ergebnis eine wahrscheinliche Position. „Veröffentlichte Methode“ verwendet ihn nicht.</translation>
   </message>
   <message>
    <source>A position is correct within the distance under “Settings”. With the published method, which finds only windows, it is correct if it is the window nearest to the image’s center. False accepts are positions of mirrored images, which are always wrong. Likely positions are neither correct nor wrong positions; the table shows how many of them are correct. CEP50 and CEP95: 50 % and 95 % of the correct positions have at most this error. Heading and scale: median errors of correct positions.</source>
-   <translation type="unfinished" />
+   <translation>Eine Position ist richtig, wenn sie höchstens um den Abstand unter „Einstellungen“ abweicht. Bei der veröffentlichten Methode, die nur Fenster findet, ist sie richtig, wenn sie das Fenster nennt, das der Bildmitte am nächsten liegt. Falsch angenommen sind Positionen gespiegelter Bilder; sie sind immer falsch. Wahrscheinliche Positionen zählen weder zu den richtigen noch zu den falschen Positionen; die Tabelle zeigt, wie viele von ihnen richtig sind. CEP50 und CEP95: 50 % und 95 % der richtigen Positionen haben höchstens diesen Fehler. Ausrichtung und Maßstab: mediane Fehler der richtigen Positionen.</translation>
   </message>
   <message>
    <source>A position is expected everywhere along the route.</source>
@@ -153,7 +153,7 @@
   </message>
   <message>
    <source>A typical photo shows about {count} landmarks, but at least {least} are needed. Fly higher, or use a map with more buildings.</source>
-   <translation type="unfinished" />
+   <translation>Ein typisches Foto zeigt etwa {count} Landmarken, nötig sind aber mindestens {least}. Fliegen Sie höher oder verwenden Sie eine Karte mit mehr Gebäuden.</translation>
   </message>
   <message>
    <source>A vector of {count} landmarks is too short; use at least {least}.</source>
@@ -249,7 +249,7 @@
   </message>
   <message>
    <source>All photos with a GPS position were taken outside “{layer}”. Choose a map of the place of the photos.</source>
-   <translation type="unfinished" />
+   <translation>Alle Fotos mit GPS-Position wurden außerhalb von „{layer}“ aufgenommen. Wählen Sie eine Karte vom Ort der Fotos.</translation>
   </message>
   <message>
    <source>All places are done.</source>
@@ -449,7 +449,7 @@
   </message>
   <message>
    <source>Building the reference database</source>
-   <translation type="unfinished" />
+   <translation>Referenzdatenbank wird erstellt</translation>
   </message>
   <message>
    <source>Builds a reference database from a label map: its landmarks, and windows that are described by topology vectors.
@@ -529,7 +529,7 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
   </message>
   <message>
    <source>Canceled. Complete files remain in the folder. Run it again with the same values to continue.</source>
-   <translation type="unfinished" />
+   <translation>Abgebrochen. Fertige Dateien bleiben im Ordner. Starten Sie den Lauf mit denselben Werten erneut, um fortzufahren.</translation>
   </message>
   <message>
    <source>Canceled. Nothing was written.</source>
@@ -537,7 +537,7 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
   </message>
   <message>
    <source>Canceled. Press “Run” to continue.</source>
-   <translation type="unfinished" />
+   <translation>Abgebrochen. Klicken Sie auf „Starten“, um fortzufahren.</translation>
   </message>
   <message>
    <source>Canceled. The state of the training is saved in {folder}. Run it again with the same output to continue.</source>
@@ -617,7 +617,7 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
   </message>
   <message>
    <source>Choose a folder for the results.</source>
-   <translation type="unfinished" />
+   <translation>Wählen Sie einen Ordner für die Ergebnisse.</translation>
   </message>
   <message>
    <source>Choose a folder for the sample project</source>
@@ -625,7 +625,7 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
   </message>
   <message>
    <source>Choose a folder with photos, and a map of their place.</source>
-   <translation type="unfinished" />
+   <translation>Wählen Sie einen Ordner mit Fotos und eine Karte von ihrem Ort.</translation>
   </message>
   <message>
    <source>Choose a folder with wheels (*.whl)</source>
@@ -765,7 +765,7 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
   </message>
   <message>
    <source>Classifying OpenStreetMap</source>
-   <translation type="unfinished" />
+   <translation>OpenStreetMap wird klassifiziert</translation>
   </message>
   <message>
    <source>Clear the dock and delete all settings of SemRef? Files, layers and installed packages do not change.</source>
@@ -777,7 +777,7 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
   </message>
   <message>
    <source>Close</source>
-   <translation type="unfinished" />
+   <translation>Schließen</translation>
   </message>
   <message>
    <source>Color</source>
@@ -813,7 +813,11 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
 Classes are matched by name, otherwise by value. Pixels without prediction count as wrong. The class offset (the distance by which the model shows a class off its position) can be saved in a copy of the model.
 
 For label maps of two dates, the log and the report show how far landmarks moved: the map accuracy for “Build reference database”.</source>
-   <translation type="unfinished" />
+   <translation>Vergleicht eine vorhergesagte Klassenkarte mit einer annotierten: Konfusionsmatrix, IoU jeder Klasse, Gesamtgenauigkeit und Polygone der Abweichungen.
+
+Klassen werden nach Namen zugeordnet, sonst nach Wert. Pixel ohne Vorhersage zählen als falsch. Der Klassenversatz (der Abstand, um den das Modell eine Klasse neben ihrer Position zeigt) kann in einer Kopie des Modells gespeichert werden.
+
+Bei Klassenkarten zweier Zeitpunkte zeigen Protokoll und Bericht, wie weit sich Landmarken verschoben haben: die Genauigkeit der Karte für „Referenzdatenbank erstellen“.</translation>
   </message>
   <message>
    <source>Comparing</source>
@@ -957,7 +961,7 @@ Die Eingabe kann ein Auszug (.osm, .osm.pbf), ein QuickOSM-Layer, ein Geofabrik-
   </message>
   <message>
    <source>Correct likely positions</source>
-   <translation type="unfinished" />
+   <translation>Richtige wahrscheinliche Positionen</translation>
   </message>
   <message>
    <source>Correct positions</source>
@@ -989,7 +993,7 @@ Die Eingabe kann ein Auszug (.osm, .osm.pbf), ein QuickOSM-Layer, ein Geofabrik-
   </message>
   <message>
    <source>Correlation of their displacements</source>
-   <translation type="unfinished" />
+   <translation>Korrelation ihrer Verschiebungen</translation>
   </message>
   <message>
    <source>Counting labels</source>
@@ -1177,7 +1181,7 @@ Ganze Geländeblöcke werden für die Validierung zurückgelegt; kein Pixel lieg
   </message>
   <message>
    <source>Distance of two moved landmarks</source>
-   <translation type="unfinished" />
+   <translation>Abstand zweier verschobener Landmarken</translation>
   </message>
   <message>
    <source>Distance ratios, angle differences, class ranks, and the classes that were used.</source>
@@ -1233,7 +1237,7 @@ Ganze Geländeblöcke werden für die Validierung zurückgelegt; kein Pixel lieg
   </message>
   <message>
    <source>Duration of the training. 0 means that the model is used as it is.</source>
-   <translation type="unfinished" />
+   <translation>Dauer des Trainings. 0 bedeutet, dass das Modell unverändert verwendet wird.</translation>
   </message>
   <message>
    <source>Each place was tested with a network that was trained without this place.</source>
@@ -1525,7 +1529,7 @@ Die Route ist ein Linienlayer oder eine Datei: GPX, KML, QGroundControl-Plan (.p
   </message>
   <message>
    <source>Field with the class of each polygon. If not set, SemRef guesses it, or uses the tags of OpenStreetMap. In a layer without either, all polygons are buildings.</source>
-   <translation type="unfinished" />
+   <translation>Feld mit der Klasse jedes Polygons. Ohne Angabe errät SemRef es oder verwendet die Tags von OpenStreetMap. In einem Layer ohne beides sind alle Polygone Gebäude.</translation>
   </message>
   <message>
    <source>File</source>
@@ -1579,7 +1583,9 @@ Jeder Befund ist ein Objekt mit Art, Schwere und Meldung. „Landbedeckungslayer
    <source>Finds the positions of photos on a map in one run: it builds a reference database, optionally trains the model on imagery of the area, and localizes the photos.
 
 SemRef derives pixel size, window size, stride and minimum area from the map and the photos, and shows them in the log before it starts. Each file in the folder is usable by itself. To continue a canceled run, run it again with the same values.</source>
-   <translation type="unfinished" />
+   <translation>Findet die Positionen von Fotos auf einer Karte in einem Lauf: erstellt eine Referenzdatenbank, trainiert auf Wunsch das Modell mit Luftbildern des Gebiets und lokalisiert die Fotos.
+
+SemRef leitet Pixelgröße, Fenstergröße, Schrittweite und Mindestfläche aus der Karte und den Fotos ab und zeigt sie vor dem Start im Protokoll. Jede Datei im Ordner ist für sich allein verwendbar. Um einen abgebrochenen Lauf fortzusetzen, starten Sie ihn mit denselben Werten erneut.</translation>
   </message>
   <message>
    <source>Finds where a new orthophoto contradicts the label map, with “Segment image” and “Compare label maps”. The disagreements are polygons, the largest first. Check them in the tab “Correct” of the dock, then run “Corrected land-cover layer to reference database”.</source>
@@ -1615,7 +1621,7 @@ SemRef derives pixel size, window size, stride and minimum area from the map and
   </message>
   <message>
    <source>Folder for all files. Existing files that this algorithm did not make are never replaced.</source>
-   <translation type="unfinished" />
+   <translation>Ordner für alle Dateien. Vorhandene Dateien, die nicht von diesem Algorithmus stammen, werden nie ersetzt.</translation>
   </message>
   <message>
    <source>Folder for georeferenced images</source>
@@ -1627,7 +1633,7 @@ SemRef derives pixel size, window size, stride and minimum area from the map and
   </message>
   <message>
    <source>Folder for the results</source>
-   <translation type="unfinished" />
+   <translation>Ordner für die Ergebnisse</translation>
   </message>
   <message>
    <source>Folder for tiles</source>
@@ -1749,11 +1755,13 @@ SemRef derives pixel size, window size, stride and minimum area from the map and
    <source>Georeferences images with the positions of “Localize images”: as GeoTIFFs, with world files, or with control points for the Georeferencer.
 
 Images without a position are left out, and so are likely positions and positions of “Published method”, which have no heading. The original images are not changed.</source>
-   <translation type="unfinished" />
+   <translation>Georeferenziert Bilder mit den Positionen von „Bilder lokalisieren“: als GeoTIFFs, mit World-Dateien oder mit Passpunkten für den Georeferenzierer.
+
+Bilder ohne Position werden weggelassen, ebenso wahrscheinliche Positionen und Positionen von „Veröffentlichte Methode“, die keine Ausrichtung haben. Die Originalbilder werden nicht verändert.</translation>
   </message>
   <message>
    <source>Go from a map and a folder of photos to their positions</source>
-   <translation type="unfinished" />
+   <translation>Von einer Karte und einem Ordner mit Fotos zu deren Positionen</translation>
   </message>
   <message>
    <source>Ground length of the shorter image edge, as a multiple of the window size of the database. If neither limit is set, SemRef uses the height and lens of the camera, or 0.4 to 2.5 if they are unknown. A narrow range is searched faster.</source>
@@ -1761,7 +1769,7 @@ Images without a position are left out, and so are likely positions and position
   </message>
   <message>
    <source>Ground of the database. If not set, the ground around the photos’ GPS positions, or the whole map.</source>
-   <translation type="unfinished" />
+   <translation>Gelände der Datenbank. Ohne Angabe das Gelände um die GPS-Positionen der Fotos oder die ganze Karte.</translation>
   </message>
   <message>
    <source>Ground speed, for example 20. It is used to give the length of gaps in seconds.</source>
@@ -1769,7 +1777,7 @@ Images without a position are left out, and so are likely positions and position
   </message>
   <message>
    <source>Ground width of a photo (m)</source>
-   <translation type="unfinished" />
+   <translation>Bodenbreite eines Fotos (m)</translation>
   </message>
   <message>
    <source>Ground without a label</source>
@@ -1845,7 +1853,7 @@ Images without a position are left out, and so are likely positions and position
   </message>
   <message>
    <source>If many photos have no position, train the model on imagery of this area, or train longer.</source>
-   <translation type="unfinished" />
+   <translation>Wenn viele Fotos keine Position haben, trainieren Sie das Modell mit Luftbildern dieses Gebiets oder trainieren Sie länger.</translation>
   </message>
   <message>
    <source>Image</source>
@@ -1873,7 +1881,7 @@ Images without a position are left out, and so are likely positions and position
   </message>
   <message>
    <source>Imagery</source>
-   <translation type="unfinished" />
+   <translation>Luftbilder</translation>
   </message>
   <message>
    <source>Images</source>
@@ -2017,7 +2025,7 @@ Images without a position are left out, and so are likely positions and position
   </message>
   <message>
    <source>Its position is only likely. To use it, localize with a larger “Maximum error probability”.</source>
-   <translation type="unfinished" />
+   <translation>Seine Position ist nur wahrscheinlich. Um sie zu verwenden, lokalisieren Sie mit einem größeren Wert für „Höchste Irrtumswahrscheinlichkeit“.</translation>
   </message>
   <message>
    <source>JSON files (*.json)</source>
@@ -2241,15 +2249,15 @@ Images without a position are left out, and so are likely positions and position
   </message>
   <message>
    <source>Likely position</source>
-   <translation type="unfinished" />
+   <translation>Wahrscheinliche Position</translation>
   </message>
   <message>
    <source>Likely positions</source>
-   <translation type="unfinished" />
+   <translation>Wahrscheinliche Positionen</translation>
   </message>
   <message>
    <source>Likely positions: {likely}.</source>
-   <translation type="unfinished" />
+   <translation>Wahrscheinliche Positionen: {likely}.</translation>
   </message>
   <message>
    <source>Limited search</source>
@@ -2309,7 +2317,7 @@ Images without a position are left out, and so are likely positions and position
   </message>
   <message>
    <source>Localizing the photos</source>
-   <translation type="unfinished" />
+   <translation>Fotos werden lokalisiert</translation>
   </message>
   <message>
    <source>Log odds</source>
@@ -2401,7 +2409,7 @@ Das Bild wird auf die Auflösung des Modells umgerechnet, wenn beide bekannt sin
   </message>
   <message>
    <source>Map accuracy</source>
-   <translation type="unfinished" />
+   <translation>Genauigkeit der Karte</translation>
   </message>
   <message>
    <source>Map accuracy (m)</source>
@@ -2637,7 +2645,7 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   </message>
   <message>
    <source>Model to use as it is, or to start the training from. If not set, the one of SemRef.</source>
-   <translation type="unfinished" />
+   <translation>Modell, das unverändert verwendet wird oder mit dem das Training beginnt. Ohne Angabe das Modell von SemRef.</translation>
   </message>
   <message>
    <source>Model with class offset</source>
@@ -2809,7 +2817,7 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   </message>
   <message>
    <source>No training</source>
-   <translation type="unfinished" />
+   <translation>Kein Training</translation>
   </message>
   <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
@@ -3125,7 +3133,7 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   </message>
   <message>
    <source>Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must allow this.</source>
-   <translation type="unfinished" />
+   <translation>Orthofoto oder Layer mit Kartenkacheln, mit dem das Modell trainiert wird. Die Lizenz der Kartenkacheln muss das erlauben.</translation>
   </message>
   <message>
    <source>Other feature</source>
@@ -3209,7 +3217,7 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   </message>
   <message>
    <source>Photo</source>
-   <translation type="unfinished" />
+   <translation>Foto</translation>
   </message>
   <message>
    <source>Photo or orthophoto</source>
@@ -3229,15 +3237,15 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   </message>
   <message>
    <source>Photos</source>
-   <translation type="unfinished" />
+   <translation>Fotos</translation>
   </message>
   <message>
    <source>Photos with a position</source>
-   <translation type="unfinished" />
+   <translation>Fotos mit Position</translation>
   </message>
   <message>
    <source>Photos, or folders with photos. Without photos, only the database and the model are made.</source>
-   <translation type="unfinished" />
+   <translation>Fotos oder Ordner mit Fotos. Ohne Fotos werden nur die Datenbank und das Modell erstellt.</translation>
   </message>
   <message>
    <source>Pick a window on the map, or enter its name.</source>
@@ -3301,7 +3309,7 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   </message>
   <message>
    <source>Polygon layer: land cover, OpenStreetMap (layer with tags, or an extract such as .osm.pbf), or buildings only.</source>
-   <translation type="unfinished" />
+   <translation>Polygonlayer: Landbedeckung, OpenStreetMap (Layer mit Tags oder ein Auszug wie .osm.pbf) oder nur Gebäude.</translation>
   </message>
   <message>
    <source>Polygons</source>
@@ -3369,7 +3377,7 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   </message>
   <message>
    <source>Positions of the photos</source>
-   <translation type="unfinished" />
+   <translation>Positionen der Fotos</translation>
   </message>
   <message>
    <source>Possible places</source>
@@ -3549,7 +3557,7 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   </message>
   <message>
    <source>Rasterizing the map</source>
-   <translation type="unfinished" />
+   <translation>Karte wird gerastert</translation>
   </message>
   <message>
    <source>Reading an image</source>
@@ -3573,11 +3581,11 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   </message>
   <message>
    <source>Reading the photos and the map</source>
-   <translation type="unfinished" />
+   <translation>Fotos und Karte werden gelesen</translation>
   </message>
   <message>
    <source>Reading the photos and the map…</source>
-   <translation type="unfinished" />
+   <translation>Fotos und Karte werden gelesen…</translation>
   </message>
   <message>
    <source>Reading…</source>
@@ -3817,7 +3825,7 @@ Bei einer Überlappung bleibt das Polygon mit der höheren Priorität, sonst das
   </message>
   <message>
    <source>Run</source>
-   <translation type="unfinished" />
+   <translation>Starten</translation>
   </message>
   <message>
    <source>Run models on</source>
@@ -3933,7 +3941,7 @@ Bei einer Überlappung bleibt das Polygon mit der höheren Priorität, sonst das
   </message>
   <message>
    <source>Select photos, or enter the ground width of a typical photo in m.</source>
-   <translation type="unfinished" />
+   <translation>Wählen Sie Fotos oder geben Sie die Bodenbreite eines typischen Fotos in m ein.</translation>
   </message>
   <message>
    <source>Selected image. Press + or - to zoom, and 0 to show the whole image.</source>
@@ -3949,7 +3957,7 @@ Bei einer Überlappung bleibt das Polygon mit der höheren Priorität, sonst das
   </message>
   <message>
    <source>SemRef has no model for this. Select a model, or train one on imagery.</source>
-   <translation type="unfinished" />
+   <translation>SemRef hat dafür kein Modell. Wählen Sie ein Modell oder trainieren Sie eines mit Luftbildern.</translation>
   </message>
   <message>
    <source>SemRef is already creating the sample project.</source>
@@ -3993,11 +4001,11 @@ Bei einer Überlappung bleibt das Polygon mit der höheren Priorität, sonst das
   </message>
   <message>
    <source>Set up an area</source>
-   <translation type="unfinished" />
+   <translation>Gebiet einrichten</translation>
   </message>
   <message>
    <source>Set up an area…</source>
-   <translation type="unfinished" />
+   <translation>Gebiet einrichten…</translation>
   </message>
   <message>
    <source>Setting</source>
@@ -4005,7 +4013,7 @@ Bei einer Überlappung bleibt das Polygon mit der höheren Priorität, sonst das
   </message>
   <message>
    <source>Setting up an area</source>
-   <translation type="unfinished" />
+   <translation>Gebiet wird eingerichtet</translation>
   </message>
   <message>
    <source>Settings</source>
@@ -4245,7 +4253,7 @@ Beschrieben wird das größte mittige Quadrat des Bildes, wie bei den Fenstern e
   </message>
   <message>
    <source>Standard deviation of landmark positions on the map, along each axis. It increases the 95 % radius, because neighboring landmarks are displaced together. The default of 1.2 m was measured between maps of two dates in two countries. “Compare label maps” measures it for your maps.</source>
-   <translation type="unfinished" />
+   <translation>Standardabweichung der Positionen der Landmarken auf der Karte, je Achse. Sie vergrößert den 95-%-Radius, weil benachbarte Landmarken gemeinsam verschoben sind. Der Standardwert 1,2 m wurde zwischen Karten zweier Zeitpunkte in zwei Ländern gemessen. „Klassenkarten vergleichen“ misst sie für Ihre Karten.</translation>
   </message>
   <message>
    <source>Standard deviation of the heading (°)</source>
@@ -4441,7 +4449,7 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
   </message>
   <message>
    <source>The area is set up.</source>
-   <translation type="unfinished" />
+   <translation>Das Gebiet ist eingerichtet.</translation>
   </message>
   <message>
    <source>The area or route does not fit its CRS {crs}. Correct the CRS of the layer.</source>
@@ -4713,7 +4721,7 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
   </message>
   <message>
    <source>The imagery can't be read. Choose an orthophoto or a layer of map tiles.</source>
-   <translation type="unfinished" />
+   <translation>Die Luftbilder können nicht gelesen werden. Wählen Sie ein Orthofoto oder einen Layer mit Kartenkacheln.</translation>
   </message>
   <message>
    <source>The images are photos, but no model is selected.</source>
@@ -4989,11 +4997,11 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
   </message>
   <message>
    <source>The photos do not state the height of the camera, so their ground width is unknown. Enter the ground width of a typical photo in m.</source>
-   <translation type="unfinished" />
+   <translation>Die Fotos nennen die Höhe der Kamera nicht, deshalb ist ihre Bodenbreite unbekannt. Geben Sie die Bodenbreite eines typischen Fotos in m ein.</translation>
   </message>
   <message>
    <source>The photos have no camera data. Their pixels are assumed to be as large as those of the imagery.</source>
-   <translation type="unfinished" />
+   <translation>Die Fotos haben keine Kameradaten. Für ihre Pixel wird die Größe der Pixel der Luftbilder angenommen.</translation>
   </message>
   <message>
    <source>The pixel size is {pixel_size:g} m; it must be more than 0.</source>
@@ -5309,7 +5317,7 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
   </message>
   <message>
    <source>This position is only likely: its error probability is {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation type="unfinished" />
+   <translation>Diese Position ist nur wahrscheinlich: Ihre Irrtumswahrscheinlichkeit ist {risk:.2g}; erlaubt ist höchstens {allowed:.2g}.</translation>
   </message>
   <message>
    <source>This user has no private folder for the secret that authenticates --state. Create a home folder for the user, or add --require-signature.</source>
@@ -5425,11 +5433,11 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
   </message>
   <message>
    <source>Training (minutes)</source>
-   <translation type="unfinished" />
+   <translation>Training (Minuten)</translation>
   </message>
   <message>
    <source>Training about {minutes:g} minutes</source>
-   <translation type="unfinished" />
+   <translation>Training etwa {minutes:g} Minuten</translation>
   </message>
   <message>
    <source>Training environment of SemRef</source>
@@ -5453,7 +5461,7 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
   </message>
   <message>
    <source>Training needs imagery. Select imagery, or set the training to 0 minutes.</source>
-   <translation type="unfinished" />
+   <translation>Das Training braucht Luftbilder. Wählen Sie Luftbilder oder setzen Sie das Training auf 0 Minuten.</translation>
   </message>
   <message>
    <source>Training of a model</source>
@@ -5465,7 +5473,7 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
   </message>
   <message>
    <source>Training the model</source>
-   <translation type="unfinished" />
+   <translation>Modell wird trainiert</translation>
   </message>
   <message>
    <source>Training time</source>
@@ -5569,7 +5577,7 @@ Alle Einstellungen kommen aus der Datenbank. Unveränderte Zeilen behalten ihre 
   </message>
   <message>
    <source>Use the database and the model for all further photos of this area.</source>
-   <translation type="unfinished" />
+   <translation>Verwenden Sie die Datenbank und das Modell für alle weiteren Fotos dieses Gebiets.</translation>
   </message>
   <message>
    <source>Use this model</source>
@@ -5633,7 +5641,7 @@ Alle Einstellungen kommen aus der Datenbank. Unveränderte Zeilen behalten ihre 
   </message>
   <message>
    <source>Width of the ground that a typical photo shows, for example 150. If not set, height and focal length of the camera give it, or the pixels of the imagery.</source>
-   <translation type="unfinished" />
+   <translation>Breite des Bodens, den ein typisches Foto zeigt, zum Beispiel 150. Ohne Angabe ergibt sie sich aus Höhe und Brennweite der Kamera oder aus den Pixeln der Luftbilder.</translation>
   </message>
   <message>
    <source>Window</source>
@@ -5869,7 +5877,7 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   </message>
   <message>
    <source>from the camera or the imagery</source>
-   <translation type="unfinished" />
+   <translation>aus Kamera oder Luftbildern</translation>
   </message>
   <message>
    <source>gap between neighbors</source>
@@ -5945,7 +5953,7 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   </message>
   <message>
    <source>likely position</source>
-   <translation type="unfinished" />
+   <translation>wahrscheinliche Position</translation>
   </message>
   <message>
    <source>lon, lat</source>
@@ -6049,11 +6057,11 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   </message>
   <message>
    <source>of the positions</source>
-   <translation type="unfinished" />
+   <translation>der Positionen</translation>
   </message>
   <message>
    <source>of {count} photos</source>
-   <translation type="unfinished" />
+   <translation>von {count} Fotos</translation>
   </message>
   <message>
    <source>often</source>
@@ -6277,11 +6285,11 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   </message>
   <message>
    <source>{count} landmarks are on both maps. {moved:.0%} of them moved. Standard deviation of the positions along each axis: {deviation:.2f} {unit}. If the maps show two dates, use this value as map accuracy.</source>
-   <translation type="unfinished" />
+   <translation>{count} Landmarken sind auf beiden Karten. {moved:.0%} davon haben sich verschoben. Standardabweichung der Positionen je Achse: {deviation:.2f} {unit}. Wenn die Karten zwei Zeitpunkte zeigen, verwenden Sie diesen Wert als Genauigkeit der Karte.</translation>
   </message>
   <message>
    <source>{count} landmarks are on both maps; {moved} of them moved. The standard deviation of the positions along each axis is {deviation}, for the moved landmarks {of_moved}. If the maps show two dates, use {deviation} as map accuracy in “Build reference database”.</source>
-   <translation type="unfinished" />
+   <translation>{count} Landmarken sind auf beiden Karten; {moved} davon haben sich verschoben. Die Standardabweichung der Positionen je Achse ist {deviation}, für die verschobenen Landmarken {of_moved}. Wenn die Karten zwei Zeitpunkte zeigen, verwenden Sie {deviation} als Genauigkeit der Karte in „Referenzdatenbank erstellen“.</translation>
   </message>
   <message>
    <source>{count} landmarks in the centered square of {size} pixels.</source>
@@ -6293,7 +6301,7 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   </message>
   <message>
    <source>{count} of {all} photos with a GPS position were taken outside the map.</source>
-   <translation type="unfinished" />
+   <translation>{count} von {all} Fotos mit GPS-Position wurden außerhalb der Karte aufgenommen.</translation>
   </message>
   <message>
    <source>{count} other position fits almost as well as the best one.</source>
@@ -6361,7 +6369,7 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   </message>
   <message>
    <source>{file} is complete and is used again.</source>
-   <translation type="unfinished" />
+   <translation>{file} ist fertig und wird wieder verwendet.</translation>
   </message>
   <message>
    <source>{first} {second}</source>
@@ -6649,7 +6657,7 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   </message>
   <message>
    <source>{path} exists and was not made by a run with the same values. Choose another folder, or remove the file.</source>
-   <translation type="unfinished" />
+   <translation>{path} existiert und stammt nicht von einem Lauf mit denselben Werten. Wählen Sie einen anderen Ordner oder entfernen Sie die Datei.</translation>
   </message>
   <message>
    <source>{path} fails on an image of {width} × {height} pixels: {reason}.</source>
@@ -7033,7 +7041,7 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   </message>
   <message>
    <source>{photos} photos. Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² ({classes}), about {per_photo} in a typical photo. {training}, database about {size:.2g} MB.</source>
-   <translation type="unfinished" />
+   <translation>{photos} Fotos. Fenster {window:g} m, Pixel von {pixel:g} m, {landmarks} Polygone mit mindestens {area:g} m² ({classes}), etwa {per_photo} in einem typischen Foto. {training}, Datenbank etwa {size:.2g} MB.</translation>
   </message>
   <message>
    <source>{placed} of {images} images have a position. Tracks: {tracks}.</source>
@@ -7361,7 +7369,7 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   </message>
   <message>
    <source>“{layer}” and the extent do not overlap. Choose another extent.</source>
-   <translation type="unfinished" />
+   <translation>„{layer}“ und die Ausdehnung überlappen sich nicht. Wählen Sie eine andere Ausdehnung.</translation>
   </message>
   <message>
    <source>“{layer}” can’t be drawn: {reason}.</source>
@@ -7381,19 +7389,19 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   </message>
   <message>
    <source>“{layer}” has no landmarks in the extent, only {classes}. Choose a map with buildings, water or bare land.</source>
-   <translation type="unfinished" />
+   <translation>„{layer}“ hat in der Ausdehnung keine Landmarken, nur {classes}. Wählen Sie eine Karte mit Gebäuden, Wasser oder offenem Boden.</translation>
   </message>
   <message>
    <source>“{layer}” has no landmarks of the model in the extent. Its classes are {classes}, those of the model are {known}. Choose another model, or train one.</source>
-   <translation type="unfinished" />
+   <translation>„{layer}“ hat in der Ausdehnung keine Landmarken des Modells. Die Klassen des Layers sind {classes}, die des Modells {known}. Wählen Sie ein anderes Modell oder trainieren Sie eines.</translation>
   </message>
   <message>
    <source>“{layer}” has no polygon with a class in the extent. Check the extent, the CRS and the class field.</source>
-   <translation type="unfinished" />
+   <translation>„{layer}“ hat in der Ausdehnung kein Polygon mit einer Klasse. Prüfen Sie die Ausdehnung, das KBS und das Klassenfeld.</translation>
   </message>
   <message>
    <source>“{layer}” has no polygons. Choose a polygon layer.</source>
-   <translation type="unfinished" />
+   <translation>„{layer}“ hat keine Polygone. Wählen Sie einen Polygonlayer.</translation>
   </message>
   <message>
    <source>“{layer}” has no resolution of its own, and neither have the metadata of {model}. Select a model with a resolution.</source>

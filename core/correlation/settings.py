@@ -51,8 +51,6 @@ class CorrelationSettings:
             opponent's Fisher's z = artanh(correlation). A logistic curve fitted to photos of unseen
             places and to simulated labels of maps of 1 km² alike, tested on each place left out [photos; parts of
             Liechtenstein; probability on photos].
-        detail_alone: Largest surprise of the detail that counts without a lead: wrong places with a lead near 0 had
-            surprises of 6 to 11 [the same].
         usual_detail: Mean and standard deviation of the detail at wrong places, and their weight in numbers of an
             image's other places [Liechtenstein, north; areas].
         part_energy: Least energy of image and map in a part, in units of the map's mean one: no correlation can be
@@ -92,7 +90,6 @@ class CorrelationSettings:
     finest_edge: int = 512
     blocks: int = 10
     confidence_curve: tuple[float, float, float, float] = (-4.6, 7.2, 1.28, 1.24)
-    detail_alone: float = 4.0
     usual_detail: tuple[float, float, float] = (1.2, 1.4, 4.0)
     part_energy: float = 0.25
     part_agreement: float = 0.5
