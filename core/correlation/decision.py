@@ -14,7 +14,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..localization import MORE_LIKELY_WRONG, RISK, CorrelationPeaks, Status, risk_of
+from ..localization import LIKELY_RISK, RISK, CorrelationPeaks, Status, risk_of
 from ..sentences import Sentence
 from .settings import CORRELATION, CorrelationSettings
 
@@ -140,7 +140,8 @@ def decide(
         )
         return Status.NO_MATCH, reason
     over_chance = risk_of(log_odds_over_chance(replace(peaks, runner_up=0.0), settings))
-    if is_chance or over_chance > MORE_LIKELY_WRONG:
+    is_rival = risk_of(log_odds_over_runner_up(peaks, settings)) > LIKELY_RISK
+    if is_chance or over_chance > LIKELY_RISK or not is_rival:
         reason = Sentence(
             "The best match ({score:.2f}) is not significantly better than chance: error probability {risk:.2g}; at "
             "most {allowed:.2g} is allowed.",
