@@ -21,7 +21,7 @@ VECTORS = {
     "repaired": "categorizedSymbol",
     "disagreements": "RuleRenderer",
     "positions": "RuleRenderer",
-    "footprints": "singleSymbol",
+    "footprints": "RuleRenderer",
     "matches": "singleSymbol",
     "poses": "RuleRenderer",
     "track": "singleSymbol",
