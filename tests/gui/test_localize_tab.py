@@ -48,6 +48,7 @@ def test_photos_without_a_model_are_not_ready(dock, area, tab, tmp_path):
     photo.write_bytes(b"")
     dock.content.database.file.setFilePath(area.database)
     tab.images.list.add([str(photo)])
+    tab.images.model.setFilePath("")
     assert tab.state.text_shown == "These are photos: choose a model. Otherwise SemRef reads colors as classes."
     tab.images.model.setFilePath(str(tmp_path / "model.onnx"))
     assert tab.state.text_shown == "Ready to localize."

@@ -48,6 +48,8 @@ def test_the_only_polygons_and_the_only_photo_are_taken_with_their_fields_and_ta
     fields = {"CLASS_FIELD": "Class", "PRIORITY_FIELD": "zorder", "CLASS_TABLE": table}
     found = training_at_hand(project)
     assert found.pop("OUTPUT").endswith("orthophoto.onnx") and found.pop("UNLABELED") == 1
+    # The plugin's model has the class, so training continues from it.
+    assert found.pop("BASE_MODEL").endswith("buildings.onnx")
     assert found == {"IMAGE": photo.id(), "INPUT": layer.id(), **fields}
 
 
@@ -100,9 +102,9 @@ def test_a_model_of_another_area_with_the_same_classes_is_the_base(add, project,
     here = {"image": "orthophoto", "labels": "cover"}
     models("same_ground.onnx", class_names={"0": "other", "1": "building"}, training_ground=here)
     assert training_at_hand(project)["BASE_MODEL"] == houses
-    # Of two only the dock's is one that somebody chose.
+    # Of two only the dock's is one that somebody chose; without it, the plugin's is taken.
     other = models("other_houses.onnx", class_names={"0": "other", "1": "building"})
-    assert "BASE_MODEL" not in training_at_hand(project)
+    assert training_at_hand(project)["BASE_MODEL"].endswith("buildings.onnx")
     assert training_at_hand(project, other)["BASE_MODEL"] == other
 
 
