@@ -104,7 +104,7 @@ def test_the_dock_names_what_is_missing(walk):
 
 
 def test_every_menu_entry_answers(walk):
-    assert len(walk["menu"]) == 4
+    assert len(walk["menu"]) == 5
     said = " ".join(walk["bar"])
     assert "Diagnostics are on the clipboard" in said and "The sample project needs OpenCV" in said
 

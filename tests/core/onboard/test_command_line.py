@@ -87,7 +87,8 @@ def test_a_likely_position_is_shown_but_is_no_fix(database, image, capsys):
     assert found["error_95"] > 0 and 0.8 <= found["confidence"] < 1 and 9 < found["longitude"] < 9.01
     assert "error probability" in found["reason"]
     assert main(arguments) == SOME_WITHOUT_FIX
-    assert re.search(r"a\.png: likely, 6002\d\d\.\d+ .*, error probability .*\. The best", capsys.readouterr().out)
+    line = r"a\.png: likely, 6002\d\d\.\d+ .*, error probability .*\. This position is only likely"
+    assert re.search(line, capsys.readouterr().out)
 
 
 def test_a_bad_image_does_not_stop_the_others(database, image, tmp_path, capsys):
