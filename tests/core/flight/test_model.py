@@ -16,24 +16,24 @@ def test_a_pose_has_the_columns_of_an_image():
     own = Localization(Status.FIX, Method.CONSTELLATION, 12, best=Place((0.0, 0.0), 0.0, 1.0))
     place, known = Place((30.0, 0.0), 90.0, 0.5), PoseCovariance(((1.0, 0.0), (0.0, 1.0)), 1.0, 0.01, radius_95=2.45)
     pose = FlightPose(Status.FIX, None, place, known, 0.01, PoseSource.FLIGHT, 1, True, own, (100, 80))
-    told = pose.localization()
-    assert told.position == (30.0, 0.0)
-    assert (told.confidence, told.error_95_m) == (pytest.approx(0.99), 2.45)
-    assert told.footprint.mean(axis=0) == pytest.approx((30.0, 0.0))
-    assert told.references == 12
+    result = pose.localization()
+    assert result.position == (30.0, 0.0)
+    assert (result.confidence, result.error_95_m) == (pytest.approx(0.99), 2.45)
+    assert result.footprint.mean(axis=0) == pytest.approx((30.0, 0.0))
+    assert result.references == 12
 
 
 def test_an_own_fix_that_the_flight_does_not_take_is_no_fix():
     own = Localization(Status.FIX, Method.CONSTELLATION, 12, best=Place((0.0, 0.0), 0.0, 1.0), confidence=1.0)
-    told = FlightPose(Status.NO_MATCH, LOST, own=own).localization()
-    assert not told.is_fix and told.confidence is None and told.reason == LOST
+    result = FlightPose(Status.NO_MATCH, LOST, own=own).localization()
+    assert not result.is_fix and result.confidence is None and result.reason == LOST
 
 
 @pytest.mark.parametrize("status", [Status.FIX, Status.LIKELY])
 def test_an_image_that_the_flight_does_not_place_has_no_footprint(status):
     own = Localization(status, Method.CONSTELLATION, best=Place((0.0, 0.0), 0.0, 1.0), footprint=np.zeros((4, 2)))
-    told = FlightPose(Status.NO_MATCH, LOST, own=own).localization()
-    assert (told.status, told.position, told.footprint) == (Status.NO_MATCH, None, None)
+    result = FlightPose(Status.NO_MATCH, LOST, own=own).localization()
+    assert (result.status, result.position, result.footprint) == (Status.NO_MATCH, None, None)
 
 
 def test_an_image_without_pixels_is_refused():
