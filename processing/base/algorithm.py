@@ -8,6 +8,7 @@ from collections.abc import Generator, Mapping
 from concurrent.futures import ThreadPoolExecutor, wait
 from html import escape
 from pathlib import Path
+from traceback import clear_frames
 from types import MappingProxyType
 from typing import Any, Callable, ClassVar, TypeVar, Union
 
@@ -201,21 +202,24 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
         try:
-            if self._refusal is not None:
-                raise self._refusal
-            values = Values(self, parameters, context)
-            with Outputs(values, self._note) as outputs:
-                numbers = self.work(values, outputs, TimeLeftFeedback(feedback))
-                outputs.commit()
-            return {**outputs.results, **(numbers or {})}
-        except SemRefError as error:
-            raise QgsProcessingException(worded(error)) from error
-        except Canceled as error:
-            raise QgsProcessingException(error.message()) from error
-        except OSError as error:
-            if error.errno not in _DISK_ERRORS:
-                raise
-            raise QgsProcessingException(_disk_sentence(error)) from error
+            return self._run(parameters, context, feedback)
+        except (SemRefError, Canceled, OSError, QgsProcessingException) as error:
+            message = _sentence(error)
+            clear_frames(error.__traceback__)
+        # QGIS never frees an exception from here, nor the variables of its frames: layers that outlive QGIS crash it.
+        del self, parameters, context, feedback
+        raise QgsProcessingException(message)
+
+    def _run(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        if self._refusal is not None:
+            raise self._refusal
+        values = Values(self, parameters, context)
+        with Outputs(values, self._note) as outputs:
+            numbers = self.work(values, outputs, TimeLeftFeedback(feedback))
+            outputs.commit()
+        return {**outputs.results, **(numbers or {})}
 
 
 _READ = {"number": Values.number, "distance": Values.number, "range": Values.range}
@@ -244,7 +248,16 @@ def group_title(group: str) -> str:
 _DISK_ERRORS = (errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EACCES, errno.EPERM, errno.EFBIG, errno.ENAMETOOLONG)
 
 
-def _disk_sentence(error: OSError) -> str:
+def _sentence(error: SemRefError | Canceled | OSError | QgsProcessingException) -> str:
+    """Return the text of an error in the user's language; raise it if it is a defect of the program."""
+    if isinstance(error, SemRefError):
+        return worded(error)
+    if isinstance(error, Canceled):
+        return error.message()
+    if isinstance(error, QgsProcessingException):
+        return str(error)
+    if error.errno not in _DISK_ERRORS:
+        raise error
     name = error.filename or tr("the output")
     if error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
         return tr("The disk is full: {name} cannot be written. Free some space, or choose another folder.").format(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import gc
 from pathlib import Path
 
 import numpy as np
@@ -134,6 +135,13 @@ def test_bad_input_is_one_sentence_and_leaves_no_file(run_algorithm, small, tmp_
         run_algorithm(SETUP, given)
     assert message in str(raised.value)
     assert files_in(small["FOLDER"]) == set()
+
+
+def test_a_failed_run_frees_its_layers(run_algorithm, small):
+    with pytest.raises(QgsProcessingException):
+        run_algorithm(SETUP, {**small, "EXTENT": "0,100,0,100 [EPSG:32632]"})
+    gc.collect()
+    assert not any(isinstance(one, QgsVectorLayer) and one.name() == "map" for one in gc.get_objects())
 
 
 def test_files_of_others_and_of_other_values_are_not_replaced(run_algorithm, small):
