@@ -220,7 +220,7 @@ def save_in_database(path: str, note: Note) -> bool:
     try:
         for table, title, abstract in _tables():
             source = f"{path}|layername={table}"
-            layer = QgsVectorLayer(source, table, "ogr")
+            layer = QgsVectorLayer(source, table, "ogr", QgsVectorLayer.LayerOptions(loadDefaultStyle=False))
             own = replace(note, title=title, abstract=f"{abstract}\n\n{note.abstract}").after(layer.metadata())
             saved = layer.isValid() and save_in_file(source, layer, own) and saved
             del layer

@@ -107,11 +107,17 @@ def shown_checksums(connection: sqlite3.Connection) -> dict[str, str]:
 
 def _rows_digest(connection: sqlite3.Connection, queries: Iterable[str]) -> str:
     """Return SHA-256 of rows, column by column, which takes a tenth of the time of row by row."""
-    rows = (connection.execute(query).fetchall() for query in queries)
-    return digest(part for found in rows for column in zip(*found) for part in _column(column))
+    return digest(part for query in queries for column in _columns(connection, query) for part in _column(column))
 
 
-def _column(values: tuple) -> Iterator[np.ndarray | bytes]:
+def _columns(connection: sqlite3.Connection, query: str) -> list[list]:
+    """Return the columns of all rows; none without rows."""
+    cursor = connection.execute(query)
+    values, width = list(chain.from_iterable(cursor)), len(cursor.description)
+    return [values[column::width] for column in range(width)] if values else []
+
+
+def _column(values: list) -> Iterator[np.ndarray | bytes]:
     """Yield a column as bytes: numbers as float64 with NaN for NULL; other types as lengths and values."""
     kinds = set(map(type, values))
     if kinds <= _NUMBERS:

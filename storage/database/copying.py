@@ -6,6 +6,7 @@ import contextlib
 import os
 import sqlite3
 import tempfile
+from functools import cache
 
 from osgeo import gdal, ogr
 
@@ -32,7 +33,7 @@ def copy_database(path: str, target: str, state_when_read: tuple) -> None:
         DatabaseError: The database is in use, damaged, or changed since it was read; or the copy can't be written.
         sqlite3.Error: The copy can't be edited.
     """
-    with contextlib.closing(sqlite3.connect(target, isolation_level=None)) as copy:
+    with contextlib.closing(_connect(target)) as copy:
         with snapshot(path) as source:
             require_unchanged_since(path, state_when_read)
             source.rollback()
@@ -40,12 +41,23 @@ def copy_database(path: str, target: str, state_when_read: tuple) -> None:
             require_unchanged_since(path, state_when_read)
         _remove_foreign(copy)
     # A new connection: the old one still has the removed parts of the schema.
-    with contextlib.closing(sqlite3.connect(target, isolation_level=None)) as copy:
+    with contextlib.closing(_connect(target)) as copy:
+        copy.execute("BEGIN")
         _drop_foreign_tables(copy)
-        for statement in _own_triggers(copy):
-            copy.execute(statement)
+        there = {name for (name,) in copy.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
+        for table, statement in _own_triggers():
+            if table in there:
+                copy.execute(statement)
+        copy.execute("COMMIT")
         if _is_loose(copy):
             copy.execute("VACUUM")
+
+
+def _connect(target: str) -> sqlite3.Connection:
+    """Open a copy that nobody else uses and that is flushed when it is complete."""
+    connection = sqlite3.connect(target, isolation_level=None)
+    connection.execute("PRAGMA synchronous=OFF")
+    return connection
 
 
 def _is_loose(copy: sqlite3.Connection) -> bool:
@@ -83,9 +95,9 @@ _FORGET = (
 )
 
 
-def _own_triggers(copy: sqlite3.Connection) -> list[str]:
-    """Return the SQL of the triggers that this version of GDAL creates for the existing tables."""
-    there = {name for (name,) in copy.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
+@cache
+def _own_triggers() -> list[tuple[str, str]]:
+    """Return (table, SQL) of the triggers that this version of GDAL creates."""
     with tempfile.TemporaryDirectory(prefix="semref-") as folder:
         path = os.path.join(folder, "empty.gpkg")
         dataset = ogr.GetDriverByName("GPKG").CreateDataSource(path)
@@ -98,5 +110,4 @@ def _own_triggers(copy: sqlite3.Connection) -> list[str]:
         pixel.SetGeoTransform((0.0, 1.0, 0.0, 0.0, 0.0, -1.0))
         schema.close(gdal.GetDriverByName("GPKG").CreateCopy(path, pixel, options=options))
         with contextlib.closing(sqlite3.connect(path)) as template:
-            found = template.execute("SELECT tbl_name, sql FROM sqlite_master WHERE type = 'trigger'").fetchall()
-    return [sql for table, sql in found if table in there]
+            return template.execute("SELECT tbl_name, sql FROM sqlite_master WHERE type = 'trigger'").fetchall()

@@ -8,6 +8,7 @@ import io
 import json
 import sqlite3
 from dataclasses import dataclass, replace
+from itertools import chain
 
 import numpy as np
 from osgeo import gdal
@@ -169,13 +170,11 @@ def read_stored_database(path: str) -> StoredDatabase:
     """Read a database with the data for an update. Raises DatabaseError as ``read_database``."""
     with snapshot(path) as connection:
         database = _read(connection, path)
-        window_fids = connection.execute("SELECT fid FROM windows ORDER BY fid").fetchall()
-        fids = connection.execute('SELECT fid FROM "references" ORDER BY fid').fetchall()
+        fids = ("SELECT fid FROM windows ORDER BY fid", 'SELECT fid FROM "references" ORDER BY fid')
+        window_fids, reference_fids = (tuple(chain.from_iterable(connection.execute(query))) for query in fids)
         bounds = _checked_bounds(connection, database, path)
     database = replace(database, references=replace(database.references, bounds_px=bounds))
-    return StoredDatabase(
-        database, tuple(fid for (fid,) in window_fids), tuple(fid for (fid,) in fids), connection.state
-    )
+    return StoredDatabase(database, window_fids, reference_fids, connection.state)
 
 
 def _checked_bounds(connection: sqlite3.Connection, database: ReferenceDatabase, path: str) -> np.ndarray | None:
@@ -211,7 +210,7 @@ def _read_bounds(connection: sqlite3.Connection) -> np.ndarray | None:
         'SELECT first_column, first_row, end_column, end_row FROM reference_bounds AS b JOIN "references" AS r '
         "ON r.fid = b.fid ORDER BY b.fid"
     )
-    return columns_of(connection, query, lambda rows: [np.array(rows, np.int64).reshape(-1, 4)])[0]
+    return columns_of(connection, query, lambda columns: [np.array(columns, np.int64).T])[0]
 
 
 def stored_style(path: str, table: str) -> str | None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sqlite3
 import struct
 from collections.abc import Callable, Iterator, Sequence
+from itertools import chain, islice
 
 import numpy as np
 
@@ -22,25 +23,32 @@ _POINT = np.dtype([("header", "V8"), ("order", "u1"), ("type", "<u4"), ("xy", "<
 _LITTLE_ENDIAN = 1
 
 
-def batches(connection: sqlite3.Connection, query: str) -> Iterator[list[tuple]]:
-    """Yield the rows of a query in batches, at least one, which may be empty."""
+def batches(connection: sqlite3.Connection, query: str) -> Iterator[list[list]]:
+    """Yield the columns of a query in batches of rows, at least one, which may be empty.
+
+    The tuples of the rows are not kept: Python's search for garbage visits each of them again and again.
+    """
     cursor = connection.execute(query)
-    yield cursor.fetchmany(BATCH)
-    while rows := cursor.fetchmany(BATCH):
-        yield rows
+    width, values = len(cursor.description), chain.from_iterable(cursor)
+    flat = list(islice(values, BATCH * width))
+    while True:
+        yield [flat[column::width] for column in range(width)]
+        flat = list(islice(values, BATCH * width))
+        if not flat:
+            return
 
 
 def columns_of(
-    connection: sqlite3.Connection, query: str, arrays: Callable[[list[tuple]], Sequence[np.ndarray]]
+    connection: sqlite3.Connection, query: str, arrays: Callable[[list[list]], Sequence[np.ndarray]]
 ) -> list[np.ndarray]:
     """Convert each batch of rows to arrays, and concatenate these.
 
     Args:
         connection: The database.
         query: Returns the rows.
-        arrays: Converts rows to one array per column; also for an empty batch.
+        arrays: Converts the columns of some rows to arrays; also for an empty batch.
     """
-    made = [arrays(rows) for rows in batches(connection, query)]
+    made = [arrays(columns) for columns in batches(connection, query)]
     return [np.concatenate(column) for column in zip(*made)]
 
 
@@ -66,8 +74,8 @@ def read_windows(connection: sqlite3.Connection, parameters: BuildParameters, pa
     """
     length = 3 * parameters.references_per_vector
 
-    def arrays(rows: list[tuple]) -> tuple[np.ndarray, ...]:
-        levels, sizes, xs, ys, counts, blobs, distinctiveness = zip(*rows) if rows else ((),) * 7
+    def arrays(columns: list[list]) -> tuple[np.ndarray, ...]:
+        levels, sizes, xs, ys, counts, blobs, distinctiveness = columns
         if any(blob is not None and len(blob) != 4 * length for blob in blobs):
             raise DatabaseError(
                 "{path} has vectors that are not {length} numbers long; build it again.",
@@ -75,7 +83,7 @@ def read_windows(connection: sqlite3.Connection, parameters: BuildParameters, pa
                 length=length,
             )
         described = np.array([blob is not None for blob in blobs], bool)
-        vectors = np.zeros((len(rows), length), np.float32)
+        vectors = np.zeros((len(blobs), length), np.float32)
         vectors[described] = np.frombuffer(b"".join(filter(None, blobs)), "<f4").reshape(-1, length)
         places = np.array([sizes, xs, ys], np.float64).reshape(3, -1).T
         # NULL becomes NaN.
@@ -100,8 +108,8 @@ def read_references(connection: sqlite3.Connection) -> MapLandmarks:
         ValueError: A landmark has an impossible class value.
     """
 
-    def arrays(rows: list[tuple]) -> tuple[np.ndarray, ...]:
-        blobs, classes, areas, touches = zip(*rows) if rows else ((),) * 4
+    def arrays(columns: list[list]) -> tuple[np.ndarray, ...]:
+        blobs, classes, areas, touches = columns
         values = np.array(classes, np.int64)
         if not ((values >= 0) & (values <= MAXIMUM_VALUE)).all():
             raise ValueError("a landmark has a class that is not a reference class")

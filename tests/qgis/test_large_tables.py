@@ -61,7 +61,7 @@ def test_a_landmark_with_an_impossible_class_is_found_in_any_batch(path, monkeyp
 def test_a_query_without_rows_gives_empty_arrays():
     connection = sqlite3.connect(":memory:")
     connection.execute("CREATE TABLE t (a, b)")
-    (found,) = columns_of(connection, "SELECT a, b FROM t", lambda rows: [np.array(rows, float).reshape(-1, 2)])
+    (found,) = columns_of(connection, "SELECT a, b FROM t", lambda columns: [np.array(columns, float).T])
     assert found.shape == (0, 2)
 
 
