@@ -6,10 +6,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-BLOCK = 1024
-"""Windows compared at a time, if their distances fit into _BLOCK_BYTES; several threads may do so at once."""
-
-_BLOCK_BYTES = 12_000_000
+BLOCK = 512
+"""Windows compared at a time with as many others: their scores, 1 MB, stay in the processor's cache."""
 
 _PAIRS_AT_ONCE = 100_000
 
@@ -31,44 +29,61 @@ def nearest_distances(windows: _Windows, others: _Windows) -> Iterator[tuple[sli
     Yields:
         A slice of n windows, and their (n,) float64 distances; infinity if every other window overlaps.
     """
-    vectors, centers, sizes = windows
-    other_vectors, other_centers, other_sizes = others
+    vectors, other_vectors = windows[0], others[0]
     if not len(vectors):
         return
     if not len(other_vectors):
         yield slice(0, len(vectors)), np.full(len(vectors), np.inf)
         return
-    step = max(1, min(BLOCK, _BLOCK_BYTES // (4 * len(other_vectors))))
-    half, other_half = sizes / 2, other_sizes / 2
     squares = np.einsum("ij,ij->i", other_vectors, other_vectors)
     blur = _score_error(vectors, squares)
-    # Windows of one area are neighbors in y, so only a band of the others can overlap a block.
-    for first in range(0, len(vectors), step):
-        block = slice(first, min(first + step, len(vectors)))
-        score = vectors[block] @ other_vectors.T
-        score *= -2.0
-        score += squares
-        near = np.flatnonzero(
-            (other_centers[:, 1] + other_half > (centers[block, 1] - half[block]).min())
-            & (other_centers[:, 1] - other_half < (centers[block, 1] + half[block]).max())
-        )
-        reach = (half[block, None] + other_half[None, near]) * _TOUCHING
-        overlap = (np.abs(centers[block, None, 0] - other_centers[None, near, 0]) < reach) & (
-            np.abs(centers[block, None, 1] - other_centers[None, near, 1]) < reach
-        )
-        rows, columns = np.nonzero(overlap)
-        score[rows, near[columns]] = np.inf
-        nearest = score.argmin(axis=1)
-        found = score[np.arange(len(nearest)), nearest]
-        # The product form loses digits in differences of squares: all possible nearest ones are measured again.
-        distances = _distances(vectors[block], other_vectors[nearest])
+    # One product of matrices gives the scores: squared distances without the square of the window's own vector.
+    own = np.column_stack([-2 * vectors, np.ones(len(vectors), np.float32)]), *windows[1:]
+    theirs = np.column_stack([other_vectors, squares]), *others[1:]
+    tiles = [slice(first, first + BLOCK) for first in range(0, len(squares), BLOCK)]
+    for first in range(0, len(vectors), BLOCK):
+        block = np.arange(first, min(first + BLOCK, len(vectors)))
+        lowest, places = np.empty((len(block), len(tiles)), np.float32), np.empty((len(block), len(tiles)), np.int64)
+        for number, tile in enumerate(tiles):
+            score = _scores(_part(own, block), _part(theirs, tile))
+            place = score.argmin(axis=1)
+            lowest[:, number], places[:, number] = score[np.arange(len(block)), place], tile.start + place
+        best = np.arange(len(block)), lowest.argmin(axis=1)
+        found = lowest[best]
+        distances = _distances(vectors[block], other_vectors[places[best]])
         distances[np.isinf(found)] = np.inf
-        limit = np.where(np.isfinite(distances) & (distances > 0), found + blur, -np.inf).astype(score.dtype)
-        rows, columns = np.nonzero(score <= limit[:, None])
-        for part in range(0, len(rows), _PAIRS_AT_ONCE):
-            row, column = rows[part : part + _PAIRS_AT_ONCE], columns[part : part + _PAIRS_AT_ONCE]
-            np.minimum.at(distances, row, _distances(vectors[first + row], other_vectors[column]))
-        yield block, distances
+        # The product form loses digits in differences of squares: all possible nearest ones are measured again.
+        limit = np.where(np.isfinite(distances) & (distances > 0), found + blur, -np.inf).astype(np.float32)
+        for number in np.flatnonzero((lowest <= limit[:, None]).any(axis=0)):
+            near = np.flatnonzero(lowest[:, number] <= limit)
+            score = _scores(_part(own, block[near]), _part(theirs, tiles[number]))
+            rows, columns = np.nonzero(score <= limit[near, None])
+            for part in range(0, len(rows), _PAIRS_AT_ONCE):
+                row, column = near[rows[part : part + _PAIRS_AT_ONCE]], columns[part : part + _PAIRS_AT_ONCE]
+                measured = _distances(vectors[first + row], other_vectors[tiles[number].start + column])
+                np.minimum.at(distances, row, measured)
+        yield slice(first, first + len(block)), distances
+
+
+def _part(windows: _Windows, which: np.ndarray | slice) -> _Windows:
+    factors, centers, sizes = windows
+    return factors[which], centers[which], sizes[which]
+
+
+def _scores(windows: _Windows, others: _Windows) -> np.ndarray:
+    """Return (n, m) float32 scores, infinity for two windows that overlap; factors of the scores replace vectors."""
+    (factors, centers, sizes), (other_factors, other_centers, other_sizes) = windows, others
+    score = factors @ other_factors.T
+    reach = (sizes.max() + other_sizes.max()) / 2
+    apart = centers.min(axis=0) - other_centers.max(axis=0), other_centers.min(axis=0) - centers.max(axis=0)
+    if (np.maximum(*apart) < reach).all():
+        reaches = (sizes[:, None] / 2 + other_sizes / 2) * _TOUCHING
+        overlap = np.True_
+        for axis in range(2):
+            distances = centers[:, None, axis] - other_centers[:, axis]
+            overlap = overlap & (np.abs(distances, out=distances) < reaches)
+        np.copyto(score, np.inf, where=overlap)
+    return score
 
 
 def _distances(vectors: np.ndarray, others: np.ndarray) -> np.ndarray:
@@ -77,7 +92,7 @@ def _distances(vectors: np.ndarray, others: np.ndarray) -> np.ndarray:
 
 
 def _score_error(vectors: np.ndarray, squares: np.ndarray) -> float:
-    """Return the largest error of a score from rounding sums of products in single precision (Higham)."""
+    """Return the largest difference of two scores from rounding sums of products in single precision (Higham)."""
     own = np.einsum("ij,ij->i", vectors, vectors).max(initial=0.0)
     largest = max(float(own), float(squares.max()))
-    return 8 * vectors.shape[1] * 2.0**-24 * largest
+    return 9 * vectors.shape[1] * 2.0**-24 * largest
