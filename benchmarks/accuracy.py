@@ -85,6 +85,7 @@ class Row:
         network: Part of the name of the network in --models; empty for the shipped network.
         labels: Labels of photos, ``network`` or ``true``.
         right_m: A position is right within this distance; 0 for 2 % of the footprint.
+        places: Text that the places of the images follow from, for rows that show the same ones; empty for the name.
         count: Number of images.
     """
 
@@ -111,6 +112,7 @@ class Row:
     network: str = ""
     labels: str = "network"
     right_m: float = 0.0
+    places: str = ""
     count: int = 200
 
 
@@ -193,7 +195,7 @@ class Source:
 
     def record(self, number: int) -> dict[str, Any]:
         """Draw an image, add noise, localize it and judge the result."""
-        rng = np.random.default_rng([zlib.crc32(self.row.name.encode()), number])
+        rng = np.random.default_rng([zlib.crc32((self.row.places or self.row.name).encode()), number])
         trial = self._tried(self.image(rng, number), rng)
         return told_of(trial, self.row)
 

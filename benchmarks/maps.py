@@ -16,6 +16,7 @@ from benchmarks.toml import read_toml
 MAPS = read_toml(Path(__file__).with_name("maps.toml"))
 USUAL = {"pixel_size": 1.0, "window": 1280.0, "stride": 350.0, "minimum_area": 100.0}
 LAND = ("building", "bare_land", "water")
+MOVED_M = 500
 UNLABELED_CODE = 255
 """Value for class code 0, because 0 means unlabeled in a label map."""
 
@@ -62,7 +63,7 @@ class World:
         if not source.exists():
             raise NoDataError(f"{source.name} is not here.")
         if "extract" in one:
-            source = self._classified(name, source, one["epsg"])
+            source = self._classified(name, source, one)
             table = self._rule_table()
         else:
             table = self._class_table(name, source, one)
@@ -76,16 +77,27 @@ class World:
             run_algorithm("builddatabase", build_parameters(name, self.label_map(name), path, stride))
         return path
 
-    def _classified(self, name: str, extract: Path, epsg: int) -> Path:
+    def _classified(self, name: str, extract: Path, one: dict[str, Any]) -> Path:
         from osgeo import gdal
 
-        metric, classified = (self.work / f"{name}_{what}.gpkg" for what in ("areas", "classes"))
+        from semref.processing.algorithms.set_up_area import rules_of
+
         gdal.UseExceptions()
-        gdal.VectorTranslate(
-            str(metric), str(extract), layers=["multipolygons"], dstSRS=f"EPSG:{epsg}", geometryType="MULTIPOLYGON"
-        )
-        run_algorithm("classifyopenstreetmap", {"INPUT": str(metric), "OUTPUT": str(classified)})
-        return classified
+        metric = {what: self.work / f"{name}_{what}.gpkg" for what in ("multipolygons", "lines")}
+        for what in metric if one.get("lines") else ["multipolygons"]:
+            kind = "MULTIPOLYGON" if what == "multipolygons" else "LINESTRING"
+            srs = f"EPSG:{one['epsg']}"
+            gdal.VectorTranslate(str(metric[what]), str(extract), layers=[what], dstSRS=srs, geometryType=kind)
+        parameters = {"INPUT": str(metric["multipolygons"]), "OUTPUT": str(self.work / f"{name}_classes.gpkg")}
+        if one.get("lines"):
+            parameters["LINES"] = str(metric["lines"])
+        if one.get("line_errors"):
+            spoil_lines(metric["lines"], *one["line_errors"])
+        if one.get("classes"):
+            parameters["RULES"] = str(self.work / f"{name}_rules.csv")
+            Path(parameters["RULES"]).write_text(rules_of(one["classes"]), encoding="utf-8")
+        run_algorithm("classifyopenstreetmap", parameters)
+        return Path(parameters["OUTPUT"])
 
     def _rule_table(self) -> Path:
         from semref.processing.algorithms.classify_openstreetmap import RULES_PATH
@@ -149,6 +161,7 @@ def run_rasterize(annotation: Path, output: Path, table: Path, one: dict[str, An
         "PRIORITY_FIELD": one.get("priority_field", "priority" if is_extract else "zorder" if "seed" in one else None),
         "CLASS_TABLE": str(table),
         "PIXEL_SIZE": one["pixel_size"],
+        "OTHER_GROUND": "classes" in one,
         "OUTPUT": str(output),
     }
     run_algorithm("rasterizeannotation", parameters)
@@ -170,6 +183,38 @@ def read(path: Path) -> np.ndarray:
     from osgeo import gdal
 
     return gdal.Open(str(path)).ReadAsArray()
+
+
+def spoil_lines(path: Path, missing: float, spurious: float) -> None:
+    """Remove a share of the lines of a file, and add turned and moved copies of a share; the same ones every time."""
+    from osgeo import ogr
+
+    data = ogr.Open(str(path), 1)
+    layer, rng = data.GetLayer(0), np.random.default_rng(MOVED_M)
+    lines = {feature.GetFID(): feature.Clone() for feature in layer}
+    layer.StartTransaction()
+    for number, feature in lines.items():
+        if rng.random() < spurious:
+            copy = feature.Clone()
+            copy.SetFID(-1)
+            copy.SetGeometry(_turned(feature.GetGeometryRef(), rng))
+            layer.CreateFeature(copy)
+        if rng.random() < missing:
+            layer.DeleteFeature(number)
+    layer.CommitTransaction()
+
+
+def _turned(line: Any, rng: np.random.Generator) -> Any:
+    """Return a line turned by any angle around its middle and moved by up to MOVED_M."""
+    from osgeo import ogr
+
+    points = np.array(line.GetPoints())[:, :2]
+    angle, middle = rng.uniform(0, 2 * np.pi), points.mean(axis=0)
+    turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+    turned = ogr.Geometry(ogr.wkbLineString)
+    for x, y in (points - middle) @ turn + middle + rng.uniform(-MOVED_M, MOVED_M, 2):
+        turned.AddPoint_2D(x, y)
+    return turned
 
 
 def write_sample(folder: Path, seed: int = 1671) -> None:

@@ -4,6 +4,7 @@ from qgis.core import (
     Qgis,
     QgsCoordinateReferenceSystem,
     QgsField,
+    QgsGeometry,
     QgsMapSettings,
     QgsProcessing,
     QgsProcessingFeatureSource,
@@ -61,6 +62,8 @@ POLYGON_GEOMETRY = Qgis.GeometryType.Polygon if Qgis.QGIS_VERSION_INT >= 33000 e
 LINE = Qgis.WkbType.LineString if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.LineString
 POINT_GEOMETRY = Qgis.GeometryType.Point if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.PointGeometry
 LINE_GEOMETRY = Qgis.GeometryType.Line if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.LineGeometry
+FLAT_CAP = Qgis.EndCapStyle.Flat if hasattr(Qgis, "EndCapStyle") else QgsGeometry.CapFlat
+ROUND_JOIN = Qgis.JoinStyle.Round if hasattr(Qgis, "JoinStyle") else QgsGeometry.JoinStyleRound
 
 if Qgis.QGIS_VERSION_INT >= 33600:
     SOURCE_POLYGON = Qgis.ProcessingSourceType.VectorPolygon

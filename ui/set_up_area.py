@@ -49,9 +49,11 @@ class SetUpAreaDialog(QDialog):
         self.photos = _files(QgsFileWidget.StorageMode.GetDirectory)
         self.width_m = _number(tr("from the camera or the imagery"), " m", 1, 10)
         self.map = QgsProcessingMapLayerComboBox(self._definition(SetUpArea.ANNOTATION))
+        self.lines = QgsProcessingMapLayerComboBox(self._definition(SetUpArea.LINES))
         self.imagery = QgsProcessingMapLayerComboBox(self._definition(SetUpArea.IMAGERY))
         # QGIS selects the first layer, also of an optional parameter.
-        self.imagery.setValue(None, QgsProcessingContext())
+        for optional in (self.lines, self.imagery):
+            optional.setValue(None, QgsProcessingContext())
         self.minutes = _number(tr("0, use the model as it is"), tr(" min"), 0, 5)
         self.model = _files(QgsFileWidget.StorageMode.GetFile)
         self.model.setFilter(tr("ONNX models (*.onnx)"))
@@ -73,6 +75,7 @@ class SetUpAreaDialog(QDialog):
             (SetUpArea.PHOTOS, self.photos),
             (SetUpArea.PHOTO_WIDTH, self.width_m),
             (SetUpArea.ANNOTATION, self.map),
+            (SetUpArea.LINES, self.lines),
             (SetUpArea.IMAGERY, self.imagery),
             (SetUpArea.MINUTES, self.minutes),
             (SetUpArea.MODEL, self.model),
@@ -101,7 +104,7 @@ class SetUpAreaDialog(QDialog):
         self._soon.timeout.connect(self._read)
         for widget in (self.photos, self.model, self.folder):
             widget.fileChanged.connect(self._read_soon)
-        for widget in (self.map, self.imagery, self.width_m, self.minutes):
+        for widget in (self.map, self.lines, self.imagery, self.width_m, self.minutes):
             widget.valueChanged.connect(self._read_soon)
         self._reader.answered.connect(self._show_area)
         for failed in (self._reader.failed, self._reader.broke):
@@ -130,6 +133,7 @@ class SetUpAreaDialog(QDialog):
             SetUpArea.PHOTOS: [photos] if photos else [],
             SetUpArea.PHOTO_WIDTH: self.width_m.value() or None,
             SetUpArea.ANNOTATION: self.map.currentLayer() or self.map.value(),
+            SetUpArea.LINES: self.lines.currentLayer() or self.lines.value(),
             SetUpArea.IMAGERY: self.imagery.currentLayer() or self.imagery.value(),
             SetUpArea.MINUTES: self.minutes.value(),
             SetUpArea.MODEL: self.model.filePath().strip(),
@@ -189,7 +193,9 @@ class SetUpAreaDialog(QDialog):
         self.state.show_text("")
         self.start.setText(tr("Cancel") if is_running else tr("Run"))
         self.start.setEnabled(True)
-        for widget in (self.photos, self.width_m, self.map, self.imagery, self.minutes, self.model, self.folder):
+        for widget in (self.photos, self.width_m, self.map, self.lines, self.imagery):
+            widget.setEnabled(not is_running)
+        for widget in (self.minutes, self.model, self.folder):
             widget.setEnabled(not is_running)
 
     def _finish(self, results: dict, _context: QgsProcessingContext) -> None:

@@ -21,7 +21,16 @@ THEME_KEYS = ("fclass", "type")
 TAG_COLUMNS = ("other_tags", "all_tags", "tags")
 """Columns with further tags, as GDAL's hstore or as JSON."""
 
+LARGEST_WIDTH_M = 100.0
+"""Wider lines are errors: wide rivers are mapped as areas."""
+
+LANE_M = 3.5
+FOOT_M, INCH_M = 0.3048, 0.0254
+
 _COLUMNS = ("key", "value", "class", "priority")
+_WIDTH = re.compile(r"""(\d{1,4}(?:[.,]\d*)?)\s*(?:m|met(?:er|re)s?|(ft|feet|'(?:\s*(\d\d?)")?))?""", re.IGNORECASE)
+"""Meters, or feet and inches."""
+_LANES = re.compile(r"[1-9]\d?")
 _QUOTED = r'"((?:[^"\\]|\\.?)*)("?)'
 _HSTORE = re.compile(rf"{_QUOTED}(?:\s*=>\s*(?:{_QUOTED}|NULL))?", re.DOTALL)
 """Pairs, and texts that are not pairs. The pattern can't fail and never backtracks, so the search is linear."""
@@ -36,12 +45,14 @@ class Rule:
         value: Value of the tag, or ANY.
         class_name: The land-cover class; empty to skip the polygons.
         priority: The highest fitting rule counts; polygons of higher priority are drawn on top.
+        width_m: Width of lines; None for a rule that gives them no area.
     """
 
     key: str
     value: str
     class_name: str
     priority: int
+    width_m: float | None = None
 
     @property
     def tag(self) -> str:
@@ -60,6 +71,11 @@ class Rules:
             self._rules.setdefault((rule.key, rule.value), rule)
             theme = rule.key if rule.value == ANY else rule.value
             self._by_theme.setdefault(theme, rule)
+
+    @property
+    def for_lines(self) -> Rules:
+        """The rules that apply to lines: those with a width or without a class."""
+        return Rules(rule for rule in self._rules.values() if rule.width_m or not rule.class_name)
 
     def __len__(self) -> int:
         """Return the number of tags with a rule."""
@@ -86,7 +102,7 @@ class Rules:
 
 
 def rules_from_csv(text: str, source: str) -> Rules:
-    """Read ``key,value,class,priority``, separated by ``,``, ``;`` or tab.
+    """Read ``key,value,class,priority`` and an optional ``width``, separated by ``,``, ``;`` or tab.
 
     Args:
         text: The CSV text, with its header.
@@ -135,6 +151,18 @@ def tags_of(columns: Mapping[str, object]) -> dict[str, str]:
     return {**tags, **{key: value for key, value in own.items() if value}}
 
 
+def line_width_m(tags: Mapping[str, str], rule: Rule) -> float:
+    """Return the width of a line: of its tag ``width`` or ``lanes`` if it is clear, otherwise that of the rule."""
+    found = _WIDTH.fullmatch(tags.get("width", "").strip())
+    if found:
+        number, feet, inches = found.groups()
+        width = float(number.replace(",", ".")) * (FOOT_M if feet else 1.0) + INCH_M * int(inches or 0)
+        if 0 < width <= LARGEST_WIDTH_M:
+            return width
+    lanes = tags.get("lanes", "").strip()
+    return LANE_M * int(lanes) if _LANES.fullmatch(lanes) else rule.width_m or 0.0
+
+
 def _packed(text: object) -> dict[str, str]:
     """Return the tags in one text: hstore ``"key"=>"value"`` or a JSON object; empty for anything else."""
     if not isinstance(text, str):
@@ -153,7 +181,7 @@ def _packed(text: object) -> dict[str, str]:
 
 
 def _rule(row: Mapping[str, object], where: Sentence) -> Rule:
-    key, value, name, priority = (str(row.get(column) or "").strip() for column in _COLUMNS)
+    key, value, name, priority, width = (str(row.get(column) or "").strip() for column in (*_COLUMNS, "width"))
     if not key or not value:
         raise ParameterError("{where}: a rule needs a key and a value; use * for any value.", where=where)
     if len(name) > limits.NAME_CHARACTERS:
@@ -166,4 +194,12 @@ def _rule(row: Mapping[str, object], where: Sentence) -> Rule:
         raise ParameterError(
             "{where}: “{text}” is not a whole number; the column priority needs one.", where=where, text=priority
         )
-    return Rule(key, value, name, int(priority))
+    if width and not (re.fullmatch(r"\d{1,3}(\.\d*)?", width) and 0 < float(width) <= LARGEST_WIDTH_M):
+        raise ParameterError(
+            "{where}: “{text}” is not a width of lines; the column width needs a number of meters above 0 and up to "
+            "{most:g}, or nothing.",
+            where=where,
+            text=width,
+            most=LARGEST_WIDTH_M,
+        )
+    return Rule(key, value, name, int(priority), float(width) if width else None)

@@ -1,4 +1,4 @@
-"""semref:classifyopenstreetmap: convert polygons with OpenStreetMap tags to land cover."""
+"""semref:classifyopenstreetmap: convert polygons and lines with OpenStreetMap tags to land cover."""
 
 from __future__ import annotations
 
@@ -18,26 +18,33 @@ from qgis.core import (
 
 from ...core import limits
 from ...core.errors import ParameterError
+from ...core.labels.openstreetmap import tags_of
 from ..base.algorithm import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
 from ..base.parameters import with_help
-from ..compat import AS_THEY_ARE, MULTI_POLYGON, POLYGON_GEOMETRY, SOURCE_POLYGON, is_null
+from ..compat import AS_THEY_ARE, MULTI_POLYGON, POLYGON_GEOMETRY, SOURCE_LINE, SOURCE_POLYGON, is_null
 from ..translation import tr
 
 if TYPE_CHECKING:
-    from qgis.core import QgsGeometry, QgsProcessingFeedback
+    from qgis.core import QgsGeometry, QgsProcessingFeatureSource, QgsProcessingFeedback
 
     from ...core.labels.openstreetmap import Rule, Rules
-    from ..base.outputs import Outputs
+    from ..base.outputs import FeatureSink, Outputs
     from ..base.values import Values
 
+    Area = tuple[QgsGeometry | None, dict[str, object] | None]
+    """Polygons of a feature and their attributes by FIELDS; None for what is left out."""
+
 RULES_PATH = Path(__file__).resolve().parents[2] / "resources" / "openstreetmap" / "rules.csv"
-POLYGONS_OF_OSM = "multipolygons"
-"""Layer with areas in GDAL's reader of OpenStreetMap extracts."""
+POLYGONS_OF_OSM, LINES_OF_OSM = "multipolygons", "lines"
+"""Layers with areas and with lines in GDAL's reader of OpenStreetMap extracts."""
 
 FIELDS = (("class", "text"), ("priority", "integer"), ("tag", "text"), ("osm_id", "text"), ("name", "text"))
 ID_COLUMNS = ("osm_id", "osm_way_id", "id", "full_id")
 CHECK_EVERY = 1000
 """Features between two checks for a cancel."""
+
+LEFT_OUT = ""
+"""Counts features without a class or without an area."""
 
 
 class ClassifyOpenStreetMap(SemRefAlgorithm):
@@ -47,6 +54,7 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
     PACKAGES = ()
 
     INPUT = "INPUT"
+    LINES = "LINES"
     RULES = "RULES"
     OTHER_CLASS = "OTHER_CLASS"
     OUTPUT = "OUTPUT"
@@ -58,9 +66,9 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
     def summary(self) -> str:
         return tr(
             "Converts polygons with OpenStreetMap tags to land cover: building, water, bare land, forest, cultivated "
-            "land, grass and built-up land. A priority decides which polygon is on top.\n\nThe input may be an "
-            "extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shapefile, or a layer with tags in columns. A "
-            "table of rules assigns classes to tags."
+            "land, grass and built-up land. Roads, railways, rivers and streams can be added from lines. A priority "
+            "decides which polygon is on top.\n\nThe input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a "
+            "Geofabrik shapefile, or a layer with tags in columns. A table of rules assigns classes to tags."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
@@ -70,10 +78,21 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
                 tr("Layer with tags as columns, or an OpenStreetMap extract. Of an extract, the areas are used."),
             ),
             with_help(
+                QgsProcessingParameterFeatureSource(
+                    self.LINES, tr("OpenStreetMap lines"), types=[SOURCE_LINE], optional=True
+                ),
+                tr(
+                    "Layer of lines with tags as columns, or the extract. Roads and railways get the class road, "
+                    "rivers and streams the class water. The tags width and lanes give the width, otherwise the rules. "
+                    "Tunnels are left out."
+                ),
+            ),
+            with_help(
                 QgsProcessingParameterFile(self.RULES, tr("Rules"), fileFilter=tr("CSV files (*.csv)"), optional=True),
                 tr(
-                    "CSV file with the columns key, value, class, priority. The value * matches any value; an empty "
-                    "class excludes polygons. If not set, the rules of SemRef are used."
+                    "CSV file with the columns key, value, class, priority, and width (m) for lines. The value * "
+                    "matches any value; an empty class excludes polygons and lines. If not set, the rules of SemRef "
+                    "are used."
                 ),
                 advanced=True,
             ),
@@ -94,6 +113,7 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
 
     def read_layers(self, values: Values) -> None:
         self._source = values.source(self.INPUT, POLYGONS_OF_OSM)
+        self._lines = values.source(self.LINES, LINES_OF_OSM)
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
         from ...core.labels.class_table import class_table_from_names
@@ -108,64 +128,91 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
                 key=values.title(self.OTHER_CLASS),
                 most=limits.NAME_CHARACTERS,
             )
-        counts: Counter[str] = Counter()
-        left_out = 0
         names = (*rules.classes, other) if other and other not in rules.classes else rules.classes
         renderer = annotation_renderer(class_table_from_names(names), "class", "priority")
         crs = self._source.sourceCrs()
         with outputs.layer(self.OUTPUT, FIELDS, MULTI_POLYGON, crs, renderer=renderer, is_own=False) as sink:
-            for geometry, columns in self._features(feedback):
-                row = row_of(columns, rules, other)
-                if geometry is None or row is None:
-                    left_out += 1
-                    continue
-                counts[row["class"]] += 1
-                sink.add(geometry, row)
-        if not counts:
-            columns = self._source.fields().names()
-            raise ParameterError(
-                "No rule matches a tag of “{source}”. Its columns are: {columns}. Select a layer with OpenStreetMap "
-                "tags or other rules, or enter a class of other polygons.",
-                source=self._source.sourceName(),
-                columns=columns,
-            )
+            counts = _write(sink, self._polygons(rules, other, feedback))
+            if not any(counts):
+                raise ParameterError(
+                    "No rule matches a tag of “{source}”. Its columns are: {columns}. Select a layer with "
+                    "OpenStreetMap tags or other rules, or enter a class of other polygons.",
+                    source=self._source.sourceName(),
+                    columns=self._source.fields().names(),
+                )
+            of_lines = _write(sink, self._areas_of_lines(rules.for_lines, values, feedback))
+            if self._lines is not None and not any(of_lines):
+                raise ParameterError(
+                    "No rule with a width matches a tag of the lines “{source}”. Their columns are: {columns}. Select "
+                    "a layer of lines with OpenStreetMap tags, or other rules.",
+                    source=self._lines.sourceName(),
+                    columns=self._lines.fields().names(),
+                )
+        counts += of_lines
+        left_out = counts.pop(LEFT_OUT, 0)
         for name, count in counts.most_common():
             feedback.pushInfo(tr("{name}: {count} polygons").format(name=name, count=count))
         feedback.pushInfo(tr("Left out, because they have no class or no area: {count}").format(count=left_out))
         return {self.FEATURE_COUNT: sum(counts.values())}
 
-    def _features(self, feedback: QgsProcessingFeedback) -> Iterator[tuple[QgsGeometry | None, dict[str, object]]]:
-        """Yield the polygons of each feature and its values by column.
+    def _polygons(self, rules: Rules, other: str, feedback: QgsProcessingFeedback) -> Iterator[Area]:
+        for geometry, columns in _features(self._source, feedback):
+            yield polygons_of(geometry), row_of(columns, rules.of(tags_of(columns)), other)
 
-        Raises ParameterError where a file ends early: QGIS would use what it read as if it were complete.
-        """
-        from ...storage.gdal_errors import gdal_failures
+    def _areas_of_lines(self, rules: Rules, values: Values, feedback: QgsProcessingFeedback) -> Iterator[Area]:
+        from ..layers.line_areas import LineAreas
 
-        names, total = self._source.fields().names(), max(self._source.featureCount(), 1)
-        with gdal_failures() as failures:
-            for number, feature in enumerate(self._source.getFeatures(QgsFeatureRequest(), AS_THEY_ARE)):
-                if number % CHECK_EVERY == 0:
-                    check_canceled(feedback)
-                    feedback.setProgress(min(100 * number / total, 100))
-                yield polygons_of(feature.geometry()), dict(zip(names, feature.attributes()))
-        if failures:
-            source, reason = self._source.sourceName(), failures[0]
-            raise ParameterError(
-                "“{source}” cannot be read completely: {reason}. Copy or download it again.",
-                source=source,
-                reason=reason,
-            )
+        if self._lines is None:
+            return
+        lines, target = self._lines, self._source.sourceCrs()
+        areas = LineAreas(lines.sourceName(), lines.sourceCrs(), lines.sourceExtent(), target, values.transform_context)
+        for geometry, columns in _features(lines, feedback):
+            rule, area = areas.of(geometry, tags_of(columns), rules)
+            yield area and polygons_of(area), row_of(columns, rule, "")
 
 
-def row_of(columns: dict[str, object], rules: Rules, other: str) -> dict[str, object] | None:
+def _features(
+    source: QgsProcessingFeatureSource, feedback: QgsProcessingFeedback
+) -> Iterator[tuple[QgsGeometry, dict[str, object]]]:
+    """Yield the geometry of each feature and its values by column, without NULL.
+
+    Raises ParameterError where a file ends early: QGIS would use what it read as if it were complete.
+    """
+    from ...storage.gdal_errors import gdal_failures
+
+    names, total = source.fields().names(), max(source.featureCount(), 1)
+    with gdal_failures() as failures:
+        for number, feature in enumerate(source.getFeatures(QgsFeatureRequest(), AS_THEY_ARE)):
+            if number % CHECK_EVERY == 0:
+                check_canceled(feedback)
+                feedback.setProgress(min(100 * number / total, 100))
+            values = zip(names, feature.attributes())
+            yield feature.geometry(), {name: value for name, value in values if not is_null(value)}
+    if failures:
+        raise ParameterError(
+            "“{source}” cannot be read completely: {reason}. Copy or download it again.",
+            source=source.sourceName(),
+            reason=failures[0],
+        )
+
+
+def _write(sink: FeatureSink, areas: Iterator[Area]) -> Counter[str]:
+    """Write areas and count them by class; those without a polygon or a class count as LEFT_OUT."""
+    counts: Counter[str] = Counter()
+    for geometry, row in areas:
+        if geometry is None or row is None:
+            counts[LEFT_OUT] += 1
+            continue
+        counts[row["class"]] += 1
+        sink.add(geometry, row)
+    return counts
+
+
+def row_of(columns: dict[str, object], rule: Rule | None, other: str) -> dict[str, object] | None:
     """Return the attributes of a land-cover polygon, by FIELDS; None for one that is left out.
 
     ``columns``: values by column; ``other``: the class where no rule matches, or empty.
     """
-    from ...core.labels.openstreetmap import tags_of
-
-    known = {name: value for name, value in columns.items() if not is_null(value)}
-    rule: Rule | None = rules.of(tags_of(known))
     name = other if rule is None else rule.class_name
     if not name:
         return None
@@ -173,8 +220,8 @@ def row_of(columns: dict[str, object], rules: Rules, other: str) -> dict[str, ob
         "class": name,
         "priority": 0 if rule is None else rule.priority,
         "tag": "" if rule is None else rule.tag,
-        "osm_id": next((str(known[column]) for column in ID_COLUMNS if column in known), None),
-        "name": known.get("name"),
+        "osm_id": next((str(columns[column]) for column in ID_COLUMNS if column in columns), None),
+        "name": columns.get("name"),
     }
 
 

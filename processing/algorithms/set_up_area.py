@@ -31,12 +31,12 @@ from ..base.algorithm import LOCALIZATION, Declared, SemRefAlgorithm, check_canc
 from ..base.chain import Record, Step
 from ..base.parameters import with_help
 from ..base.shipped_models import MODELS
-from ..compat import DOUBLE, SOURCE_FILE, SOURCE_POLYGON
+from ..compat import DOUBLE, SOURCE_FILE, SOURCE_LINE, SOURCE_POLYGON
 from ..layers.guess_fields import BUILDING
 from ..layers.results_file import TABLES
 from ..translation import tr
 from .build_database import BuildDatabase
-from .classify_openstreetmap import POLYGONS_OF_OSM, RULES_PATH, ClassifyOpenStreetMap
+from .classify_openstreetmap import LINES_OF_OSM, POLYGONS_OF_OSM, RULES_PATH, ClassifyOpenStreetMap
 from .localize_images import LocalizeImages
 from .rasterize_annotation import RasterizeAnnotation
 from .train_model import TrainModel
@@ -70,6 +70,7 @@ class SetUpArea(SemRefAlgorithm):
 
     ANNOTATION = "ANNOTATION"
     CLASS_FIELD = parameters.CLASS_FIELD
+    LINES = "LINES"
     PHOTOS = "PHOTOS"
     PHOTO_WIDTH = "PHOTO_WIDTH"
     IMAGERY = "IMAGERY"
@@ -122,6 +123,15 @@ class SetUpArea(SemRefAlgorithm):
                 tr(
                     "Field with the class of each polygon. If not set, SemRef guesses it, or uses the tags of "
                     "OpenStreetMap. In a layer without either, all polygons are buildings."
+                ),
+            ),
+            with_help(
+                QgsProcessingParameterFeatureSource(
+                    self.LINES, tr("OpenStreetMap lines"), types=[SOURCE_LINE], optional=True
+                ),
+                tr(
+                    "Roads, railways, rivers and streams as lines: layer with OpenStreetMap tags, or the extract. Only "
+                    "models with a class road or water use them."
                 ),
             ),
             with_help(
@@ -185,7 +195,11 @@ class SetUpArea(SemRefAlgorithm):
         from ..layers.training_ground import require_common_ground
 
         self.check(values)
-        self._map = AreaMap(self._layer(values), values.raw(self.ANNOTATION), values.text(self.CLASS_FIELD))
+        polygons = self._layer(values, self.ANNOTATION, POLYGONS_OF_OSM)
+        self._map = AreaMap(polygons, values.raw(self.ANNOTATION), values.text(self.CLASS_FIELD))
+        if values.has(self.LINES):
+            lines = self._layer(values, self.LINES, LINES_OF_OSM)
+            self._map.add_lines(lines, values.raw(self.LINES), values.transform_context)
         self._imagery, self._imagery_pixel_m, self._drawn = "", None, None
         imagery = values.raster(self.IMAGERY) if values.has(self.IMAGERY) else None
         if values.has(self.IMAGERY) and imagery is None:
@@ -199,14 +213,14 @@ class SetUpArea(SemRefAlgorithm):
         self._imagery_pixel_m = _pixel_m(imagery)
         require_common_ground(imagery, self._map.name, self._map.extent, self._map.crs, values.transform_context)
 
-    def _layer(self, values: Values) -> QgsVectorLayer | None:
-        """Return the land-cover layer; of an OpenStreetMap extract, the layer of its areas."""
-        path = values.raw(self.ANNOTATION)
+    def _layer(self, values: Values, key: str, layer_of_osm: str) -> QgsVectorLayer | None:
+        """Return a layer of polygons or lines; of an OpenStreetMap extract, its layer with this name."""
+        path = values.raw(key)
         if isinstance(path, str) and os.path.isfile(path):
-            areas = QgsVectorLayer(f"{path}|layername={POLYGONS_OF_OSM}", Path(path).stem, "ogr")
-            if areas.isValid():
-                return areas
-        return values.vector(self.ANNOTATION)
+            layer = QgsVectorLayer(f"{path}|layername={layer_of_osm}", Path(path).stem, "ogr")
+            if layer.isValid():
+                return layer
+        return values.vector(key)
 
     def read(self, values: Values, feedback: QgsProcessingFeedback) -> AreaSetup:
         """Return what the map and the photos need, after ``read_layers``; for any thread. Raises SemRefError."""
@@ -218,6 +232,12 @@ class SetUpArea(SemRefAlgorithm):
         photos = read_photos(values.files(self.PHOTOS), width_m, self._imagery_pixel_m, feedback)
         given = values.extent_as_given(self.EXTENT)
         rules, known = read_rules(str(RULES_PATH)), self._known(values)
+        of_lines = {name.casefold() for name in rules.for_lines.classes}
+        if self._map.lines is not None and known and of_lines.isdisjoint(known):
+            raise ParameterError(
+                "The model has none of the classes of lines, {classes}. Choose another model, or leave out the lines.",
+                classes=sorted(of_lines),
+            )
         context, pixel_m = values.transform_context, self._imagery_pixel_m if self._trains(values) else None
         return read_area(self._map, photos, given, rules, known, pixel_m, context, feedback)
 
@@ -275,6 +295,7 @@ class SetUpArea(SemRefAlgorithm):
         known, classes = self._known(values), {name.casefold() for name in area.classes}
         if self._map.has_tags:
             tags = {"INPUT": self._map.layer, "OUTPUT": str(folder / LAND_COVER_FILE)}
+            tags |= {} if self._map.lines is None else {"LINES": self._map.lines}
             tags |= {"RULES": str(folder / RULES_FILE)} if known else {}
             steps.append(Step(ClassifyOpenStreetMap, tags, (LAND_COVER_FILE,), tr("Classifying OpenStreetMap")))
             polygons = {"INPUT": tags["OUTPUT"], "CLASS_FIELD": "class", "PRIORITY_FIELD": "priority"}
@@ -331,7 +352,7 @@ class SetUpArea(SemRefAlgorithm):
         from ..base.area_setup import camera_table
 
         if step.values.get("RULES"):
-            record.write(RULES_FILE, _rules_of(self._known(values)))
+            record.write(RULES_FILE, rules_of(self._known(values)))
         if step.values.get("ATTITUDE"):
             record.write(CAMERAS_FILE, camera_table(area.photos))
         if step.algorithm is not TrainModel or self._drawn is None:
@@ -370,7 +391,7 @@ def _tables(path: str) -> dict[str, str]:
     return {key: f"ogr:dbname='{path}' table=\"{table}\" (geom)" for key, table in _OUTPUTS.items()}
 
 
-def _rules_of(known: Sequence[str]) -> str:
+def rules_of(known: Sequence[str]) -> str:
     """Return the rules of OpenStreetMap for these classes only; other ground becomes class “other”."""
     header, *lines = RULES_PATH.read_text(encoding="utf-8").splitlines()
     kept = [line for line in lines if not line.split(",")[2] or line.split(",")[2].casefold() in known]

@@ -15,6 +15,7 @@ from qgis.core import (
     QgsCoordinateTransform,
     QgsCoordinateTransformContext,
     QgsCsException,
+    QgsFeature,
     QgsFeatureRequest,
     QgsGeometry,
     QgsPointXY,
@@ -27,9 +28,11 @@ from qgis.core import (
 from ...core.area_plan import FEW_LANDMARKS, AreaPlan, MapLandmarks, plan_area
 from ...core.errors import AnnotationError, ParameterError, SemRefError
 from ...core.labels.class_colors import is_usual_landmark
-from ..compat import POLYGON_GEOMETRY, is_null
+from ...core.labels.openstreetmap import tags_of
+from ..compat import LINE_GEOMETRY, POLYGON_GEOMETRY, is_null
 from ..layers.guess_fields import BUILDING, class_field_of, has_osm_tags, priority_field_of
 from ..layers.images import stated_pixel_size_m
+from ..layers.line_areas import LineAreas
 from ..layers.reference_systems import WGS84, metric_crs, transformed_box, transformed_point
 from ..translation import tr
 from .algorithm import check_canceled
@@ -50,13 +53,16 @@ _CHECK_EVERY = 500
 
 
 class AreaMap:
-    """A private copy of the land-cover layer for other threads, and how its polygons get their classes.
+    """Private copies of the land-cover layer and of lines for other threads, and how they get their classes.
 
     Attributes:
-        layer: The copy.
+        layer: The copy of the polygons.
+        lines: The copy of lines with tags of OpenStreetMap; None without lines.
         class_field: Field with the class; empty for tags of OpenStreetMap, and for a layer of buildings.
         has_tags: Whether the classes follow from tags of OpenStreetMap.
     """
+
+    lines: QgsVectorLayer | None = None
 
     def __init__(self, layer: QgsVectorLayer | None, definition: object, class_field: str) -> None:
         """Copy the layer, in its thread. Raises AnnotationError."""
@@ -79,19 +85,45 @@ class AreaMap:
         self.name, self.crs, self.extent = layer.name(), layer.crs(), self.layer.extent()
         self._features = QgsVectorLayerFeatureSource(self.layer)
 
+    def add_lines(
+        self, lines: QgsVectorLayer | None, definition: object, context: QgsCoordinateTransformContext
+    ) -> None:
+        """Copy lines with tags of OpenStreetMap, in their thread. Raises SemRefError."""
+        if lines is None or not lines.isValid() or lines.geometryType() != LINE_GEOMETRY:
+            raise AnnotationError("The lines can't be read. Choose a layer of lines.")
+        if not self.has_tags:
+            raise AnnotationError(
+                "Lines can be added to tags of OpenStreetMap only, and “{layer}” has no tags. Choose another map, or "
+                "leave out the lines.",
+                layer=self.name,
+            )
+        self.lines = _private_copy(lines, definition)
+        self._areas = LineAreas(lines.name(), lines.crs(), self.lines.extent(), self.crs, context)
+        self._lines = QgsVectorLayerFeatureSource(self.lines)
+        self._to_lines = QgsCoordinateTransform(self.crs, lines.crs(), context)
+
     def polygons(self, extent: QgsRectangle, rules: Rules) -> Iterator[tuple[str, QgsGeometry]]:
         """Yield (class name, geometry) of each polygon that touches an extent in the layer's CRS; empty: no class."""
-        from ...core.labels.openstreetmap import tags_of
-
-        names = self._features.fields().names()
         for feature in self._features.getFeatures(QgsFeatureRequest().setFilterRect(extent)):
             if self.has_tags:
-                columns = dict(zip(names, feature.attributes()))
-                rule = rules.of(tags_of({name: value for name, value in columns.items() if not is_null(value)}))
+                rule = rules.of(_tags_of(feature))
                 yield "" if rule is None else rule.class_name, feature.geometry()
             else:
                 value = feature[self.class_field] if self.class_field else BUILDING
                 yield "" if is_null(value) else str(value).strip(), feature.geometry()
+        if self.lines is not None:
+            yield from self._areas_of_lines(transformed_box(self._to_lines, extent), rules.for_lines)
+
+    def _areas_of_lines(self, extent: QgsRectangle, rules: Rules) -> Iterator[tuple[str, QgsGeometry]]:
+        for feature in self._lines.getFeatures(QgsFeatureRequest().setFilterRect(extent)):
+            rule, area = self._areas.of(feature.geometry(), _tags_of(feature), rules)
+            if rule is not None and area is not None:
+                yield rule.class_name, area
+
+
+def _tags_of(feature: QgsFeature) -> dict[str, str]:
+    values = zip(feature.fields().names(), feature.attributes())
+    return tags_of({name: value for name, value in values if not is_null(value)})
 
 
 def _private_copy(layer: QgsVectorLayer, definition: object) -> QgsVectorLayer:

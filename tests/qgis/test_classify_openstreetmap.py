@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from qgis.core import (
+    QgsCoordinateReferenceSystem,
     QgsCoordinateTransformContext,
     QgsFeature,
     QgsGeometry,
@@ -11,6 +14,8 @@ from qgis.core import (
     QgsVectorFileWriter,
     QgsVectorLayer,
 )
+
+from semref.processing.compat import make_field
 
 CLASSIFY = "semref:classifyopenstreetmap"
 
@@ -121,3 +126,116 @@ def test_the_layer_is_drawn_in_the_colors_that_classes_are_known_by(run_algorith
     colors = {one.value(): one.symbol().color().name() for one in layer.renderer().categories()}
     assert (colors["water"], colors["forest"], colors["building"]) == ("#3a87c8", "#1f7a3a", "#c8372d")
     assert layer.renderer().orderByEnabled()
+
+
+def lines_of(*features: tuple[str, dict], crs: str = "EPSG:32632") -> QgsVectorLayer:
+    """Return a layer of lines as GDAL reads an extract: ``highway`` and ``waterway``, other tags packed."""
+    fields = "&".join(f"field={name}:string" for name in ("osm_id", "highway", "waterway", "other_tags"))
+    layer = QgsVectorLayer(f"LineString?crs={crs}&{fields}", "lines", "memory")
+    for number, (wkt, tags) in enumerate(features):
+        packed = ",".join(f'"{k}"=>"{v}"' for k, v in tags.items() if k not in ("highway", "waterway")) or None
+        feature = QgsFeature(layer.fields())
+        feature.setGeometry(QgsGeometry.fromWkt(wkt))
+        feature.setAttributes([str(number), tags.get("highway"), tags.get("waterway"), packed])
+        assert layer.dataProvider().addFeatures([feature])[0]
+    return layer
+
+
+STRAIGHT = "LineString(600000 5200000, 600300 5200400)"
+"""500 m long."""
+
+
+def areas_of(run_algorithm, tmp_path, lines, **given) -> dict[str, tuple[str, float]]:
+    """Return (class, area in m²) of the areas of lines by osm_id, next to one building."""
+    out = str(tmp_path / "cover.gpkg")
+    polygons = layer_of("field=building:string", ("yes",))
+    polygons.setCrs(QgsCoordinateReferenceSystem("EPSG:32632"))
+    run_algorithm(CLASSIFY, {"INPUT": polygons, "LINES": lines, "OUTPUT": out, **given})
+    read = QgsVectorLayer(out, "read", "ogr")
+    return {one["osm_id"]: (one["class"], one.geometry().area()) for one in read.getFeatures() if one["osm_id"]}
+
+
+@pytest.mark.parametrize(
+    ("tags", "name", "width"),
+    [
+        ({"highway": "primary"}, "road", 8),
+        ({"highway": "primary", "lanes": "3"}, "road", 10.5),
+        ({"highway": "primary", "lanes": "3", "width": "6.5 m"}, "road", 6.5),
+        ({"railway": "rail"}, "road", 4),
+        ({"waterway": "river", "width": "about 20"}, "water", 10),
+        ({"waterway": "stream"}, "water", 2),
+    ],
+)
+def test_a_straight_line_becomes_an_area_of_its_length_and_width(run_algorithm, tmp_path, tags, name, width):
+    found = areas_of(run_algorithm, tmp_path, lines_of((STRAIGHT, tags)))
+    assert found["0"] == (name, pytest.approx(500 * width, rel=1e-6))
+
+
+def test_widths_are_meters_for_lines_in_degrees_and_for_polygons_in_degrees(run_algorithm, tmp_path):
+    east = "LineString(9 47, 9.001 47)"
+    found = areas_of(run_algorithm, tmp_path, lines_of((east, {"highway": "residential"}), crs="EPSG:4326"))
+    assert found["0"][1] == pytest.approx(76.06 * 5.5, rel=0.002)
+    out = str(tmp_path / "degrees.gpkg")
+    polygons = layer_of("field=building:string", ("yes",))
+    polygons.setCrs(QgsCoordinateReferenceSystem("EPSG:4326"))
+    run_algorithm(CLASSIFY, {"INPUT": polygons, "LINES": lines_of((STRAIGHT, {"highway": "track"})), "OUTPUT": out})
+    written = QgsVectorLayer(out, "read", "ogr").getFeatures()
+    box = next(one.geometry().boundingBox() for one in written if one["osm_id"])
+    assert 10.3 < box.xMinimum() < box.xMaximum() < 10.4 and 46.9 < box.yMinimum() < box.yMaximum() < 47
+
+
+def test_tunnels_and_lines_without_a_width_leave_no_area(run_algorithm, tmp_path):
+    road = {"highway": "primary"}
+    kinds = [road, {**road, "tunnel": "yes"}, {"waterway": "stream", "tunnel": "culvert"}, {**road, "tunnel": "no"}]
+    lines = lines_of(*((STRAIGHT, tags) for tags in (*kinds, {"highway": "path"}, {"landuse": "forest"})))
+    assert set(areas_of(run_algorithm, tmp_path, lines)) == {"0", "3"}
+
+
+def test_the_lines_of_an_extract_are_below_buildings_and_above_land_use(run_algorithm, tmp_path, extract):
+    text = Path(extract).read_text(encoding="utf-8")
+    way = '<way id="21" version="1"><nd ref="1"/><nd ref="3"/><tag k="highway" v="service"/></way></osm>'
+    Path(extract).write_text(text.replace("</osm>", way), encoding="utf-8")
+    out = str(tmp_path / "cover.gpkg")
+    run_algorithm(CLASSIFY, {"INPUT": extract, "LINES": extract, "OUTPUT": out})
+    found = {row["osm_id"]: row for row in rows_of(out)}
+    assert (found["21"]["class"], found["21"]["tag"]) == ("road", "highway=service")
+    assert found["12"]["priority"] > found["21"]["priority"] > found["11"]["priority"]
+
+
+def test_roads_of_a_shapefile_that_names_values_without_keys_have_an_area(run_algorithm, tmp_path):
+    layer = QgsVectorLayer("LineString?crs=EPSG:32632&field=osm_id:string&field=fclass:string", "roads", "memory")
+    layer.dataProvider().addAttributes([make_field("tunnel", "text"), make_field("width", "integer")])
+    layer.updateFields()
+    for number, tunnel in enumerate("FT"):
+        feature = QgsFeature(layer.fields())
+        feature.setGeometry(QgsGeometry.fromWkt(STRAIGHT))
+        feature.setAttributes([str(number), "residential", tunnel, 0])
+        layer.dataProvider().addFeatures([feature])
+    assert areas_of(run_algorithm, tmp_path, layer) == {"0": ("road", pytest.approx(500 * 5.5, rel=1e-6))}
+
+
+@pytest.mark.parametrize(
+    ("lines", "rules", "message"),
+    [
+        (lambda: QgsVectorLayer("LineString?crs=EPSG:32632&field=length:double", "lines", "memory"), "", "columns are"),
+        (lambda: lines_of((STRAIGHT, {"highway": "primary"}), crs=""), "", "need a coordinate reference system"),
+        (
+            lambda: lines_of((STRAIGHT, {"highway": "primary"})),
+            "key,value,class,priority\nbuilding,*,building,9\nhighway,*,road,8\n",
+            "No rule with a width matches a tag of the lines “lines”",
+        ),
+        (
+            lambda: lines_of((STRAIGHT, {"highway": "primary"})),
+            "key,value,class,priority,width\nhighway,*,road,8,wide\n",
+            "line 2: “wide” is not a width of lines",
+        ),
+    ],
+)
+def test_lines_that_have_no_area_are_refused_with_the_reason(run_algorithm, tmp_path, lines, rules, message):
+    given = {}
+    if rules:
+        given["RULES"] = str(tmp_path / "rules.csv")
+        Path(given["RULES"]).write_text(rules, encoding="utf-8")
+    with pytest.raises(QgsProcessingException, match=message):
+        areas_of(run_algorithm, tmp_path, lines(), **given)
+    assert not (tmp_path / "cover.gpkg").exists()

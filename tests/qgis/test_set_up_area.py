@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import square, write_layer, write_raster, write_text
+from made_inputs import NORTH, WEST, square, write_layer, write_raster, write_text
 from made_models import write_model
 from osgeo import gdal
 from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsVectorLayer
@@ -97,6 +97,39 @@ def test_osm_tags_are_limited_to_the_classes_of_the_model(run_algorithm, small, 
     run_algorithm(SETUP, small, feedback)
     assert "building: 9 polygons" in feedback.textLog() and "forest" not in feedback.textLog()
     assert "A typical photo shows about" in feedback.textLog()
+
+
+@pytest.fixture
+def tagged(small, tmp_path):
+    """Return the parameters of a run on 18 buildings and lines with tags."""
+    buildings = [(square(20 * column, 20 * row, 12), "yes", None) for column in range(9) for row in range(2)]
+    tags = [("building", "text"), ("natural", "text")]
+    small["ANNOTATION"] = str(write_layer(tmp_path / "osm.gpkg", buildings, tags))
+    way = f"LINESTRING ({WEST} {NORTH - 16}, {WEST + 180} {NORTH - 16})"
+    kinds = [(way, None, "stream", None), (way, "primary", None, None), (way, None, "river", '"tunnel"=>"culvert"')]
+    keys = [(name, "text") for name in ("highway", "waterway", "other_tags")]
+    return {**small, "LINES": str(write_layer(tmp_path / "lines.gpkg", kinds, keys))}
+
+
+def test_lines_of_the_model_s_classes_are_on_the_map(run_algorithm, tagged, feedback):
+    results = run_algorithm(SETUP, tagged, feedback)
+    assert "water: 1 polygons" in feedback.textLog() and "road" not in feedback.textLog()
+    assert Path(results["DATABASE"]).is_file()
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"MODEL": "models/buildings.onnx"}, "has none of the classes of lines, road, water"),
+        ({"ANNOTATION": "map.gpkg"}, "“map” has no tags"),
+        ({"LINES": "osm.gpkg"}, "The lines can't be read"),
+    ],
+)
+def test_lines_that_cannot_be_used_are_refused(run_algorithm, tagged, repository, tmp_path, change, message):
+    key, name = next(iter(change.items()))
+    with pytest.raises(QgsProcessingException, match=message):
+        run_algorithm(SETUP, {**tagged, key: str((repository if key == "MODEL" else tmp_path) / name)})
+    assert files_in(tagged["FOLDER"]) == set()
 
 
 @pytest.mark.parametrize(

@@ -29,7 +29,7 @@ EXAMPLES: dict[str, dict] = {
         "rasterize:Label map": "area.tif",
         "build:Reference database": "area.gpkg",
     },
-    "classifyopenstreetmap": {"INPUT": "area.osm.pbf|layername=multipolygons", "OUTPUT": "classified.gpkg"},
+    "classifyopenstreetmap": {"INPUT": "area.osm.pbf", "LINES": "area.osm.pbf", "OUTPUT": "classified.gpkg"},
     "segmentimage": {"INPUT": "sample/orthophoto.tif", "MODEL": MODEL, "OUTPUT": "predicted.tif"},
     "comparelabels": {
         "REFERENCE": "labels.tif",

@@ -25,7 +25,7 @@ def _given(at: Path) -> dict[str, dict[str, Any]]:
     return {
         "rasterizeannotation": {**layer, "PIXEL_SIZE": 1},
         "classtable": {**layer, "REFERENCE_CLASSES": "water"},
-        "classifyopenstreetmap": {"INPUT": str(at / "annotation.gpkg"), "OTHER_CLASS": "field"},
+        "classifyopenstreetmap": {"INPUT": layer["INPUT"], "LINES": str(at / "lines.gpkg"), "OTHER_CLASS": "field"},
         "checkannotation": {**layer, "PIXEL_SIZE": 1},
         "repairannotation": layer,
         "decodecolorlabels": {"INPUT": color, "CLASS_TABLE": table, "METHOD": 1},
@@ -73,6 +73,7 @@ def make_inputs(at: Path) -> None:
     west, north = 550000, 5220000
     line = f"LINESTRING ({west + 50} {north - 60}, {west + 200} {north - 150})"
     write_layer(at / "route.gpkg", [(line,)], fields=())
+    write_layer(at / "lines.gpkg", [(line, "track")], [("highway", "text")])
     columns = [("image", "text"), ("status", "text"), ("heading", "real"), ("pixel_size", "real")]
     fixes = [(f"POINT ({west + 60 + n} {north - 60})", f"{n}.png", "fix", 30.0 * n, 1.0) for n in range(4)]
     write_layer(at / "positions.gpkg", fixes, columns)

@@ -7,10 +7,11 @@ from pathlib import Path
 import pytest
 
 from semref.core.errors import ParameterError
-from semref.core.labels.openstreetmap import rules_from_csv, tags_of
+from semref.core.labels.openstreetmap import line_width_m, rules_from_csv, tags_of
 
 SHIPPED = Path(__file__).resolve().parents[3] / "resources" / "openstreetmap" / "rules.csv"
 HEADER = "key,value,class,priority\n"
+WIDE_HEADER = "key,value,class,priority,width\n"
 
 
 @pytest.fixture(scope="module")
@@ -46,7 +47,8 @@ def test_what_no_rule_fits_has_no_class(shipped, tags):
 
 def test_classes_are_listed_from_the_top_down(shipped):
     assert shipped.classes[0] == "building"
-    assert set(shipped.classes) == {"building", "water", "bare_land", "forest", "cultivated", "grass_scrub", "built_up"}
+    land = {"building", "water", "bare_land", "forest", "cultivated", "grass_scrub", "built_up"}
+    assert set(shipped.classes) == {*land, "road"}
 
 
 def test_own_rules_may_use_semicolons_and_any_value():
@@ -65,6 +67,9 @@ def test_own_rules_may_use_semicolons_and_any_value():
         (HEADER + "building,*,house,high\n", "“high” is not a whole number"),
         (HEADER + f"building,*,{'h' * 500},1\n", "characters"),
         (HEADER + f"building,*,house,1{'0' * 9}\n", "is not a whole number"),
+        (WIDE_HEADER + "highway,*,road,1,wide\n", "“wide” is not a width of lines"),
+        (WIDE_HEADER + "highway,*,road,1,0\n", "“0” is not a width of lines"),
+        (WIDE_HEADER + "highway,*,road,1,500\n", "“500” is not a width of lines"),
         (HEADER + "x" * 20_000, "not a table of rules"),
     ],
 )
@@ -87,3 +92,38 @@ def test_invalid_packed_tags_are_ignored(text):
 
 def test_a_column_of_its_own_counts_before_packed_tags():
     assert tags_of({"building": "house", "other_tags": '"building"=>"no"', "landuse": " "}) == {"building": "house"}
+
+
+@pytest.mark.parametrize(
+    ("tags", "expected"),
+    [
+        ({}, 8),
+        ({"width": "3.5"}, 3.5),
+        ({"width": "3.5 m"}, 3.5),
+        ({"width": "3,5"}, 3.5),
+        ({"width": "12'"}, 12 * 0.3048),
+        ({"width": "12'6\""}, pytest.approx(12.5 * 0.3048)),
+        ({"width": "20 ft"}, 20 * 0.3048),
+        ({"width": "4.0000000000001"}, pytest.approx(4)),
+        ({"width": "0"}, 8),
+        ({"width": "3-4"}, 8),
+        ({"width": "~5"}, 8),
+        ({"width": "wide"}, 8),
+        ({"width": "5000"}, 8),
+        ({"width": "9" * 10_000}, 8),
+        ({"lanes": "2"}, 7),
+        ({"lanes": "2;3"}, 8),
+        ({"lanes": "0"}, 8),
+        ({"lanes": "2", "width": "5"}, 5),
+        ({"lanes": "2", "width": "narrow"}, 7),
+    ],
+)
+def test_a_line_has_the_width_of_a_clear_tag_or_of_its_rule(shipped, tags, expected):
+    line = {"highway": "primary", **tags}
+    assert line_width_m(line, shipped.for_lines.of(line)) == expected
+
+
+def test_rules_without_a_width_do_not_apply_to_lines(shipped):
+    assert shipped.for_lines.of({"natural": "wood"}) is None
+    assert shipped.for_lines.of({"fclass": "residential"}).class_name == "road"
+    assert shipped.for_lines.of({"highway": "primary", "tunnel": "yes"}).class_name == ""
