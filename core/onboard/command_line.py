@@ -7,6 +7,7 @@ import contextlib
 import logging
 import os
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from itertools import product
 from typing import Any, Callable
@@ -370,7 +371,7 @@ def _watch(options: argparse.Namespace) -> int:
     onboard = read_onboard(options.database, key_file=options.require_signature)
     is_restart = _is_restart(options)
     find: ImageFinder = _image_finder(options, onboard)
-    after = None
+    after, writer = None, ThreadPoolExecutor(1)
     if options.flight:
         if not find.pipeline.localizer.has_overview:
             raise DatabaseError(
@@ -382,16 +383,18 @@ def _watch(options: argparse.Namespace) -> int:
         if odometry is not None and not is_restart:
             odometry.check()
         state = StateFile.at(options.state, options.require_signature) if options.state else None
-        find = FlightFinder(**vars(find), state=state, settings=settings, odometry=odometry)
+        find = FlightFinder(**vars(find), state=state, writer=writer, settings=settings, odometry=odometry)
         after = find.start()
     if (options.gga or options.mavlink) and onboard.lon_lat is None:
         raise DatabaseError(
             "{database} contains no longitude and latitude, which GGA sentences and MAVLink need.",
             database=options.database,
         )
-    statuses, lost = watch(
-        options.folder, options.once, find, options.fixes, options.gga, _mavlink_sink(options, onboard), after
-    )
+    # The last state is complete before the program ends.
+    with writer:
+        statuses, lost = watch(
+            options.folder, options.once, find, options.fixes, options.gga, _mavlink_sink(options, onboard), after
+        )
     return REFUSED if lost else exit_code(statuses)
 
 

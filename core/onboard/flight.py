@@ -9,7 +9,8 @@ import json
 import logging
 import math
 import os
-from dataclasses import dataclass
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any
 
@@ -45,6 +46,7 @@ class FlightFinder(ImageFinder):
 
     Attributes:
         state: File that stores the flight; None without one.
+        writer: One thread that writes it, while the next image is localized.
         settings: Of the flight.
         odometry: Table of the motion from image to image; None without one.
         tracker: Follows the flight; begins with the first image.
@@ -53,9 +55,11 @@ class FlightFinder(ImageFinder):
         taken_s: Time of that image on the cameras' clock; None if unknown.
         newest: Latest export date of all onboard files that this flight has used.
         is_stored: Whether the last state could be written.
+        writing: Of the last state.
     """
 
     state: StateFile | None = None
+    writer: ThreadPoolExecutor = field(default_factory=lambda: ThreadPoolExecutor(1))
     settings: FlightSettings = FLIGHT
     odometry: OdometryTable | None = None
     tracker: FlightTracker | None = None
@@ -64,6 +68,7 @@ class FlightFinder(ImageFinder):
     taken_s: float | None = None
     newest: datetime | None = None
     is_stored: bool = True
+    writing: Future[None] | None = None
 
     def start(self) -> Taken | None:
         """Continue the flight of the state file or begin one. Return the latest image of the state; None without one.
@@ -121,7 +126,7 @@ class FlightFinder(ImageFinder):
     # --- the state ---
 
     def _store(self, tracker: FlightTracker) -> None:
-        """Write the state. A full disk is logged once, and the flight continues."""
+        """Write the state while the next image is localized. A full disk is logged once, and the flight continues."""
         if self.state is None:
             return
         arrays = {f"tracker_{name}": value for name, value in tracker.state().items()}
@@ -144,12 +149,19 @@ class FlightFinder(ImageFinder):
             "times_s": [self.cameras.first_s, self.taken_s],
         }
         text = json.dumps(header).encode("utf-8", "backslashreplace")
+        content = self.state.pack({"header": np.frombuffer(text, np.uint8), **arrays})
+        if self.writing is not None:
+            # A slow disk must not collect states.
+            self.writing.result()
+        self.writing = self.writer.submit(self._write, self.state, content)
+
+    def _write(self, state: StateFile, content: bytes) -> None:
         try:
-            self.state.write({"header": np.frombuffer(text, np.uint8), **arrays})
+            state.write(content)
             self.is_stored = True
         except OSError as error:
             if self.is_stored:
-                log_event(logging.ERROR, "state_not_kept", state=self.state.path, reason=reason_of(error))
+                log_event(logging.ERROR, "state_not_kept", state=state.path, reason=reason_of(error))
             self.is_stored = False
 
     def _resume(self, state: StateFile) -> FlightTracker:

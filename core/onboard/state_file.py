@@ -85,19 +85,23 @@ class StateFile:
             )
         return cls(path, key)
 
-    def write(self, arrays: dict[str, np.ndarray]) -> None:
-        """Replace the state atomically; raises OSError if it can't be written, and keeps the old one.
-
-        Args:
-            arrays: Numbers by name.
-        """
+    def pack(self, arrays: dict[str, np.ndarray]) -> bytes:
+        """Return the authenticated content of a state from its numbers by name."""
         packed = io.BytesIO()
         np.savez(packed, **arrays)
         data = packed.getvalue()
+        return data + self.code(data)
+
+    def write(self, content: bytes) -> None:
+        """Replace the state atomically; raises OSError if it can't be written, and keeps the old one.
+
+        Args:
+            content: Result of ``pack``.
+        """
         descriptor, made = tempfile.mkstemp(prefix=".", suffix=".part", dir=os.path.dirname(self.path) or ".")
         try:
             with os.fdopen(descriptor, "wb") as file:
-                file.write(data + self.code(data))
+                file.write(content)
                 file.flush()
                 os.fsync(file.fileno())
             os.replace(made, self.path)

@@ -11,6 +11,7 @@ import pickle
 import shutil
 import subprocess
 import sys
+import threading
 import zipfile
 from datetime import datetime, timezone
 from pathlib import Path
@@ -226,7 +227,8 @@ def arrays_of(state):
 
 
 def write_arrays(state, arrays):
-    StateFile.at(str(state), None).write(arrays)
+    file = StateFile.at(str(state), None)
+    file.write(file.pack(arrays))
 
 
 def npy(shape, kind="|u1", data=b"x"):
@@ -417,6 +419,32 @@ def test_a_disk_that_takes_no_state_is_reported_once_and_the_flight_goes_on(watc
     assert len(records) == 2
     assert [told["event"] for told in events(capsys)] == ["state_not_kept"]
     assert flown.read_bytes() == before and not list(flown.parent.glob(".*.part"))
+
+
+def test_the_next_image_is_localized_while_a_slow_disk_takes_the_state(watch, folder, tmp_path, monkeypatch):
+    from semref.core.flight.tracker import FlightTracker
+
+    put(folder, range(3))
+    add, second, in_time, numbers = FlightTracker.add, threading.Event(), [], []
+
+    def counted(tracker, *arguments):
+        numbers.append(len(numbers))
+        if len(numbers) == 2:
+            second.set()
+        return add(tracker, *arguments)
+
+    def flush(_):
+        # This thread flushes the user's secret.
+        if threading.current_thread() is not threading.main_thread():
+            in_time.append(second.wait(20))
+
+    monkeypatch.setattr(FlightTracker, "add", counted)
+    monkeypatch.setattr("semref.core.onboard.state_file.os.fsync", flush)
+    state = tmp_path / "flight.npz"
+    _, records = watch("--state", str(state))
+    assert in_time == [True] * 3 and len(records) == 3
+    header = json.loads(arrays_of(state)["header"].tobytes())
+    assert header["after"][1] == Path(records[-1]["image"]).name
 
 
 # --- other files at the path of the state ---

@@ -17,7 +17,7 @@ KEY = bytes(range(32))
 @pytest.fixture
 def state(tmp_path):
     found = StateFile(str(tmp_path / "flight.npz"), KEY)
-    found.write(ARRAYS)
+    found.write(found.pack(ARRAYS))
     return found
 
 
@@ -77,7 +77,8 @@ def test_what_is_no_regular_file_is_refused_at_once(tmp_path, make):
 def test_a_link_is_replaced_and_what_it_leads_to_stays(tmp_path):
     (tmp_path / "victim").write_bytes(b"mine")
     (tmp_path / "flight.npz").symlink_to(tmp_path / "victim")
-    StateFile(str(tmp_path / "flight.npz"), KEY).write(ARRAYS)
+    state = StateFile(str(tmp_path / "flight.npz"), KEY)
+    state.write(state.pack(ARRAYS))
     assert (tmp_path / "victim").read_bytes() == b"mine" and not (tmp_path / "flight.npz").is_symlink()
     assert sorted(path.name for path in tmp_path.iterdir()) == ["flight.npz", "victim"]
 
