@@ -22,9 +22,9 @@ from .settings import CorrelationSettings
 VERSION = 2
 """Increase it when the same overview gives other evidence and therefore other results."""
 
-FEWEST_PIXELS = 64_000_000
-"""Overviews with fewer pixels are not cached: their pyramid takes a second or two. A cached pyramid needs 1.7 bytes per
-pixel."""
+FEWEST_PIXELS = 5_000_000
+"""Overviews with fewer pixels are not cached: their pyramid takes a tenth of a second. A cached pyramid needs 1.7 bytes
+per pixel."""
 
 
 def key_of(overview_hw: np.ndarray, settings: CorrelationSettings) -> str:

@@ -14,6 +14,7 @@ from semref.core.correlation.settings import CORRELATION
 from semref.core.geometry.frame import MapFrame
 
 FRAME = MapFrame.at((500_000.0, 5_200_000.0), 4.0)
+FEWEST_PIXELS = cached.FEWEST_PIXELS
 
 
 def overview(seed=0, shape_hw=(203, 310)):
@@ -60,6 +61,13 @@ def test_a_pyramid_is_made_once_and_then_loaded_to_the_last_bit(monkeypatch):
     pyramid = loaded(labels)
     assert_same(pyramid, MapPyramid(labels, FRAME))
     assert not pyramid.stored(3).evidence.flags.writeable
+
+
+@pytest.mark.parametrize(("columns", "is_kept"), [(2500, True), (2400, False)])
+def test_the_pyramid_of_80_square_kilometers_at_4_meters_is_kept(monkeypatch, tmp_path, columns, is_kept):
+    monkeypatch.setattr(cached, "FEWEST_PIXELS", FEWEST_PIXELS)
+    loaded(overview(shape_hw=(2000, columns)))
+    assert len(files(tmp_path)) == is_kept
 
 
 @pytest.mark.parametrize("what", ["labels", "shape", "settings", "version"])
