@@ -20,6 +20,10 @@ LEAF_POINTS = 12
 """Points in a leaf of that tree; affects only the speed."""
 
 
+ROUNDING = 1e-6
+"""Largest error of distances of points in 32 bits, as a share of their coordinates; several times the worst case."""
+
+
 class ClassMatcher:
     """Finds the nearest landmark of the same class, many at a time."""
 
@@ -33,25 +37,30 @@ class ClassMatcher:
         self._points, self._ranks = points, ranks
         self._made: dict[int, tuple[np.ndarray, Any]] = {}
 
-    def match(self, places: np.ndarray, ranks: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def match(
+        self, places: np.ndarray, ranks: np.ndarray, wanted: np.ndarray | bool = True
+    ) -> tuple[np.ndarray, np.ndarray]:
         """Return the nearest landmark of the same class for each point.
 
         Args:
             places: (S, n) complex.
             ranks: (n,) int, −1 for unknown classes.
+            wanted: (S, n) bool, the points to match; True for all.
 
         Returns:
-            (S, n) float32 distances and (S, n) int64 landmarks; inf and −1 where the class has no landmark.
+            (S, n) float32 distances and (S, n) int64 landmarks; inf and −1 where the class has no landmark, and for
+            points that are not wanted.
         """
         distances = np.full(places.shape, np.inf, np.float32)
         objects = np.full(places.shape, -1, np.int64)
-        for rank in np.unique(ranks[ranks >= 0]).tolist():
-            columns = np.flatnonzero(ranks == rank)
+        for rank in np.flatnonzero(np.bincount(ranks + 1)[1:]).tolist():
             members, tree = self._tree(rank)
-            if len(members):
-                found, squared = tree.knnSearch(as_float32(places[:, columns].ravel()), 1, params={"checks": -1})
-                distances[:, columns] = np.sqrt(squared).reshape(len(places), -1)
-                objects[:, columns] = members[found].reshape(len(places), -1)
+            chosen = np.flatnonzero(np.broadcast_to(wanted & (ranks == rank), places.shape))
+            if not len(members) or not len(chosen):
+                continue
+            found, squared = tree.knnSearch(as_float32(places.take(chosen)), 1, params={"checks": -1})
+            distances.put(chosen, np.sqrt(squared))
+            objects.put(chosen, members[found])
         return distances, objects
 
     def _tree(self, rank: int) -> tuple[np.ndarray, Any]:
@@ -60,6 +69,39 @@ class ClassMatcher:
             members = np.flatnonzero(self._ranks == rank)
             self._made[rank] = members, make_tree(as_float32(self._points[members])) if len(members) else None
         return self._made[rank]
+
+
+class SteppedMatcher:
+    """Matches points that move step by step: a point that is still too far from everything is not matched again."""
+
+    def __init__(self, matcher: ClassMatcher, ranks: np.ndarray) -> None:
+        """Match nothing yet.
+
+        Args:
+            matcher: Of the landmarks.
+            ranks: (n,) int, −1 for unknown classes.
+        """
+        self._matcher, self._ranks = matcher, ranks
+        self._places: np.ndarray | complex = 0j
+        self._least: np.ndarray | float = -np.inf
+
+    def match(self, places: np.ndarray, reach: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return the nearest landmark of the same class for each point, exact where it is within a distance.
+
+        Args:
+            places: (S, n) complex, the same points as before after a step.
+            reach: Largest distance of interest, broadcastable to (S, n).
+
+        Returns:
+            (S, n) float32 distances and (S, n) int64 landmarks. Of points without a landmark within ``reach`` some have
+            inf and −1, the others their nearest one.
+        """
+        # No landmark is nearer than before by more than the step; rounding to 32 bits adds a little.
+        least = self._least - np.abs(places - self._places)
+        wanted = least <= reach + ROUNDING * np.abs(places).max(initial=0)
+        distances, objects = self._matcher.match(places, self._ranks, wanted)
+        self._places, self._least = places, np.where(wanted, distances, least)
+        return distances, objects
 
 
 def as_float32(points: np.ndarray) -> np.ndarray:

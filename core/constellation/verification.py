@@ -25,6 +25,7 @@ from .matching import (
     noise_factor,
     places_on_map,
 )
+from .neighbors import SteppedMatcher
 from .parts import Side
 from .settings import NoiseModel
 
@@ -181,10 +182,10 @@ def rough_scores(
     Returns:
         (S,) centers, turns and scores.
     """
-    noise = index.settings.noise
+    noise, matcher = index.settings.noise, SteppedMatcher(index.matcher, query.ranks)
     for gate in gates:
         size = np.abs(turns)[:, None]
-        distances, objects = index.matcher.match(centers[:, None] + turns[:, None] * query.points, query.ranks)
+        distances, objects = matcher.match(centers[:, None] + turns[:, None] * query.points, gate * size)
         off = query.log_areas + 2 * np.log(size) - index.log_areas[np.maximum(objects, 0)]
         near = (distances <= gate * size) & (np.abs(off) < 1.5)
         weights = near / center_noise(query.log_areas, size, noise) ** 2
@@ -194,8 +195,9 @@ def rough_scores(
         centers = np.where(enough, fitted[0], centers)
         turns = np.where(enough, fitted[1], turns)
     size = np.abs(turns)[:, None]
-    distances, objects = index.matcher.match(centers[:, None] + turns[:, None] * query.points, query.ranks)
     deviations = 1.5 * center_noise(query.log_areas, size, noise)
+    within = noise.gate_in_noise * deviations
+    distances, objects = matcher.match(centers[:, None] + turns[:, None] * query.points, within)
     ratios = match_ratios(index, query, Nearest(distances, objects, deviations), np.log(size))
     return centers, turns, gains(ratios, noise.rough_distractors).sum(axis=1)
 
