@@ -282,8 +282,7 @@ def repeats(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) ->
     steps = (points[:, None] - points[None])[ranks[:, None] == ranks[None]]
     longest = REPEAT_REACH * np.ptp(points.real)
     steps = steps[(np.abs(steps) > SAME_PLACE_IN_NOISE * noise) & (np.abs(steps) < longest)]
-    cells = np.round(steps / (2 * noise))
-    _, first, counts = np.unique(cells, return_index=True, return_counts=True)
+    _, first, counts = np.unique(_cells(steps, 2 * noise), return_index=True, return_counts=True)
     order = np.argsort(-counts, kind="stable")[: settings.limits.verified]
     return [complex(steps[first[k]]) for k in order if counts[k] >= REPEATED * len(points)]
 
@@ -309,8 +308,13 @@ def copies(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) -> 
     steps = steps[np.abs(steps) > cell]
     if not len(steps):
         return []
-    columns, rows = (np.rint(part / cell).astype(np.int64) for part in (steps.real, steps.imag))
-    _, cells, counts = np.unique(columns * (np.ptp(rows) + 1) + rows, return_inverse=True, return_counts=True)
+    _, cells, counts = np.unique(_cells(steps, cell), return_inverse=True, return_counts=True)
     enough = np.flatnonzero(counts >= REPEATED * len(points))
     most = enough[np.argsort(-counts[enough], kind="stable")[: settings.limits.verified]]
     return [complex(steps[cells == number].mean()) for number in most]
+
+
+def _cells(steps: np.ndarray, edge: float) -> np.ndarray:
+    """Return (H,) int64 numbers of the square cells of steps (H,) complex, ascending by column, then by row."""
+    columns, rows = (np.rint(part / edge).astype(np.int64) for part in (steps.real, steps.imag))
+    return columns * (np.ptp(rows) + 1) + rows if len(rows) else columns

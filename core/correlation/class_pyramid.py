@@ -77,8 +77,8 @@ def class_fractions(labels_hw: np.ndarray, values: Sequence[int] | np.ndarray, s
     """
     fractions = np.empty((size_wh[1], size_wh[0], len(values)), np.uint8)
     for index, value in enumerate(values):
-        # A comparison takes a fifth of the time of a lookup table.
-        covered = np.equal(labels_hw, value).view(np.uint8) * np.uint8(FULL)
+        # OpenCV's comparison gives FULL where it holds.
+        covered = cv2.compare(labels_hw, int(value), cv2.CMP_EQ)
         fractions[..., index] = cv2.resize(covered, size_wh, interpolation=cv2.INTER_AREA)
     return fractions
 
