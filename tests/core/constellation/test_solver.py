@@ -261,3 +261,17 @@ def test_a_smaller_risk_that_is_allowed_refuses_more(ground):
     assert [found.status for found in asked.values()] == [Status.FIX, Status.NO_MATCH]
     assert "error probability of" in str(asked[1e-11].reason)
     assert asked[1e-11].is_doubted
+
+
+def test_a_view_of_few_large_landmarks_near_each_other_is_found():
+    rng = np.random.default_rng(4)
+    seen = np.array([[70, 80], [330, 90], [200, 200], [75, 310], [320, 325], [195, 60], [205, 335]], float)
+    seen = 200 + 0.85 * (seen - 200)
+    others = rng.uniform(1000, 4000, (40, 2))
+    positions = np.concatenate([seen * (1, -1) + (0, 400), others])
+    areas = np.concatenate([np.full(len(seen), 2500.0), rng.uniform(2000, 3000, len(others))])
+    count = len(positions)
+    on_map = MapLandmarks(positions, np.ones(count, np.uint8), areas, np.zeros(count, bool))
+    found = localize(points_as_objects(seen, areas=areas[: len(seen)]), (400, 400), build_index(on_map, 1.0), PRIOR)
+    assert found.best is not None
+    assert np.hypot(*np.subtract(found.best.position, (200, 200))) < 2
