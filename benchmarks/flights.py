@@ -23,7 +23,7 @@ from semref.core.simulation.label_errors import spoil_labels
 from semref.core.simulation.noise import DISPLACED_M, LabelNoise
 from semref.core.simulation.views import View, cut
 
-LARGEST_TRIES = 5_000
+LARGEST_TRIES = 50_000
 BEND_DEG, CRAB_DEG = 6.0, 10.0
 """Deviation of the course from image to image, and largest difference of heading and course."""
 
@@ -40,6 +40,7 @@ COLUMNS = (
     "in the 95 % ellipse",
     "s an image: median, p95",
     *(f"image {n}" for n in AT),
+    "only predicted, in the 95 % ellipse",
 )
 
 
@@ -61,6 +62,7 @@ class Row:
         scales: Pixel sizes in pixels of the map.
         foreign: ``mirrored`` or ``other half``; every position is then wrong.
         heading_known_deg: Largest error of known headings; 0 for unknown.
+        landmarks: Least number of the database's landmarks in each image.
         count: Number of flights.
     """
 
@@ -77,6 +79,7 @@ class Row:
     scales: list[float] = field(default_factory=lambda: [0.8, 1.25])
     foreign: str = ""
     heading_known_deg: float = 0.0
+    landmarks: int = 0
     count: int = 20
 
 
@@ -115,7 +118,8 @@ def one_flight(ground: Ground, known: Ground, row: Row, number: int) -> dict[str
         started = time.process_time()
     ways = {"whole": solver.poses, "causal": solver.causal}
     placed = {name: [_placed(pose, view) for pose, view in zip(poses, views)] for name, poses in ways.items()}
-    return {**placed, "seconds": seconds}
+    left = [(pose, view) for pose, view in zip(solver.causal, views) if not pose.is_fix and pose.place is not None]
+    return {**placed, "seconds": seconds, "predicted": [_in_ellipse(*one) for one in left]}
 
 
 def _placed(pose: Any, view: View) -> tuple[float, float, bool] | None:
@@ -123,8 +127,13 @@ def _placed(pose: Any, view: View) -> tuple[float, float, bool] | None:
     if not pose.is_fix:
         return None
     off = np.subtract(pose.place.position, view.position)
-    square = float(off @ np.linalg.solve(np.array(pose.covariance.position), off))
-    return float(np.hypot(*off)), view.footprint, bool(square <= -2 * np.log(0.05))
+    return float(np.hypot(*off)), view.footprint, _in_ellipse(pose, view)
+
+
+def _in_ellipse(pose: Any, view: View) -> bool:
+    """Return whether the 95 % ellipse of a pose contains the truth."""
+    off = np.subtract(pose.place.position, view.position)
+    return float(off @ np.linalg.solve(np.array(pose.covariance.position), off)) <= -2 * np.log(0.05)
 
 
 def draw(ground: Ground, row: Row, rng: np.random.Generator) -> tuple[list[FlightImage], list[Link], list[View]]:
@@ -138,6 +147,8 @@ def draw(ground: Ground, row: Row, rng: np.random.Generator) -> tuple[list[Fligh
         views = _route(ground, row, rng)
         if not all(left < view.x < right and bottom < view.y < top for view in views):
             continue
+        if row.landmarks and not all(_landmarks_in(ground, view) >= row.landmarks for view in views):
+            continue
         columns, rows = ground.frame.to_pixels(np.array([view.position for view in views])).astype(int).T
         if not ground.labels_hw[rows, columns].all():
             continue
@@ -145,6 +156,12 @@ def draw(ground: Ground, row: Row, rng: np.random.Generator) -> tuple[list[Fligh
         if min((labels > 0).mean() for labels in seen) >= 0.7:
             return *_fly(ground, row, views, seen, rng), views
     raise ValueError(f"{LARGEST_TRIES} flights left the map.")
+
+
+def _landmarks_in(ground: Ground, view: View) -> int:
+    """Return the number of the database's landmarks in the circle that fits in an image."""
+    away = ground.database.references.positions - np.array(view.position)
+    return int((np.hypot(*away.T) < view.footprint / 2).sum())
 
 
 def _route(ground: Ground, row: Row, rng: np.random.Generator) -> list[View]:
@@ -190,6 +207,7 @@ def cells(row: Row, flown: Sequence[dict[str, list]]) -> list[str]:
     wrong = [one for one in placed if row.foreign or one[0] > WRONG_SHARE * one[1]]
     errors = [] if row.foreign else [one[0] for one in placed]
     seconds = np.concatenate([flight["seconds"] for flight in flown])
+    predicted = [one for flight in flown for one in flight["predicted"]]
     steps = []
     for number in AT:
         known = [flight["causal"][number - 1] for flight in flown if number <= len(flight["causal"])]
@@ -203,4 +221,5 @@ def cells(row: Row, flown: Sequence[dict[str, list]]) -> list[str]:
         rate(sum(one[2] for one in placed), len(placed)) if errors else "–",
         f"{np.median(seconds):.1f}, {np.percentile(seconds, 95):.1f}",
         *steps,
+        rate(sum(predicted), len(predicted)) if predicted else "–",
     ]

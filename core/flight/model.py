@@ -20,6 +20,7 @@ class PoseSource(str, Enum):
 
     OWN = "own"
     FLIGHT = "flight"
+    PREDICTED = "predicted"
 
     __str__ = str.__str__
     __format__ = str.__format__  # type: ignore[assignment] # by position, as str has it
@@ -63,15 +64,15 @@ class FlightImage:
 
 @dataclass(frozen=True)
 class FlightPose:
-    """The pose that a flight gives one image. A pose without a fix has no place, covariance or track.
+    """The pose that a flight gives one image. A pose without a fix has no track, and a place only if it is predicted.
 
     Attributes:
         status: ``FIX`` if the flight places the image.
         reason: Why the image has no fix; None for a fix.
-        place: Position, heading and pixel size of the image.
+        place: Position, heading and pixel size of the image; of a fix, or where the motion since the last fix leads.
         covariance: Of the pose, with 95 % ellipse and radius.
         risk: Error probability; None if the flight was not compared with the map.
-        source: Whether the image has a fix of its own that agrees with the flight.
+        source: Whether the image has a fix of its own that agrees with the flight, or its place is only predicted.
         track: Number of its track, from 1; 0 without one.
         is_outvoted: The image's own fix contradicts the flight; the place is that of the flight.
         own: Localization of the image by itself.
@@ -101,16 +102,18 @@ class FlightPose:
 
     @property
     def error_95_m(self) -> float | None:
-        """95 % radius, m; None without a fix."""
+        """95 % radius, m; None without a place."""
         return None if self.covariance is None else self.covariance.radius_95
 
     def localization(self) -> Localization:
         """Return the pose as a localization, for rows, JSON, NMEA and the dock."""
         own = self.own or Localization(self.status, Method.AUTOMATIC)
-        if self.place is None:
-            return replace(
-                own, status=self.status, reason=self.reason, confidence=None, alternatives=(), footprint=None
-            )
+        if not self.is_fix or self.place is None:
+            own = replace(own, status=self.status, reason=self.reason, confidence=None, alternatives=(), footprint=None)
+            if self.place is None:
+                return own
+            own = replace(own, best=self.place, error_95_m=self.error_95_m, covariance=self.covariance)
+            return replace(own, risk=None, matches=None, peaks=None)
         # Matches of another place are no evidence for this one.
         is_own = self.source is PoseSource.OWN
         return Localization(

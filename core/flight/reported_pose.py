@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from ..geometry.shared_errors import covariance_of
@@ -24,7 +26,7 @@ SAME_SHARE = 0.02
 
 
 def report_pose(image: FlightImage, localizer: Localizer, estimate: Estimate, risk: float, track: int) -> FlightPose:
-    """Return the pose of an image, without a place if its 95 % radius is too large.
+    """Return the pose of an image; it is only predicted if its 95 % radius is too large.
 
     Args:
         risk: Error probability of its track.
@@ -41,7 +43,7 @@ def report_pose(image: FlightImage, localizer: Localizer, estimate: Estimate, ri
             radius=covariance.radius_95,
             edge=edge_m,
         )
-        return unplaced(image, reason)
+        return predicted(image, localizer, estimate, reason)
     risk = max(risk, LEAST_RISK, tail_probability(estimate.pose_covariance, WRONG_SHARE * edge_m))
     own = own_measurement(image.own, localizer.pyramid)
     agrees = False
@@ -64,6 +66,26 @@ def report_pose(image: FlightImage, localizer: Localizer, estimate: Estimate, ri
 def unplaced(image: FlightImage, reason: Sentence, status: Status = Status.AMBIGUOUS) -> FlightPose:
     """Return the pose of an image that the flight can't place."""
     return FlightPose(status, reason, own=image.own, size_wh=image.size_wh)
+
+
+def predicted(
+    image: FlightImage, localizer: Localizer, estimate: Estimate, reason: Sentence | None = None
+) -> FlightPose:
+    """Return where the motion since the last fix leads: a place with its covariance, which is no fix.
+
+    Args:
+        reason: Why there is no fix; by default because images do not agree with the map any more.
+    """
+    place = place_of(estimate.state, localizer.pyramid.frame.origin)
+    covariance = covariance_of(estimate.pose_covariance, place.oriented[1], ())
+    reason = reason or Sentence(
+        "The last images do not agree with the map. The motion since the last position leads to {x:.0f}, {y:.0f}, with "
+        "a 95 % radius of {radius:.0f} m.",
+        x=place.position[0],
+        y=place.position[1],
+        radius=covariance.radius_95 or np.inf,
+    )
+    return replace(unplaced(image, reason), place=place, covariance=covariance, source=PoseSource.PREDICTED)
 
 
 def tail_probability(covariance: np.ndarray, reach_m: float) -> float:

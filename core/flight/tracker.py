@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import cast
 
 import numpy as np
 
@@ -21,7 +22,7 @@ from .memory import NOWHERE, Past, checked_array, pack, unpack
 from .model import FlightImage, FlightPose
 from .motion import Link, LinkSource, as_rows
 from .pool import OWN_MOST, Pool, look_noise, new_pool, predict, prune, rival_of, same_place, update, with_past
-from .reported_pose import report_pose, unplaced
+from .reported_pose import predicted, report_pose, unplaced
 from .settings import FLIGHT, FlightSettings
 from .smoothing import SIZE, Estimate, drift_of, first_estimate, soften, step_over, with_measurement
 
@@ -86,6 +87,7 @@ class FlightTracker:
         self._past: list[Past] = []
         self._latest: Past | None = None
         self._held: Estimate | None = None
+        self._lost: Estimate | None = None
         self.risk = 1.0
         self._shared_m2 = 0.0
 
@@ -119,8 +121,9 @@ class FlightTracker:
         arrays = {f"{name}_{field}": value for name, pool in pools.items() for field, value in vars(pool).items()}
         arrays["counts"] = np.array([STATE_VERSION, self._number, self.track, len(self._past)])
         arrays["numbers"] = np.array([self.risk, self._shared_m2])
-        if self._held is not None:
-            arrays.update(held_mean=self._held.mean, held_covariance=self._held.covariance)
+        for name, estimate in (("held", self._held), ("lost", self._lost)):
+            if estimate is not None:
+                arrays.update({f"{name}_mean": estimate.mean, f"{name}_covariance": estimate.covariance})
         remembered = [*self._past, *([] if self._latest is None else [self._latest])]
         for number, past in enumerate(remembered):
             arrays.update({f"past{number}_{field}": value for field, value in pack(past).items()})
@@ -153,10 +156,7 @@ class FlightTracker:
             tracker._pool, tracker._mirror, tracker._rival = (
                 _saved_pool(state, name, settings) for name in ("pool", "mirror", "rival")
             )
-            if "held_mean" in state:
-                held = checked_array(state, "held_mean", SIZE), checked_array(state, "held_covariance", SIZE, SIZE)
-                _require_sizes(held[0][None])
-                tracker._held = Estimate(*held)
+            tracker._held, tracker._lost = (_saved_estimate(state, name) for name in ("held", "lost"))
             if tracker._number >= 0:
                 if not 0 <= count < settings.window:
                     raise ValueError("the window has another size")
@@ -170,7 +170,7 @@ class FlightTracker:
     def _begin(self) -> None:
         """Forget all poses."""
         self._pool = self._mirror = self._rival = Pool.empty(self.settings.window)
-        self._past, self._held = [], None
+        self._past, self._held, self._lost = [], None, None
 
     def _prior(self, image: FlightImage) -> Prior:
         """Return the prior of the image with a range of pixel sizes: its own, otherwise that of the track."""
@@ -253,33 +253,56 @@ class FlightTracker:
                 self._shared_m2 = shared_after(self._shared_m2, measured, settings)
             found = Looked(self._held, measured, link)
             self._rival = self._rival_place(image, seen, link, self._held)
-            risk, is_lost = self._risk_now(), self._is_lost(seen)
+            risk, is_lost = self._risk_now(), self._is_lost(seen, self._held)
             if risk >= 1 - settings.allowed_risk or (is_lost and len(self._rival)):
                 # The past was wrong: the flight begins again with this image.
                 self._begin()
                 self._latest = Past(seen, NOWHERE, 1.0)
                 self._look(seen, None, 1.0)
                 found, is_lost = Looked(link=link), False
-            elif is_lost:
+            elif is_lost and not self._is_still_best(seen, link, self._held):
                 # The mirrored flight was not updated meanwhile: the next decision waits for it.
-                self._held, self._mirror = None, Pool.empty(settings.window)
+                self._held, self._mirror, self._lost = None, Pool.empty(settings.window), self._held
                 found = Looked(link=link)
-            elif risk > settings.allowed_risk:
-                found = replace(found, estimate=None)
+            else:
+                is_lost = False
+                if risk > settings.allowed_risk:
+                    found = replace(found, estimate=None)
+        elif self._lost is not None and link is not None:
+            found = self._look_for_lost(image, seen, link)
         if self._held is None and not is_lost:
             risk = self._best_risk()
             if risk <= settings.allowed_risk:
                 self.risk, self.track = risk, self.track + 1
                 found = replace(self._start(image, seen), link=link)
-                self._held = found.estimate
+                self._held, self._lost = found.estimate, None
         self.looked = found
+
+    def _look_for_lost(self, image: FlightImage, seen: SeenImage, link: Link) -> Looked:
+        """Carry a lost track on by the motion, and continue it if images agree there again."""
+        settings = self.settings
+        lost = cast(Estimate, self._lost)
+        self._lost = expected = step_over(lost, link, self._shared_m2, settings).predicted
+        here, edge_m = self._here(seen, expected), APART * self._edge_m(seen)
+        if not len(here) or here[0] > 0:
+            return Looked(link=link)
+        # The more places are within reach, the more of them agree by chance.
+        places = (1 + 3 * float(np.sqrt(expected.covariance[:2, :2].trace())) / edge_m) ** 2
+        odds = min(log_odds_of(self.risk), OWN_MOST) - float(np.log(places))
+        support = float(self._pool.evidence[0, -settings.recent :].sum())
+        measured = self._measure(image, expected)
+        if measured is None or risk_of(odds + settings.risk_curve[1] * support) > settings.allowed_risk:
+            return Looked(link=link)
+        self._held = with_measurement(expected, soften(measured, expected), self._shared_m2)
+        self._lost = None
+        return Looked(self._held, measured, link)
 
     def _rival_place(self, image: FlightImage, seen: SeenImage, link: Link, held: Estimate) -> Pool:
         """Return the place of own fixes that contradict the track, see ``rival_of``."""
         is_fix = image.own is not None and image.own.is_fix
         variances = np.diag(held.pose_covariance)[None, [0, 2, 3]]
         track = Pool(held.state[None], variances, np.zeros((1, self.settings.window)))
-        track = track.append(self._pool.select(self._here(seen)[:1]))
+        track = track.append(self._pool.select(self._here(seen, held)[:1]))
         weight = self._weight(seen, link) if is_fix else 0.0
         return rival_of(track, predict(self._rival, link), seen, weight, self.settings)
 
@@ -315,17 +338,14 @@ class FlightTracker:
     def _measure(self, image: FlightImage, expected: Estimate) -> Measurement | None:
         return measure_near(image, self.localizer, expected.state, expected.pose_covariance, self.settings)
 
-    def _here(self, seen: SeenImage) -> np.ndarray:
-        """Return the hypotheses at the track, best first."""
-        held = self._held
-        if held is None:
-            return np.array([], int)
+    def _here(self, seen: SeenImage, held: Estimate) -> np.ndarray:
+        """Return the hypotheses at an estimate of the track, best first."""
         reach = APART * self._edge_m(seen) + 3 * float(np.sqrt(held.covariance[:2, :2].trace()))
         return np.flatnonzero(same_place(self._pool.states, held.state, reach))
 
-    def _is_lost(self, seen: SeenImage) -> bool:
+    def _is_lost(self, seen: SeenImage, held: Estimate) -> bool:
         """Return whether the last images contradict the track, or all images of the window support another place."""
-        here = self._here(seen)
+        here = self._here(seen, held)
         if not len(here):
             return True
         evidence = self._pool.evidence[here[0]]
@@ -337,8 +357,20 @@ class FlightTracker:
             self.settings.allowed_risk
         )
 
+    def _is_still_best(self, seen: SeenImage, link: Link, held: Estimate) -> bool:
+        """Return whether a track would begin at once again at the same place, so that it only passes a bad stretch."""
+        here = self._here(seen, held)
+        if not len(here) or here[0] > 0:
+            return False
+        latest = Past(seen, link, self._weight(seen, link))
+        past = [one.mirrored() for one in self._past]
+        self._mirror = self._update_pool(Pool.empty(self.settings.window), latest.mirrored(), past)
+        return self._best_risk() <= self.settings.allowed_risk
+
     def _report(self, image: FlightImage) -> FlightPose:
         held, allowed = self._held, self.settings.allowed_risk
+        if self._lost is not None:
+            return predicted(image, self.localizer, self._lost)
         risk = self._best_risk() if held is None else self._risk_now()
         if held is None or risk > allowed:
             reason = Sentence(
@@ -361,6 +393,15 @@ def _require_sizes(states: np.ndarray) -> None:
     """Raise ValueError for states (n, 4 or more) with an impossible pixel size."""
     if (np.abs(states[:, 3]) > limits.LINK_LOG_SCALE).any():
         raise ValueError("a pixel size is invalid")
+
+
+def _saved_estimate(state: Mapping[str, np.ndarray], name: str) -> Estimate | None:
+    """Return an estimate of a saved state; raises KeyError or ValueError for an invalid one."""
+    if f"{name}_mean" not in state:
+        return None
+    mean = checked_array(state, f"{name}_mean", SIZE)
+    _require_sizes(mean[None])
+    return Estimate(mean, checked_array(state, f"{name}_covariance", SIZE, SIZE))
 
 
 def _saved_pool(state: Mapping[str, np.ndarray], name: str, settings: FlightSettings) -> Pool:

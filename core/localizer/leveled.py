@@ -44,22 +44,24 @@ def as_taken(found: Localization, way: Leveling) -> Localization:
         found: Of the leveled image.
 
     Returns:
-        Position, heading and pixel size of the image's center; the heading is that of its top after leveling. Footprint
-        and nadir are set; matches are in pixels of the image as taken.
+        Position, heading and pixel size of the image's center; the heading is that of its top after leveling. Matches
+        are in pixels of the image as taken. A fix or likely position has footprint and nadir.
     """
     if found.matches is not None:
         pixels = way.in_image(found.matches.pixels_xy)
         found = replace(found, matches=replace(found.matches, pixels_xy=pixels))
-    place = found.place
-    if place is None:
+    place = found.best
+    if place is None or place.heading_deg is None:
         return found
     turn = turn_of(*place.oriented)
     center = complex(*place.position) - turn * way.middle
+    found = replace(found, best=replace(place, position=(center.real, center.imag)))
+    if found.place is None:
+        return found
     corners = center + turn * way.corners
     nadir = None if way.nadir is None else center + turn * way.nadir
     return replace(
         found,
-        best=replace(place, position=(center.real, center.imag)),
         footprint=np.column_stack([corners.real, corners.imag]),
         nadir=None if nadir is None else (nadir.real, nadir.imag),
     )

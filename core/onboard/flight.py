@@ -19,7 +19,7 @@ import numpy as np
 from .. import limits
 from ..errors import ParameterError, reason_of
 from ..flight.memory import checked_array
-from ..flight.model import FlightImage
+from ..flight.model import FlightImage, PoseSource
 from ..flight.motion import Link
 from ..flight.pixel_features import Features, features_of
 from ..flight.pixel_motion import motion_between
@@ -100,9 +100,13 @@ class FlightFinder(ImageFinder):
             # The same fault must not repeat with every image: the flight begins again.
             self.tracker = self.features = None
             raise
-        found = self.as_record(result.as_taken(pose.localization()))
-        source = str(pose.source) if pose.is_fix else None
+        placed = result.as_taken(pose.localization())
+        found = self.as_record(placed)
+        source = None if pose.place is None else str(pose.source)
         found.update(source=source, track=pose.track or None, outvoted=pose.is_outvoted)
+        if pose.source is PoseSource.PREDICTED and placed.best is not None:
+            # Not in the columns of a position, which other programs use as a fix.
+            found.update(predicted=[*placed.best.position, pose.error_95_m])
         self.after = os.stat(path).st_mtime_ns, os.path.basename(path)
         self.taken_s = taken_s
         self._store(self.tracker)

@@ -7,6 +7,7 @@ from semref.core.errors import ParameterError
 from semref.core.flight.model import FlightImage, FlightPose, PoseSource
 from semref.core.geometry.pose import PoseCovariance
 from semref.core.localization import Localization, Method, Place, Status
+from semref.core.localizer.record import record
 from semref.core.sentences import Sentence
 
 LOST = Sentence("No place on the map has triangles of landmarks like the image's.")
@@ -27,6 +28,15 @@ def test_an_own_fix_that_the_flight_does_not_take_is_no_fix():
     own = Localization(Status.FIX, Method.CONSTELLATION, 12, best=Place((0.0, 0.0), 0.0, 1.0), confidence=1.0)
     result = FlightPose(Status.NO_MATCH, LOST, own=own).localization()
     assert not result.is_fix and result.confidence is None and result.reason == LOST
+
+
+def test_a_predicted_place_is_no_position_of_its_image():
+    own = Localization(Status.FIX, Method.CONSTELLATION, 12, best=Place((0.0, 0.0), 0.0, 1.0), confidence=1.0, risk=0.0)
+    place, known = Place((30.0, 0.0), 90.0, 0.5), PoseCovariance(((1.0, 0.0), (0.0, 1.0)), 1.0, 0.01, radius_95=2.45)
+    result = FlightPose(Status.AMBIGUOUS, LOST, place, known, source=PoseSource.PREDICTED, own=own).localization()
+    assert (result.position, result.footprint, result.confidence, result.risk) == (None, None, None, None)
+    assert (result.best, result.error_95_m) == (place, 2.45)
+    assert record(result)["x"] is None and record(result)["error_95"] is None
 
 
 @pytest.mark.parametrize("status", [Status.FIX, Status.LIKELY])

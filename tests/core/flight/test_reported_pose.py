@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from semref.core.flight.model import PoseSource
 from semref.core.flight.reported_pose import report_pose, tail_probability
 from semref.core.flight.smoothing import Estimate
 from semref.core.localization import LEAST_RISK
@@ -21,9 +22,10 @@ def test_the_risk_of_a_pose_is_that_of_its_track_or_its_own(flown, localizer):
     assert loose.is_fix and loose.track == 1
 
 
-def test_a_pose_that_may_be_beside_its_image_is_no_position(flown, localizer):
+def test_a_pose_that_may_be_beside_its_image_is_only_predicted(flown, localizer):
     lost = reported(flown, localizer, 120.0)
-    assert not lost.is_fix and lost.place is None and lost.track == 0
+    assert not lost.is_fix and lost.source is PoseSource.PREDICTED and lost.track == 0
+    assert lost.error_95_m == pytest.approx(294, abs=1) and lost.localization().position is None
     assert "95 % radius of this image (294 m) is too large for its footprint width (288 m)" in str(lost.reason)
 
 

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from semref.core.assessment.flights import link_between
 from semref.core.flight.measurement import Measurement
 from semref.core.flight.motion import Link, LinkSource, as_rows
 from semref.core.flight.settings import FLIGHT
@@ -19,6 +20,7 @@ from semref.core.flight.smoothing import (
     with_measurement,
     without_measurement,
 )
+from semref.core.simulation.views import View
 
 STEP_M, SHARED_M2, OWN_M2 = 200.0, 4.0, 4.0
 HEADING, SIZE = 0.005, 0.003
@@ -51,6 +53,28 @@ def track(count, measured, rng, shared_m2=SHARED_M2):
 
 def deviation(estimate):
     return np.sqrt(np.diag(estimate.pose_covariance)[:2])
+
+
+def test_places_predicted_by_motion_only_are_in_their_growing_ellipses():
+    rng, drift, inside = np.random.default_rng(3), 0.03, []
+    for _ in range(150):
+        bias, course, views = complex(*rng.normal(0, drift, 2)), rng.uniform(0, 360), [View(0, 0, 0.0, 1.0, 640, 640)]
+        for _ in range(10):
+            course += rng.normal(0, 6)
+            east, north = STEP_M * np.sin(np.radians(course)), STEP_M * np.cos(np.radians(course))
+            views.append(replace(views[-1], x=views[-1].x + east, y=views[-1].y + north, heading_deg=course % 360))
+        pairs = enumerate(zip(views, views[1:]))
+        links = [link_between(number, pair, drift, bias, rng) for number, pair in pairs]
+        deviations = np.array([2.0, 2.0, 0.005, 0.005])
+        state = np.array([0, 0, np.radians(views[0].heading_deg), 0]) + rng.normal(0, deviations)
+        estimate, radii = first_estimate(state, deviations, 0.0, drift_of(links)), []
+        for link, view in zip(links, views[1:]):
+            estimate = step_over(estimate, link, 0.0, FLIGHT).predicted
+            off, known = estimate.mean[:2] - view.position, estimate.covariance[:2, :2]
+            inside.append(off @ np.linalg.solve(known, off) <= -2 * np.log(0.05))
+            radii.append(np.trace(known))
+        assert radii == sorted(radii)
+    assert 0.93 < np.mean(inside) < 0.99
 
 
 def test_stated_deviations_are_those_of_the_errors():

@@ -12,9 +12,10 @@ from semref.core.flight.model import PoseSource
 from semref.core.flight.tracker import FlightTracker
 from semref.core.geometry.pose import PoseCovariance
 from semref.core.localization import Localization, Method, Place, Status
+from semref.core.simulation.views import cut
 
 sys.path.insert(0, str(Path(__file__).parent))
-from conftest import FEW, errors_m, fly
+from conftest import FEW, FRAME, errors_m, fly, patches
 
 sys.path.pop(0)
 
@@ -87,6 +88,24 @@ def test_a_track_that_the_images_contradict_is_lost_and_found_again_under_anothe
     assert not all(pose.is_fix for pose in poses[5:])
     assert poses[-1].is_fix and poses[-1].track == 2
     assert errors_m(poses[-1:], other.views[-1:]).max() < 20
+
+
+@pytest.mark.slow
+def test_over_ground_that_the_map_does_not_show_the_place_is_predicted_until_images_agree_again(labels, localizer):
+    flown = fly(labels, seed=3, count=11, start=(500_300.0, 5_198_500.0), step=130.0)
+    tracker, changed = FlightTracker(localizer, replace(FEW, window=5)), patches(seed=4)
+    images = [
+        replace(image, labels_hw=cut(changed, FRAME, view)) if 3 <= number < 9 else image
+        for number, (image, view) in enumerate(zip(flown.images, flown.views))
+    ]
+    poses = [tracker.add(*pair) for pair in zip(images, [None, *flown.links])]
+    predicted = [number for number, pose in enumerate(poses) if pose.source is PoseSource.PREDICTED]
+    assert predicted and not any(poses[number].is_fix for number in predicted)
+    radii = [poses[number].error_95_m for number in predicted]
+    assert radii == sorted(radii), "the radius grows while no image agrees"
+    off = [np.hypot(*np.subtract(poses[n].place.position, flown.views[n].position)) for n in predicted]
+    assert (np.array(off) <= radii).all()
+    assert poses[-1].is_fix and poses[-1].track == 1, "the same track goes on"
 
 
 def own_fix(view, off=0.0, risk=1e-6):

@@ -109,6 +109,18 @@ def test_images_of_a_flight_have_the_track_and_what_they_rest_on(watch, folder):
         assert record["sigma_east"] > 0 and record["longitude"] > 9
 
 
+@pytest.mark.slow
+def test_after_images_without_content_a_place_is_predicted_but_no_position_is_sent(watch, folder, tmp_path):
+    put(folder, range(COUNT), blank=(4, 5, 6))
+    _, records = watch("--gga", str(tmp_path / "gga.txt"))
+    last, gga = records[-1], (tmp_path / "gga.txt").read_text(encoding="ascii").splitlines()
+    assert (last["status"], last["source"], last["x"], last["error_95"]) == ("ambiguous", "predicted", None, None)
+    x, y, radius = last["predicted"]
+    assert np.hypot(x - center(COUNT - 1)[0], y - center(COUNT - 1)[1]) < radius
+    assert gga[-1].split(",")[6] == "0"
+    assert all("predicted" not in record for record in records if record["status"] == "fix")
+
+
 LENS = LensDistortion((0.95, 0.95), (0.0, 0.0), (-0.27, 0.11, -0.03))
 """Like the lens of a Phantom 4, for a square image."""
 
