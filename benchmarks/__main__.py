@@ -17,6 +17,9 @@ import os
 import sys
 from pathlib import Path
 
+# Waiting threads of OpenBLAS would count as processor time: twice that of a fix. NumPy reads this.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
 ROOT = Path(__file__).resolve().parents[1]
 # Our processing/ must not come before QGIS's.
 sys.path[:] = [entry for entry in sys.path if Path(entry or ".").resolve() != ROOT]

@@ -3,6 +3,9 @@
 import os
 import sys
 
+# Threads of OpenBLAS keep a core busy while they wait, and gain nothing on matrices as small as here. NumPy reads this.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
 from .onboard.command_line import REFUSED, main
 
 
