@@ -3,50 +3,28 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
-import cv2
 import numpy as np
 
-from .. import limits
 from ..errors import ModelError
 from ..labels.class_table import ClassTable
 from ..sentences import Sentence
-from .certainty import are_probabilities, softmax
+from .certainty import softmax
 from .class_bias import read_class_bias
-from .devices import AUTO, CPU, Device, device_of, devices_to_try
-from .metadata import named_channels, read_classes, read_settings
+from .devices import AUTO
+from .metadata import named_channels, read_classes
 from .model_card import card_of_texts
+from .network import OnnxNetwork
 from .onnx_file import header_of
-from .session import available_providers, failures_of_a_run, open_session, reason_of
-
-DEFAULT_TILE_SIZE_PX = 512
-"""Default edge of a tile for networks of variable size that do not state one."""
-
-TILES_AT_ONCE = 4
-"""Tiles that a graphics card processes together, if the network accepts several; the CPU gains nothing by it."""
-
-RUNS_AT_ONCE = 2
-"""Runs of the network at a time on a CPU: two runs with half the threads each wait less for one another than one run
-with all; each needs memory for its own intermediate results."""
-
-_FLOATS = {"tensor(float)": np.float32, "tensor(float16)": np.float16}
-_BANDS = 3
 
 
-class SegmentationModel:
-    """A network from an ONNX file: images → scores of its classes.
+class SegmentationModel(OnnxNetwork):
+    """A network with named classes from an ONNX file: images → scores of its classes.
 
     Attributes:
         classes: From its metadata.
-        settings: From its metadata.
-        tile_hw: (height, width) of the images it accepts.
-        tiles_at_once: Best number of images for one call.
-        runs_at_once: Number of threads that may call ``scores`` at a time with gain.
-        device: The device that runs it.
-        fallbacks: Why other devices that were requested or tried do not.
         class_bias: Its class offsets, by lower-case name, if stated.
-        notes: Sentences on metadata that were overruled.
         trained_on: Names of places, if stated.
         tiles_seen: Number of images processed so far.
     """
@@ -62,9 +40,8 @@ class SegmentationModel:
         Raises:
             ModelError: onnxruntime is missing, or the file or its metadata can't be used.
         """
-        self.path = path
+        super().__init__(path, threads, device)
         self.tiles_seen, self._counting = 0, threading.Lock()
-        texts, outputs = self._start(threads, device)
         header = header_of(path)
         if header is not None and header.aligns_corners:
             self.notes.append(
@@ -73,17 +50,16 @@ class SegmentationModel:
                     "some pixels too far out, and photos seem up to 1 % larger than they are."
                 )
             )
-        names = named_channels(texts, path)
-        single = outputs.ndim == 3 or outputs.shape[1] == 1
-        self._gives_numbers = single and (outputs.dtype.kind in "iu" or (names is not None and len(names) > 2))
-        self._gives_probability = single and not self._gives_numbers
-        self._gives_probabilities = self._gives_numbers or not single and are_probabilities(outputs)
-        channels = 2 if single else outputs.shape[1]
+        names = named_channels(self.texts, path)
+        self._gives_numbers = self.is_single and (self.gives_integers or (names is not None and len(names) > 2))
+        self._gives_probability = self.is_single and not self._gives_numbers
+        self._gives_probabilities = self._gives_numbers or not self.is_single and self.sums_to_one
+        channels = 2 if self.is_single else self.channels
         if self._gives_numbers:
             channels = len(names or class_table or ())
-        self.classes = read_classes(texts, channels, path, class_table)
-        self.class_bias = read_class_bias(texts, self.classes.names, path)
-        self.trained_on = tuple(ground.place for ground in card_of_texts(texts, path).trained_on)
+        self.classes = read_classes(self.texts, channels, path, class_table)
+        self.class_bias = read_class_bias(self.texts, self.classes.names, path)
+        self.trained_on = tuple(ground.place for ground in card_of_texts(self.texts, path).trained_on)
 
     @property
     def temperature(self) -> float | None:
@@ -95,65 +71,13 @@ class SegmentationModel:
         """Whether it outputs scores or probabilities, not only class numbers."""
         return not self._gives_numbers
 
-    def _start(self, threads: int, asked: str) -> tuple[Mapping[str, str], np.ndarray]:
-        """Open the network on the first device that runs it; return its metadata and its output for a black image."""
-        devices, chosen = devices_to_try(asked, available_providers()), device_of(asked)
-        reasons: dict[Device, object] = {}
-        for device in devices[:-1]:
-            try:
-                found = self._open(device, threads)
-                break
-            except ModelError as error:
-                reasons[device] = dict(error.sentence.values).get("reason", error.sentence)
-        else:
-            found = self._open(devices[-1], threads)
-        other = self.device.title
-        self.fallbacks = [
-            Sentence(
-                "{device} could not be started ({reason}); the network runs on {other}.",
-                device=device.title,
-                reason=reason,
-                other=other,
-            )
-            for device, reason in reasons.items()
-        ]
-        if chosen is not None and chosen not in devices:
-            missing = Sentence(
-                "{device} is selected, but this onnxruntime does not support it; the Python package {package} does. "
-                "The network runs on {other}.",
-                device=chosen.title,
-                package=chosen.package,
-                other=other,
-            )
-            self.fallbacks.append(missing)
-        return found
-
-    def _open(self, device: Device, threads: int) -> tuple[Mapping[str, str], np.ndarray]:
-        """Open the network on a device; return its metadata and its output for a black image. Raises ModelError."""
-        self.device = device
-        self.notes: list[Sentence] = []
-        self.runs_at_once = min(RUNS_AT_ONCE, threads) if device is CPU else 1
-        self._session = open_session(self.path, -(-threads // self.runs_at_once), device.provider)
-        try:
-            texts = self._session.get_modelmeta().custom_metadata_map
-            self.settings = read_settings(texts, self.path)
-            self._read_input()
-        except UnicodeDecodeError:
-            raise ModelError(
-                "{path} has names or metadata that are not UTF-8 text; export the network again.", path=self.path
-            ) from None
-        mean, std = (np.array(v, np.float32) for v in (self.settings.mean, self.settings.std))
-        # (pixel / 255 - mean) / std of each of the 256 pixel values, for each band.
-        self._standardized = ((np.arange(256, dtype=np.float32) / 255)[None] - mean[:, None]) / std[:, None]
-        return texts, self._probe()
-
     def scores(self, images: Sequence[np.ndarray]) -> np.ndarray:
         """Return (N, C, H, W) float32 scores of each class; the highest one decides a pixel's class.
 
         ``images``: N of (H, W, 3) uint8, red first, H × W = ``tile_hw``.
         Raises ModelError if the network fails or returns values that are not numbers.
         """
-        outputs = self._run(images)
+        outputs = self.run(images)
         with self._counting:
             self.tiles_seen += len(images)
         if self._gives_numbers:
@@ -193,101 +117,3 @@ class SegmentationModel:
                 count=count,
             )
         return (numbers == np.arange(count).reshape(1, count, 1, 1)).astype(np.float32)
-
-    def _read_input(self) -> None:
-        inputs = self._session.get_inputs()
-        if len(inputs) != 1 or len(self._session.get_outputs()) != 1:
-            raise ModelError(
-                "{path} has {inputs} inputs and {outputs} outputs; a segmentation network has one of each.",
-                path=self.path,
-                inputs=len(inputs),
-                outputs=len(self._session.get_outputs()),
-            )
-        shape = inputs[0].shape
-        if len(shape) != 4 or shape[1] not in (_BANDS, None) and isinstance(shape[1], int):
-            raise ModelError(
-                "{path} takes input of the shape {shape}; it must be 1 × 3 × height × width (red, green, blue).",
-                path=self.path,
-                shape=_shape_text(shape),
-            )
-        if inputs[0].type not in _FLOATS:
-            raise ModelError(
-                "{path} takes {kind} values; a segmentation network takes floats.", path=self.path, kind=inputs[0].type
-            )
-        self._name, self._type = inputs[0].name, _FLOATS[inputs[0].type]
-        stated = self.settings.tile_size_px
-        fixed = [size if isinstance(size, int) else stated or DEFAULT_TILE_SIZE_PX for size in shape[2:]]
-        self.tile_hw = fixed[0], fixed[1]
-        if stated is not None and (stated, stated) != self.tile_hw:
-            self.notes.append(
-                Sentence(
-                    "tile_size in the model's metadata is {stated}, but the network takes {width} × {height} pixels; "
-                    "SemRef uses the size of the network.",
-                    stated=stated,
-                    width=fixed[1],
-                    height=fixed[0],
-                )
-            )
-        if not all(0 < size <= limits.TILE_PX for size in fixed):
-            raise ModelError(
-                "{path} takes images of {width} × {height} pixels; SemRef supports up to {most} × {most}. Export it "
-                "with a smaller or variable size.",
-                path=self.path,
-                width=fixed[1],
-                height=fixed[0],
-                most=limits.TILE_PX,
-            )
-        fixed_batch = isinstance(shape[0], int)
-        self.tiles_at_once = 1 if fixed_batch or self.device is CPU else TILES_AT_ONCE
-        if fixed_batch and shape[0] != 1:
-            raise ModelError(
-                "{path} takes {count} images at once; export it for one (or any number).",
-                path=self.path,
-                count=shape[0],
-            )
-
-    def _probe(self) -> np.ndarray:
-        """Return the network's output for a black image; its stated shape may lack the number of classes."""
-        height, width = self.tile_hw
-        outputs = self._run([np.zeros((height, width, _BANDS), np.uint8)])
-        if outputs.ndim not in (3, 4) or outputs.shape != (1, *outputs.shape[1:-2], height, width):
-            raise ModelError(
-                "{path} outputs the shape {shape} for an image of {width} × {height} pixels; it must be 1 × classes × "
-                "{height} × {width}.",
-                path=self.path,
-                shape=_shape_text(outputs.shape),
-                width=width,
-                height=height,
-            )
-        return outputs
-
-    def _planes(self, images: Sequence[np.ndarray]) -> np.ndarray:
-        """Return (N, 3, H, W) standardized pixels, the network's input."""
-        planes = np.empty((len(images), _BANDS, *self.tile_hw), self._type)
-        for image, plane in zip(images, planes):
-            for band, pixels in enumerate(cv2.split(image)):
-                plane[band] = cv2.LUT(pixels, self._standardized[band])
-        return planes
-
-    def _run(self, images: Sequence[np.ndarray]) -> np.ndarray:
-        try:
-            found = self._session.run(None, {self._name: self._planes(images)})[0]
-        except failures_of_a_run() as error:
-            height, width = self.tile_hw
-            raise ModelError(
-                "{path} fails on an image of {width} × {height} pixels: {reason}.",
-                path=self.path,
-                width=width,
-                height=height,
-                reason=reason_of(error),
-            ) from error
-        if not isinstance(found, np.ndarray) or found.dtype.kind not in "fiub":
-            kind = found.dtype.name if isinstance(found, np.ndarray) else type(found).__name__
-            raise ModelError(
-                "{path} outputs {kind}; a segmentation network outputs one array of numbers.", path=self.path, kind=kind
-            )
-        return found
-
-
-def _shape_text(shape: Sequence[object]) -> str:
-    return " × ".join(str(size) if isinstance(size, int) else "any" for size in shape)

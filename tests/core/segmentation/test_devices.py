@@ -18,7 +18,8 @@ from semref.core.segmentation.devices import (
     device_of,
     devices_to_try,
 )
-from semref.core.segmentation.model import TILES_AT_ONCE, SegmentationModel
+from semref.core.segmentation.model import SegmentationModel
+from semref.core.segmentation.network import TILES_AT_ONCE
 from semref.core.sentences import english
 
 EVERY = [device.provider for device in AUTOMATIC]
