@@ -41,6 +41,7 @@ class OnnxNetwork:
         fallbacks: Why other devices that were requested or tried do not.
         notes: Sentences on metadata that were overruled.
         texts: Its metadata by key.
+        output_axes: Number of axes of its output, 3 or 4.
         channels: Number of pictures in its output; 1 for the probability of one class, or class numbers.
         gives_integers: Whether the output is class numbers by its type.
         sums_to_one: Whether its outputs for a black image are probabilities of several classes.
@@ -58,6 +59,7 @@ class OnnxNetwork:
         """
         self.path = path
         self.texts, outputs = self._start(threads, device)
+        self.output_axes = outputs.ndim
         self.channels = 1 if outputs.ndim == 3 else outputs.shape[1]
         self.gives_integers = outputs.dtype.kind in "iu"
         self.sums_to_one = outputs.ndim == 4 and are_probabilities(outputs)
@@ -149,7 +151,8 @@ class OnnxNetwork:
                 outputs=len(self._session.get_outputs()),
             )
         shape = inputs[0].shape
-        if len(shape) != 4 or shape[1] not in (_BANDS, None) and isinstance(shape[1], int):
+        is_last = len(shape) == 4 and shape[1] != _BANDS and shape[3] == _BANDS
+        if len(shape) != 4 or is_last or shape[1] not in (_BANDS, None) and isinstance(shape[1], int):
             raise ModelError(
                 "{path} takes input of the shape {shape}; it must be 1 × 3 × height × width (red, green, blue).",
                 path=self.path,

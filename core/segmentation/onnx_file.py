@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import mmap
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from ..named_files import named_file
 
 _VARINT, _EIGHT_BYTES, _LENGTH, _FOUR_BYTES = 0, 1, 2, 5
-_IR_VERSION, _GRAPH, _OPSETS, _METADATA = 1, 7, 8, 14
+GRAPH = 7
+_IR_VERSION, _OPSETS, _METADATA = 1, 8, 14
 _DOMAIN, _VERSION = 1, 2
 _NODE, _INITIALIZER, _EXTERNAL_DATA = 1, 5, 13
 _OPERATOR, _ATTRIBUTE, _NAME, _TEXT = 4, 5, 1, 4
@@ -59,13 +60,13 @@ def read_header(data: bytes | mmap.mmap) -> OnnxHeader | None:
     """Return the header from the bytes of an ONNX file; None if they are not protobuf or have no graph."""
     ir_version, opset, graph = 0, 0, None
     try:
-        for number, value in _fields(memoryview(data)):
+        for number, value in fields(memoryview(data)):
             if number == _IR_VERSION and isinstance(value, int):
                 ir_version = value
-            elif number == _GRAPH and isinstance(value, memoryview):
+            elif number == GRAPH and isinstance(value, memoryview):
                 graph = value
             elif number == _OPSETS and isinstance(value, memoryview):
-                stated = dict(_fields(value))
+                stated = dict(fields(value))
                 version = stated.get(_VERSION, 0)
                 if not stated.get(_DOMAIN) and isinstance(version, int):
                     opset = version
@@ -78,7 +79,7 @@ def read_header(data: bytes | mmap.mmap) -> OnnxHeader | None:
 
 def read_metadata(data: bytes | mmap.mmap) -> dict[str, str]:
     """Return the metadata of an ONNX file that ``read_header`` accepts, without damaged entries."""
-    entries = (_entry(number, value) for number, value in _fields(memoryview(data)))
+    entries = (_entry(number, value) for number, value in fields(memoryview(data)))
     return dict(entry for entry in entries if entry is not None)
 
 
@@ -87,7 +88,7 @@ def _entry(number: int, value: int | memoryview) -> tuple[str, str] | None:
     if number != _METADATA or not isinstance(value, memoryview):
         return None
     try:
-        stated = dict(_fields(value))
+        stated = dict(fields(value))
     except ValueError:
         return None
     parts = [stated.get(part, b"") for part in (_KEY, _VALUE)]
@@ -104,18 +105,34 @@ def with_metadata(data: bytes, key: str, text: str) -> bytes:
         key: Of the entry; an existing one is replaced.
     """
     kept = []
-    for number, value, part in _parts(memoryview(data)):
+    for number, value, part in parts(memoryview(data)):
         stated = _entry(number, value)
         kept += [] if stated is not None and stated[0] == key else [part]
-    entry = b"".join(_length_delimited(number, word.encode()) for number, word in ((_KEY, key), (_VALUE, text)))
-    return b"".join([*kept, _length_delimited(_METADATA, entry)])
+    return b"".join([*kept, _metadata_field(key, text)])
 
 
-def _length_delimited(number: int, content: bytes) -> bytes:
-    size, rest = b"", len(content)
-    while rest >= 0x80:
-        size, rest = size + bytes([rest & 0x7F | 0x80]), rest >> 7
-    return bytes([number << 3 | _LENGTH]) + size + bytes([rest]) + content
+def with_only_metadata(data: bytes, texts: Mapping[str, str]) -> bytes:
+    """Return an ONNX file that ``read_header`` accepts with other metadata: these texts by key, and no more."""
+    kept = [part for number, _, part in parts(memoryview(data)) if number != _METADATA]
+    return b"".join([*kept, *(_metadata_field(key, text) for key, text in texts.items())])
+
+
+def _metadata_field(key: str, text: str) -> bytes:
+    return field_of(_METADATA, field_of(_KEY, key.encode()) + field_of(_VALUE, text.encode()))
+
+
+def field_of(number: int, content: bytes | int) -> bytes:
+    """Return a protobuf field with an integer ≥ 0, or with bytes of a stated length."""
+    if isinstance(content, int):
+        return _varint_of(number << 3 | _VARINT) + _varint_of(content)
+    return _varint_of(number << 3 | _LENGTH) + _varint_of(len(content)) + content
+
+
+def _varint_of(value: int) -> bytes:
+    found = b""
+    while value >= 0x80:
+        found, value = found + bytes([value & 0x7F | 0x80]), value >> 7
+    return found + bytes([value])
 
 
 def smallest_model(ir_version: int, opset: int) -> bytes:
@@ -128,42 +145,42 @@ def smallest_model(ir_version: int, opset: int) -> bytes:
     node = part(1, b"x") + part(2, b"y") + part(4, b"Identity")
     ends = part(11, part(1, b"x") + part(2, one_float)) + part(12, part(1, b"y") + part(2, one_float))
     graph = part(1, node) + part(2, b"g") + ends
-    return bytes([_IR_VERSION << 3, ir_version]) + part(_GRAPH, graph) + part(_OPSETS, bytes([_VERSION << 3, opset]))
+    return bytes([_IR_VERSION << 3, ir_version]) + part(GRAPH, graph) + part(_OPSETS, bytes([_VERSION << 3, opset]))
 
 
 def _weight_files(graph: memoryview) -> list[str]:
     found: dict[str, None] = {}
-    for number, tensor in _fields(graph):
+    for number, tensor in fields(graph):
         if number != _INITIALIZER or not isinstance(tensor, memoryview):
             continue
-        for inner, entry in _fields(tensor):
+        for inner, entry in fields(tensor):
             if inner == _EXTERNAL_DATA and isinstance(entry, memoryview):
-                texts = {key: bytes(text) for key, text in _fields(entry) if isinstance(text, memoryview)}
+                texts = {key: bytes(text) for key, text in fields(entry) if isinstance(text, memoryview)}
                 if texts.get(_KEY) == b"location":
                     found[texts.get(_VALUE, b"").decode("utf-8", "replace")] = None
     return list(found)
 
 
 def _aligns_corners(graph: memoryview) -> bool:
-    for number, node in _fields(graph):
+    for number, node in fields(graph):
         if number != _NODE or not isinstance(node, memoryview):
             continue
-        parts = [(inner, part) for inner, part in _fields(node) if isinstance(part, memoryview)]
+        parts = [(inner, part) for inner, part in fields(node) if isinstance(part, memoryview)]
         if (_OPERATOR, b"Resize") not in parts:
             continue
         for inner, attribute in parts:
-            stated = dict(_fields(attribute)) if inner == _ATTRIBUTE else {}
+            stated = dict(fields(attribute)) if inner == _ATTRIBUTE else {}
             if (stated.get(_NAME), stated.get(_TEXT)) == _ALIGNED:
                 return True
     return False
 
 
-def _fields(data: memoryview) -> Iterator[tuple[int, int | memoryview]]:
+def fields(data: memoryview) -> Iterator[tuple[int, int | memoryview]]:
     """Return (number, value) of each field; raises ValueError for bytes that are not protobuf."""
-    return ((number, value) for number, value, _ in _parts(data))
+    return ((number, value) for number, value, _ in parts(data))
 
 
-def _parts(data: memoryview) -> Iterator[tuple[int, int | memoryview, memoryview]]:
+def parts(data: memoryview) -> Iterator[tuple[int, int | memoryview, memoryview]]:
     """Yield (number, value, all its bytes) of each field; raises ValueError for bytes that are not protobuf."""
     place = 0
     while place < len(data):

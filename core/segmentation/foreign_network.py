@@ -1,0 +1,176 @@
+"""Networks of others: copy an ONNX file with the metadata that SemRef reads, and merge its outputs to classes.
+
+A class can have several outputs: its probability is the sum of theirs, after a softmax over all outputs that are used.
+Outputs of a single class get a sigmoid, if they are not probabilities yet. Both become operators of the copy, so its
+reader needs no second form of metadata, and Deepness runs the copy, too (docs/reference/networks.md).
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from ..errors import ModelError
+from .devices import CPU
+from .model import SegmentationModel
+from .model_card import KEY as CARD
+from .network import OnnxNetwork
+from .onnx_file import header_of, with_only_metadata
+from .onnx_nodes import FLOAT, Operator, with_operators
+
+_KEPT = ("tile_size", "tiles_size", "tiles_overlap")
+"""Keys of metadata that stay: those of the tiles."""
+
+_LEAST_PROBABILITY = np.float32(1e-30)
+"""Added to probabilities before the logarithm."""
+
+_SEED = 1671
+
+
+@dataclass(frozen=True)
+class NetworkFacts:
+    """What the maker of a network states about it.
+
+    Attributes:
+        classes: Class of each output; empty for outputs that are not used. Outputs of the same class are merged.
+        resolution_m: Meters per pixel of its training images.
+        mean: (red, green, blue) of pixels in 0…1.
+        std: (red, green, blue) of pixels in 0…1.
+        license: One sentence.
+        name: For the list of models; may be empty.
+        threshold: Probability from which a pixel has the class, for networks with one output.
+    """
+
+    classes: tuple[str, ...]
+    resolution_m: float
+    mean: tuple[float, ...] = (0.0, 0.0, 0.0)
+    std: tuple[float, ...] = (1.0, 1.0, 1.0)
+    license: str = ""
+    name: str = ""
+    threshold: float = 0.5
+
+
+FLAIR = NetworkFacts(
+    (
+        *("building", "bare land", "road", "bare land", "water", "trees", "trees", "low vegetation", "field"),
+        *("low vegetation", "field", "field", "water", "bare land", "", "", "", "building", ""),
+    ),
+    0.2,
+    (0.4121, 0.4348, 0.3993),
+    (0.2046, 0.1780, 0.1725),
+    "Etalab 2.0, © IGN",
+    "FLAIR-INC, RGB",
+)
+"""IGN's networks FLAIR-INC RGB with 15 of 19 outputs: building, pervious and impervious surface, bare soil, water,
+coniferous, deciduous, brushwood, vineyard, herbaceous vegetation, agricultural land, plowed land, swimming pool, snow,
+clear cut, mixed, ligneous, greenhouse, other (github.com/IGNF/FLAIR-1; the 15th to 17th and the last are not used)."""
+
+BUILDINGS = NetworkFacts(("building",), 0.3, (0.485, 0.456, 0.406), (0.229, 0.224, 0.225), name="Buildings")
+"""Networks with the probability of buildings as their output; standardization of encoders trained on ImageNet."""
+
+
+def copy_with_facts(source: str, target: str, facts: NetworkFacts, threads: int) -> SegmentationModel:
+    """Write a copy of an ONNX file with metadata, open it as SemRef does, and return it.
+
+    Raises:
+        ModelError: The file is not a segmentation network, or ``facts`` do not fit it.
+        OSError: The copy cannot be written.
+    """
+    require_facts(facts)
+    network = OnnxNetwork(source, threads, CPU.key)
+    header = header_of(source)
+    if header is not None and header.weight_files:
+        raise ModelError(
+            "The weights of {path} are in another file ({name}). Export the network as one file.",
+            path=source,
+            name=header.weight_files[0],
+        )
+    if network.gives_integers:
+        raise ModelError(
+            "{path} outputs class numbers. Export it without argmax, with an output for each class.", path=source
+        )
+    if network.channels != len(facts.classes):
+        raise ModelError(
+            "{path} has {channels} outputs, but there are {count} class names. Enter one class for each output, empty "
+            "for outputs that are not used.",
+            path=source,
+            channels=network.channels,
+            count=len(facts.classes),
+        )
+    names = tuple(dict.fromkeys(filter(None, facts.classes)))
+    if not network.is_single and len(names) < 2:
+        raise ModelError(
+            "All used outputs of {path} have the class {name}, so every pixel would have it. Enter at least two "
+            "classes; a class without interest can be “other”.",
+            path=source,
+            name=names[0],
+        )
+    data = Path(source).read_bytes()
+    operators = _sigmoid(network) if network.is_single else _merged(facts.classes, names, network.sums_to_one)
+    if operators:
+        shape = (None,) * network.output_axes if network.is_single else (None, len(names), None, None)
+        data = with_operators(data, operators, shape)
+    kept = {key: network.texts[key] for key in _KEPT if key in network.texts}
+    Path(target).write_bytes(with_only_metadata(data, {**kept, **_metadata(facts, names)}))
+    return SegmentationModel(target, threads, device=CPU.key)
+
+
+def require_facts(facts: NetworkFacts) -> None:
+    """Raise ModelError for a statement that is missing or impossible."""
+    if not any(facts.classes):
+        raise ModelError("Enter the class of each output of the network.")
+    if not facts.resolution_m:
+        raise ModelError("Enter the resolution of the images that the network was trained on.")
+    if len(facts.mean) != 3 or len(facts.std) != 3 or not min(facts.std) > 0:
+        raise ModelError("Mean and standard deviation have three numbers, for red, green and blue; deviations above 0.")
+    if not facts.license.strip():
+        raise ModelError("Enter the license of the network, as its maker states it; “unknown” if there is none.")
+
+
+def _sigmoid(network: OnnxNetwork) -> list[Operator]:
+    """Return a sigmoid if the output is not a probability yet: scores leave 0…1 on an image of random colors."""
+    height, width = network.tile_hw
+    noise = np.random.default_rng(_SEED).integers(0, 256, (height, width, 3), dtype=np.uint8)
+    outputs = network.run([noise])
+    if outputs.min() >= 0 and outputs.max() <= 1:
+        return []
+    return [Operator("Cast", {"to": FLOAT}), Operator("Sigmoid")]
+
+
+def _merged(classes: Sequence[str], names: Sequence[str], are_probabilities: bool) -> list[Operator]:
+    """Return operators from (N, C, H, W) outputs to (N, K, H, W) probabilities; none if each output is a class."""
+    if len(names) == len(classes):
+        return []
+    used = [channel for channel, name in enumerate(classes) if name]
+    matrix = np.array([[classes[channel] == name for name in names] for channel in used], np.float32)
+    # The softmax of logarithms is the probability among the outputs that are used.
+    logarithm = [Operator("Add", constant=_LEAST_PROBABILITY.reshape(1)), Operator("Log")] if are_probabilities else []
+    return [
+        Operator("Cast", {"to": FLOAT}),
+        Operator("Gather", {"axis": 1}, np.array(used, np.int64)),
+        # Up to opset 12, a softmax is along all axes from the stated one on, so the classes are the last axis.
+        Operator("Transpose", {"perm": (0, 2, 3, 1)}),
+        *logarithm,
+        Operator("Softmax", {"axis": 3}),
+        Operator("MatMul", constant=matrix),
+        Operator("Transpose", {"perm": (0, 3, 1, 2)}),
+    ]
+
+
+def _metadata(facts: NetworkFacts, names: Sequence[str]) -> dict[str, str]:
+    """Return metadata by key."""
+    card = {"name": facts.name, "license": facts.license}
+    found = {
+        "model_type": "Segmentor",
+        "class_names": {str(number): name for number, name in enumerate(names)},
+        "resolution": round(100 * facts.resolution_m, 4),
+        "standardization_mean": list(facts.mean),
+        "standardization_std": list(facts.std),
+        "seg_thresh": facts.threshold,
+        CARD: {key: text for key, text in card.items() if text},
+    }
+    return {key: text if isinstance(text, str) else json.dumps(text) for key, text in found.items()}
