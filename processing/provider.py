@@ -5,6 +5,7 @@ from __future__ import annotations
 from qgis.core import QgsApplication, QgsProcessingProvider, QgsProcessingRegistry
 from qgis.PyQt.QtGui import QIcon
 
+from .algorithms.add_model import AddModel
 from .algorithms.assess_database import AssessDatabase
 from .algorithms.assess_route import AssessRoute
 from .algorithms.build_database import BuildDatabase
@@ -38,6 +39,7 @@ ALGORITHMS = (
     CompareLabels,
     ExportTrainingTiles,
     TrainModel,
+    AddModel,
     SegmentImage,
     BuildDatabase,
     UpdateDatabase,

@@ -65,6 +65,15 @@ def real_data():
 
 
 @pytest.fixture(scope="session")
+def training_python() -> Path:
+    """Return the Python of .venv-train or of SEMREF_TRAINING_PYTHON; skip if it is missing."""
+    python = Path(os.environ.get("SEMREF_TRAINING_PYTHON") or ROOT / ".venv-train" / "bin" / "python")
+    if not python.exists():
+        pytest.skip("no Python with torch: run bash tools/training/setup_training.sh")
+    return python
+
+
+@pytest.fixture(scope="session")
 def start_qgis(tmp_path_factory):
     """`start_qgis(window=False)` starts QGIS with Processing and our provider in a new profile, once per session."""
     # Imported here, because tests/core runs without QGIS.

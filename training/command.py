@@ -11,7 +11,7 @@ from pathlib import Path
 
 from ..core.errors import SemRefError, TrainingError
 from ..core.sentences import english
-from .job import read_job
+from .job import CHECKPOINT_JOB, read_job
 
 NEEDED = ("torch", "torchvision", "segmentation_models_pytorch", "timm", "onnx", "onnxruntime", "cv2", "numpy")
 """Modules that training needs."""
@@ -23,7 +23,8 @@ def report(event: str, **values: object) -> None:
 
 
 def main(arguments: list[str]) -> int:
-    """Execute the training of ``JOB.json``, or check this Python if there is no argument. Return the exit status."""
+    """Execute the training of ``JOB.json``, or export the checkpoint of ``checkpoint JOB.json``; without an argument,
+    check this Python. Return the exit status."""
     began = time.monotonic()
     try:
         require_packages()
@@ -32,6 +33,11 @@ def main(arguments: list[str]) -> int:
 
             device = torch.cuda.get_device_name() if torch.cuda.is_available() else "CPU"
             report("ready", torch=torch.__version__, device=device)
+            return 0
+        if arguments[0] == CHECKPOINT_JOB:
+            from . import checkpoint
+
+            checkpoint.run(Path(arguments[1]), report)
             return 0
         from .train import run
 

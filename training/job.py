@@ -27,6 +27,9 @@ The largest number keeps epochs short, so that curves and checkpoints are writte
 CHECKPOINT = "last.pt"
 """File with all data for continuing a run, written after each epoch."""
 
+CHECKPOINT_JOB = "checkpoint"
+"""First argument of the process that exports a checkpoint of others (checkpoint.py) instead of training."""
+
 FREE = (
     *("output", "folder", "resume", "workers", "threads", "channels_last", "ground", "card", "tile_size"),
     *("epochs", "minutes", "patience", "processor_time"),

@@ -15,9 +15,9 @@ from pathlib import Path
 import numpy as np
 
 from ..errors import ModelError
-from .devices import CPU
-from .model import SegmentationModel
+from .metadata import read_classes
 from .model_card import KEY as CARD
+from .model_card import card_of_texts
 from .network import OnnxNetwork
 from .onnx_file import header_of, with_only_metadata
 from .onnx_nodes import FLOAT, Operator, with_operators
@@ -73,50 +73,65 @@ BUILDINGS = NetworkFacts(("building",), 0.3, (0.485, 0.456, 0.406), (0.229, 0.22
 """Networks with the probability of buildings as their output; standardization of encoders trained on ImageNet."""
 
 
-def copy_with_facts(source: str, target: str, facts: NetworkFacts, threads: int) -> SegmentationModel:
-    """Write a copy of an ONNX file with metadata, open it as SemRef does, and return it.
+def stated_facts(network: OnnxNetwork) -> NetworkFacts:
+    """Return what the metadata of a network state; empty class names and 0 for what is missing."""
+    card, settings = card_of_texts(network.texts, network.path), network.settings
+    return NetworkFacts(
+        card.classes or ("",) * network.channels,
+        settings.resolution_m or 0.0,
+        settings.mean,
+        settings.std,
+        card.license,
+        card.name,
+        settings.threshold,
+    )
+
+
+def with_facts(network: OnnxNetwork, facts: NetworkFacts) -> bytes:
+    """Return a copy of the file of a network with metadata and merged classes, which ``SegmentationModel`` opens.
 
     Raises:
-        ModelError: The file is not a segmentation network, or ``facts`` do not fit it.
-        OSError: The copy cannot be written.
+        ModelError: ``facts`` do not fit the network, or its file can't be copied.
+        OSError: Its file cannot be read.
     """
     require_facts(facts)
-    network = OnnxNetwork(source, threads, CPU.key)
-    header = header_of(source)
+    path, names = network.path, tuple(dict.fromkeys(filter(None, facts.classes)))
+    header = header_of(path)
     if header is not None and header.weight_files:
         raise ModelError(
             "The weights of {path} are in another file ({name}). Export the network as one file.",
-            path=source,
+            path=path,
             name=header.weight_files[0],
         )
     if network.gives_integers:
         raise ModelError(
-            "{path} outputs class numbers. Export it without argmax, with an output for each class.", path=source
+            "{path} outputs class numbers. Export it without argmax, with an output for each class.", path=path
         )
     if network.channels != len(facts.classes):
         raise ModelError(
             "{path} has {channels} outputs, but there are {count} class names. Enter one class for each output, empty "
             "for outputs that are not used.",
-            path=source,
+            path=path,
             channels=network.channels,
             count=len(facts.classes),
         )
-    names = tuple(dict.fromkeys(filter(None, facts.classes)))
     if not network.is_single and len(names) < 2:
         raise ModelError(
             "All used outputs of {path} have the class {name}, so every pixel would have it. Enter at least two "
             "classes; a class without interest can be “other”.",
-            path=source,
+            path=path,
             name=names[0],
         )
-    data = Path(source).read_bytes()
+    kept = {key: network.texts[key] for key in _KEPT if key in network.texts}
+    texts = {**kept, **_metadata(facts, names)}
+    # Raises for names that can't be those of classes, before anything is written.
+    read_classes(texts, 2 if network.is_single else len(names), path)
+    data = Path(path).read_bytes()
     operators = _sigmoid(network) if network.is_single else _merged(facts.classes, names, network.sums_to_one)
     if operators:
         shape = (None,) * network.output_axes if network.is_single else (None, len(names), None, None)
         data = with_operators(data, operators, shape)
-    kept = {key: network.texts[key] for key in _KEPT if key in network.texts}
-    Path(target).write_bytes(with_only_metadata(data, {**kept, **_metadata(facts, names)}))
-    return SegmentationModel(target, threads, device=CPU.key)
+    return with_only_metadata(data, texts)
 
 
 def require_facts(facts: NetworkFacts) -> None:

@@ -26,6 +26,7 @@ NAMES = (
     "decodecolorlabels",
     "exporttrainingtiles",
     "trainmodel",
+    "addmodel",
     "comparelabels",
     "segmentimage",
     "builddatabase",

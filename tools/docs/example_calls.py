@@ -58,6 +58,11 @@ EXAMPLES: dict[str, dict] = {
         "OUTPUT": "own.onnx",
         "REPORT": "own.html",
     },
+    "addmodel": {
+        "INPUT": MODEL,
+        "CLASSES": "other;building;bare_land;water;forest;grass;grass",
+        "OUTPUT": "merged.onnx",
+    },
     "correctiontodatabase": {
         **COVER,
         "LABELS": "labels.tif",

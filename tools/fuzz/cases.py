@@ -31,6 +31,7 @@ def _given(at: Path) -> dict[str, dict[str, Any]]:
         "decodecolorlabels": {"INPUT": color, "CLASS_TABLE": table, "METHOD": 1},
         "comparelabels": {"REFERENCE": labels, "PREDICTED": predicted, "MINIMUM_AREA": 3},
         "exporttrainingtiles": {"IMAGE": color, "LABELS": labels, "TILE_SIZE": 32, "STRIDE": 32},
+        "addmodel": {"INPUT": model, "LICENSE": "CC0", "RESOLUTION": 25, "CLASSES": "a;b;a"},
         "segmentimage": {"INPUT": color, "MODEL": model},
         "builddatabase": {"LABELS": labels, **_BUILD},
         "updatedatabase": {"DATABASE": area, "LABELS": str(at / "corrected.tif")},

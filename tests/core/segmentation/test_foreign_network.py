@@ -11,8 +11,10 @@ from made_models import brightest_color, write_model, writer
 
 from semref.core.errors import ModelError
 from semref.core.labels.image_source import ArrayImage
-from semref.core.segmentation.foreign_network import BUILDINGS, FLAIR, NetworkFacts, copy_with_facts
+from semref.core.segmentation.foreign_network import BUILDINGS, FLAIR, NetworkFacts, stated_facts, with_facts
+from semref.core.segmentation.model import SegmentationModel
 from semref.core.segmentation.model_card import read_card
+from semref.core.segmentation.network import OnnxNetwork
 from semref.core.segmentation.onnx_file import read_header, read_metadata
 from semref.core.segmentation.photo_labels import PhotoLabels
 
@@ -28,7 +30,8 @@ def bare(path, network=None, **options):
 
 
 def copied(source, facts, tmp_path):
-    return copy_with_facts(source, str(tmp_path / "copy.onnx"), facts, 1)
+    (tmp_path / "copy.onnx").write_bytes(with_facts(OnnxNetwork(source, 1), facts))
+    return SegmentationModel(str(tmp_path / "copy.onnx"), 1)
 
 
 def named_labels(model) -> np.ndarray:
@@ -51,6 +54,7 @@ def test_a_copy_has_classes_resolution_license_and_the_same_labels(tmp_path):
     model = copied(source, FACTS, tmp_path)
     expected = np.array(FACTS.classes)[STANDARD[[0, 2, 1]].argmax(0)]
     assert (named_labels(model) == expected).all()
+    assert stated_facts(model) == FACTS
     card = read_card(model.path)
     assert (card.name, card.license, card.resolution_m) == ("Colors", "CC0", 0.25)
     assert card.classes == FACTS.classes
@@ -133,7 +137,8 @@ def test_old_metadata_of_the_classes_do_not_stay(tmp_path):
 def test_a_copy_of_a_copy_can_be_merged_again(tmp_path):
     source = bare(tmp_path / "bare.onnx", six_outputs(), classes=6)
     first = copied(source, replace(FACTS, classes=("a", "b", "a", "c", "b", "d")), tmp_path)
-    again = copy_with_facts(first.path, str(tmp_path / "again.onnx"), replace(FACTS, classes=("a", "b", "a", "b")), 1)
+    assert stated_facts(first).classes == ("a", "b", "c", "d")
+    again = copied(first.path, replace(FACTS, classes=("a", "b", "a", "b")), tmp_path)
     powers = np.exp(logits())
     share = powers[[0, 2, 3]].sum(0) / powers.sum(0)
     np.testing.assert_allclose(again.scores([IMAGE])[0][0], share, atol=1e-5)
@@ -178,6 +183,11 @@ def test_a_number_of_classes_that_does_not_match_is_refused(tmp_path):
     assert "has 3 outputs, but there are 2 class names" in text
     assert "every pixel would have it" in refusal(source, replace(FACTS, classes=("a", "", "a")), tmp_path)
     assert "Enter the class of each output" in refusal(source, replace(FACTS, classes=("", "", "")), tmp_path)
+
+
+def test_a_name_that_no_class_can_have_is_refused(tmp_path):
+    source = bare(tmp_path / "bare.onnx")
+    assert "bare.onnx: " in refusal(source, replace(FACTS, classes=("a" * 300, "b", "c")), tmp_path)
 
 
 def test_missing_statements_are_asked_for(tmp_path):
