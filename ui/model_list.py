@@ -12,6 +12,7 @@ from qgis.PyQt.QtWidgets import (
     QDialogButtonBox,
     QHeaderView,
     QLabel,
+    QPushButton,
     QSplitter,
     QTextBrowser,
     QTreeWidget,
@@ -24,6 +25,7 @@ from ..processing.inspection.models import choose_models_folder, listed_models, 
 from ..processing.reports.model_card import card_html, card_title, quality_text, resolution_text
 from ..processing.translation import tr
 from ..processing.version import guide_url
+from .add_model import AddModelDialog
 from .widgets.layouts import row_of
 from .widgets.texts import plain_tip
 
@@ -51,8 +53,12 @@ class ModelList(QWidget):
         self.folder.setFilePath(str(models_folder()))
         self.list = QTreeWidget()
         self.card = QTextBrowser()
+        self.add = QPushButton(tr("Add a model…"))
+        self.add.setToolTip(tr("Add a network of others: an ONNX file, or a checkpoint of PyTorch"))
+        self.adding: AddModelDialog | None = None
         self.where = QLabel(_where_to_get_more())
         self._lay_out()
+        self.add.clicked.connect(self._add_model)
         self.folder.fileChanged.connect(self._change_folder)
         self.list.currentItemChanged.connect(self._show_card)
         self.list.itemActivated.connect(self._choose)
@@ -108,9 +114,20 @@ class ModelList(QWidget):
         both.setStretchFactor(1, _CARD_SHARE)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.addLayout(row_of(QLabel(tr("Folder")), (self.folder, 1)))
+        layout.addLayout(row_of(QLabel(tr("Folder")), (self.folder, 1), self.add))
         layout.addWidget(both, 1)
         layout.addWidget(self.where)
+
+    def _add_model(self) -> None:
+        """Open the dialog of a new model, which gets selected."""
+        self.adding = AddModelDialog(self.window())
+        self.adding.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.adding.added.connect(self._select_new)
+        self.adding.open()
+
+    def _select_new(self, path: str) -> None:
+        self.refresh()
+        self.select(path)
 
     def _change_folder(self, path: str) -> None:
         choose_models_folder(path.strip())
@@ -165,7 +182,7 @@ def _where_to_get_more() -> str:
     """Return HTML."""
     text = tr(
         "To get more models, train one on your own area (button next to the model in the dock) or on "
-        "published photos. You can also use segmentation models of the Deepness plugin. {how}"
+        "published photos. You can also add networks of others, such as those of the Deepness plugin. {how}"
     )
     link = f'<a href="{guide_url("reference/networks.md")}">{escape(tr("Instructions and licenses"))}</a>'
     return escape(text).replace("{how}", link)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Union
 
 import numpy as np
 
@@ -30,7 +29,7 @@ class Operator:
     """
 
     name: str
-    attributes: Mapping[str, Union[int, Sequence[int]]] = field(default_factory=dict)
+    attributes: Mapping[str, int | Sequence[int]] = field(default_factory=dict)
     constant: np.ndarray | None = None
 
 

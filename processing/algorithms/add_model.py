@@ -31,7 +31,7 @@ from ..translation import tr
 if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
 
-    from ...core.segmentation.foreign_network import NetworkFacts
+    from ...core.segmentation.network_facts import NetworkFacts
     from ..base.outputs import Outputs
     from ..base.values import Values
 
@@ -201,7 +201,7 @@ class AddModel(SemRefAlgorithm):
 
     def _facts(self, values: Values, stated: NetworkFacts | None) -> NetworkFacts:
         """Return the fields that are set; the others from the preset, or as stated by the file."""
-        from ...core.segmentation.foreign_network import BUILDINGS, FLAIR, NetworkFacts
+        from ...core.segmentation.network_facts import BUILDINGS, FLAIR, NetworkFacts
 
         preset = {FLAIR_PRESET: FLAIR, BUILDINGS_PRESET: BUILDINGS}.get(values.choice(self.PRESET))
         base = preset or stated or NetworkFacts((), 0.0)
@@ -221,7 +221,7 @@ class AddModel(SemRefAlgorithm):
 
     def _export(self, values: Values, facts: NetworkFacts, folder: str, feedback: QgsProcessingFeedback) -> str:
         """Return the path of a checkpoint's network as an ONNX file in a folder. Raises SemRefError."""
-        from ...core.segmentation.foreign_network import require_facts
+        from ...core.segmentation.network_facts import require_facts
         from ...training.job import CHECKPOINT_JOB
         from ..base.training_process import TrainingProgress, training_events
         from ..packages.training_environment import training_python

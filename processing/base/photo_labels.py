@@ -86,7 +86,7 @@ class PhotoLabelReader:
         from ...core.segmentation.photo_labels import PhotoReader
 
         self._model = open_model(model_path)
-        self._read = PhotoReader(self._model, table, _open_photo, self._follow)
+        self._read = PhotoReader(self._model, table, open_photo_file, self._follow)
         self._feedback = feedback
         self._is_described = False
         self._seconds = 0.0
@@ -135,7 +135,8 @@ class PhotoLabelReader:
         return NetworkPace(self._model, self._seconds)
 
 
-def _open_photo(path: str) -> Photo:
+def open_photo_file(path: str) -> Photo:
+    """Open a photo with the ground size of its pixels. Raises ImageError."""
     from ...core.labels.image_source import Photo
     from ...storage.label_images import open_photo
     from ..layers.images import pixel_size_m, stated_crs

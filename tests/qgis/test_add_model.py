@@ -13,8 +13,8 @@ from made_models import write_model
 from osgeo import gdal
 from qgis.core import QgsProcessingException
 
-from semref.core.segmentation.foreign_network import FLAIR
 from semref.core.segmentation.model_card import read_card
+from semref.core.segmentation.network_facts import FLAIR
 from semref.core.segmentation.onnx_file import read_metadata
 
 ADD = "semref:addmodel"

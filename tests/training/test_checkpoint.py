@@ -15,9 +15,10 @@ import numpy as np
 import pytest
 
 from semref.core.labels.image_source import ArrayImage
-from semref.core.segmentation.foreign_network import BUILDINGS, FLAIR, with_facts
+from semref.core.segmentation.foreign_network import with_facts
 from semref.core.segmentation.model import SegmentationModel
 from semref.core.segmentation.network import OnnxNetwork
+from semref.core.segmentation.network_facts import BUILDINGS, FLAIR
 from semref.core.segmentation.photo_labels import PhotoLabels
 
 ROOT = Path(__file__).parents[2]

@@ -11,10 +11,11 @@ from made_models import brightest_color, write_model, writer
 
 from semref.core.errors import ModelError
 from semref.core.labels.image_source import ArrayImage
-from semref.core.segmentation.foreign_network import BUILDINGS, FLAIR, NetworkFacts, stated_facts, with_facts
+from semref.core.segmentation.foreign_network import stated_facts, with_facts
 from semref.core.segmentation.model import SegmentationModel
 from semref.core.segmentation.model_card import read_card
 from semref.core.segmentation.network import OnnxNetwork
+from semref.core.segmentation.network_facts import BUILDINGS, FLAIR, NetworkFacts
 from semref.core.segmentation.onnx_file import read_header, read_metadata
 from semref.core.segmentation.photo_labels import PhotoLabels
 
@@ -37,7 +38,7 @@ def copied(source, facts, tmp_path):
 def named_labels(model) -> np.ndarray:
     """Return (H, W) class names of the image."""
     found = PhotoLabels(model, ArrayImage(IMAGE), model.classes.values).found()
-    names = {value: name for value, name in zip(model.classes.values, model.classes.names)}
+    names = dict(zip(model.classes.values, model.classes.names))
     return np.vectorize(names.get)(found)
 
 
