@@ -50,8 +50,8 @@ from .widgets.layouts import row_of
 
 ALGORITHM = "semref:addmodel"
 _MOST_OUTPUTS = 255
-_SIZE_PX = QSize(1020, 680)
-_PICTURE_PX, _SWATCH_PX, _LABEL_PX, _LEGEND_ROWS = 240, 12, 170, 7
+_SIZE_PX = QSize(1100, 680)
+_PICTURE_PX, _SWATCH_PX, _LEGEND_ROWS = 240, 12, 7
 
 
 class AddModelDialog(QDialog):
@@ -126,9 +126,6 @@ class AddModelDialog(QDialog):
             widget.setToolTip("" if definition is None else definition.help())
             widget.setAccessibleName(title)
             label = QLabel(title)
-            label.setWordWrap(True)
-            # Translations may be long; the fields need the room.
-            label.setMaximumWidth(_LABEL_PX)
             label.setBuddy(widget)
             self.form.addRow(label, widget)
         self.state.setWordWrap(True)
@@ -144,8 +141,8 @@ class AddModelDialog(QDialog):
         beside.addWidget(self.legend)
         beside.addWidget(self.state)
         both = row_of()
-        both.addLayout(self.form, 4)
-        both.addLayout(beside, 5)
+        both.addLayout(self.form, 1)
+        both.addLayout(beside, 1)
         layout = QVBoxLayout(self)
         layout.addLayout(both, 1)
         layout.addLayout(row_of((QWidget(), 1), self.add, self.close_button))
@@ -204,6 +201,9 @@ class AddModelDialog(QDialog):
         """Read the file in the background."""
         self._looking.forget()
         self._show_kind()
+        self.image.forget()
+        self.labels.forget()
+        self.legend.clear()
         path = self.file.filePath().strip()
         self.state.setText("")
         if path and not self.is_checkpoint:
@@ -330,6 +330,11 @@ class _Picture(QLabel):
         image = QImage(pixels_hw3.tobytes(), width, height, 3 * width, QImage.Format.Format_RGB888)
         self._whole = QPixmap.fromImage(image)
         self._scale()
+
+    def forget(self) -> None:
+        """Show nothing."""
+        self._whole = QPixmap()
+        self.clear()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

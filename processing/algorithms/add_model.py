@@ -143,12 +143,12 @@ class AddModel(SemRefAlgorithm):
                 tr("Range of the pixel values before the mean is subtracted and the result is divided."),
             ),
             with_help(
-                QgsProcessingParameterString(self.MEAN, tr("Mean of red, green and blue"), optional=True),
+                QgsProcessingParameterString(self.MEAN, tr("Mean (R; G; B)"), optional=True),
                 tr("Three numbers, separated by “;”. 0;0;0 if the network takes pixel values as they are."),
             ),
             with_help(
                 QgsProcessingParameterString(
-                    self.STANDARD_DEVIATION, tr("Standard deviation of red, green and blue"), optional=True
+                    self.STANDARD_DEVIATION, tr("Standard deviation (R; G; B)"), optional=True
                 ),
                 tr("Three numbers, separated by “;”. 1;1;1 if the network takes pixel values as they are."),
             ),
