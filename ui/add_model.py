@@ -205,8 +205,9 @@ class AddModelDialog(QDialog):
         self.labels.forget()
         self.legend.clear()
         path = self.file.filePath().strip()
-        self.state.setText("")
-        if path and not self.is_checkpoint:
+        able, reason = self._asked.canExecute()
+        self.state.setText(reason)
+        if able and path and not self.is_checkpoint:
             self.state.setText(tr("Reading the network…"))
             self._looking.read(tr("Reading the network"), look_at_network, path)
 

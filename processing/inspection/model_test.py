@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 from ...core.labels.image_source import ImagePart
 from ..base.photo_labels import open_model, open_photo_file
-from ..packages.components import ONNXRUNTIME, require
 
 if TYPE_CHECKING:
     import numpy as np
@@ -37,7 +36,6 @@ class ModelTest:
 
 def look_at_network(path: str) -> tuple[int, NetworkFacts]:
     """Return the number of outputs of an ONNX file, and what its metadata state. Raises SemRefError."""
-    require([ONNXRUNTIME])
     from ...core.segmentation.devices import CPU
     from ...core.segmentation.foreign_network import stated_facts
     from ...core.segmentation.network import OnnxNetwork

@@ -43,6 +43,7 @@ ONLY_IN = {"core/onboard/mavlink.py": {"pymavlink", "serial"}}
 PARTS = {
     ("ui", "core"): (
         *("core.area_plan", "core.errors", "core.named_files", "core.database.model", "core.annotation.findings"),
+        "core.segmentation.network_facts",
         "core.localization",
     ),
     ("processing", "cluster"): ("cluster.task_names",),
