@@ -3,14 +3,13 @@
 import os
 import sys
 
-# Threads of OpenBLAS keep a core busy while they wait, and gain nothing on matrices as small as here. NumPy reads this.
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-
-from .onboard.command_line import REFUSED, main
-
 
 def run() -> int:
     """Run a command; return its exit code."""
+    # Threads of OpenBLAS keep a core busy while they wait, and gain nothing on small matrices. NumPy reads it once.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    from .onboard.command_line import REFUSED, main
+
     code = main()
     try:
         sys.stdout.flush()
