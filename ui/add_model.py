@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import tempfile
 
-from qgis.core import QgsProcessingContext
+from qgis.core import QgsProcessingContext, QgsProject
 from qgis.gui import QgsFileWidget, QgsProcessingMapLayerComboBox
 from qgis.PyQt.QtCore import QSize, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QColor, QIcon, QImage, QPixmap, QResizeEvent
@@ -43,6 +43,7 @@ from ..processing.inspection.model_test import ModelTest, labels_of_picture, loo
 from ..processing.inspection.models import new_model_file
 from ..processing.reports.page import percent
 from ..processing.translation import tr
+from .layer_files import photo_layer
 from .running.algorithm_run import AlgorithmRun
 from .running.background import Reader
 from .sample_project import ORTHOPHOTO_FILE, SAMPLE
@@ -148,8 +149,13 @@ class AddModelDialog(QDialog):
         layout.addLayout(row_of((QWidget(), 1), self.add, self.close_button))
         self.add.setDefault(True)
         self.resize(_SIZE_PX)
-        if self.picture.currentLayer() is None and (SAMPLE / ORTHOPHOTO_FILE).is_file():
-            self.picture.setValue(str(SAMPLE / ORTHOPHOTO_FILE), QgsProcessingContext())
+        # QGIS selects the first raster, which may be a label map.
+        photo = photo_layer(QgsProject.instance())
+        if photo is not None:
+            self.picture.setLayer(photo)
+        else:
+            sample = SAMPLE / ORTHOPHOTO_FILE
+            self.picture.setValue(str(sample) if sample.is_file() else None, QgsProcessingContext())
 
     def _connect(self) -> None:
         self.file.fileChanged.connect(self._look)

@@ -75,6 +75,23 @@ def test_a_network_without_names_is_tested_and_added(models, dialog, photo, tmp_
     assert "CC0" in models.card.toPlainText()
 
 
+def test_the_test_picture_is_the_photo_of_the_project_not_its_label_map(models, photo, tmp_path):
+    from qgis.core import QgsProject, QgsRasterLayer
+
+    from semref.ui.add_model import AddModelDialog
+
+    labels = write_raster(tmp_path / "labels.tif", np.ones((9, 9), np.uint8), names=["", "building"])
+    layers = [QgsRasterLayer(str(path), name) for path, name in ((labels, "A labels"), (photo, "Photo"))]
+    QgsProject.instance().addMapLayers(layers)
+    dialog = AddModelDialog()
+    assert dialog.picture.currentLayer().name() == "Photo"
+    dialog.close()
+    QgsProject.instance().removeAllMapLayers()
+    dialog = AddModelDialog()
+    assert dialog.picture.currentLayer() is None
+    dialog.close()
+
+
 def test_a_preset_fills_the_fields(dialog):
     dialog.preset.setCurrentIndex(1)
     assert dialog.classes.rowCount() == 19 and dialog.classes.item(2, 0).text() == "road"

@@ -75,6 +75,7 @@ LIGHT = (
     "toolbox",
     "algorithm_dialog",
     "models",
+    "add_model",
     "model_designer",
     "options",
     "narrow",

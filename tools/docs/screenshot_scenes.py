@@ -298,6 +298,19 @@ def models(session: Session) -> None:
     show_dialog(session, dialog, 960, 520, "models")
 
 
+def add_model(session: Session) -> None:
+    """Show the dialog of a new model with its test picture."""
+    from semref.ui.add_model import AddModelDialog
+
+    dialog = AddModelDialog()
+    dialog.file.setFilePath(str(Path(qgis.utils.pluginDirectory("semref")) / "models" / "sample_area.onnx"))
+    wait_until(lambda: dialog.outputs.value() > 1, "the outputs of the network")
+    dialog.classes.item(5, 0).setText("grass")
+    dialog.test.click()
+    wait_until(lambda: dialog.legend.count() > 0, "the test picture")
+    show_dialog(session, dialog, 1100, 680, "add_model")
+
+
 def model_designer(session: Session) -> None:
     """Show the shipped model in the model designer."""
     from processing.modeler.ModelerDialog import ModelerDialog
