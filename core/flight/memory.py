@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -28,9 +28,14 @@ class Past:
     weight: float
 
     def mirrored(self) -> Past:
-        """Return the image with left and right exchanged, without the priors that can't be right then."""
+        """Return the image with left and right exchanged, without the prior position, which can't be right then.
+
+        The heading is mirrored like the turns of the links, so that the opponent has as many headings as the flight.
+        """
         evidence = None if self.seen.evidence is None else mirror_level(self.seen.evidence)
-        prior = Prior(pixel_size_range=self.seen.prior.pixel_size_range)
+        known = self.seen.prior
+        heading = None if known.heading_deg is None else -known.heading_deg % 360
+        prior = replace(known, position=None, radius=None, heading_deg=heading)
         seen = SeenImage(evidence, self.seen.edge_px, self.seen.chance, prior)
         return Past(seen, self.link.mirrored(), self.weight)
 

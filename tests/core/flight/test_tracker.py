@@ -8,10 +8,12 @@ import numpy as np
 import pytest
 
 from semref.core.errors import ParameterError
+from semref.core.flight.evidence import SeenImage
+from semref.core.flight.memory import NOWHERE, Past
 from semref.core.flight.model import PoseSource
 from semref.core.flight.tracker import FlightTracker
 from semref.core.geometry.pose import PoseCovariance
-from semref.core.localization import Localization, Method, Place, Status
+from semref.core.localization import Localization, Method, Place, Prior, Status
 from semref.core.simulation.views import cut
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -106,6 +108,12 @@ def test_over_ground_that_the_map_does_not_show_the_place_is_predicted_until_ima
     off = [np.hypot(*np.subtract(poses[n].place.position, flown.views[n].position)) for n in predicted]
     assert (np.array(off) <= radii).all()
     assert poses[-1].is_fix and poses[-1].track == 1, "the same track goes on"
+
+
+def test_the_mirrored_opponent_is_searched_in_as_many_headings_as_the_flight():
+    prior = Prior((500_000.0, 5_200_000.0), 100.0, 30.0, 10.0, (0.9, 1.1))
+    opponent = Past(SeenImage(None, 96.0, (0.0, 1.0), prior), NOWHERE, 1.0).mirrored()
+    assert opponent.seen.prior == Prior(None, None, 330.0, 10.0, (0.9, 1.1))
 
 
 def own_fix(view, off=0.0, risk=1e-6):
