@@ -172,8 +172,24 @@
    <translation>Genauigkeit von Radius und Konfidenz</translation>
   </message>
   <message>
+   <source>Add</source>
+   <translation>Hinzufügen</translation>
+  </message>
+  <message>
    <source>Add a folder of images</source>
    <translation>Ordner mit Bildern hinzufügen</translation>
+  </message>
+  <message>
+   <source>Add a model</source>
+   <translation>Modell hinzufügen</translation>
+  </message>
+  <message>
+   <source>Add a model…</source>
+   <translation>Modell hinzufügen…</translation>
+  </message>
+  <message>
+   <source>Add a network of others: an ONNX file, or a checkpoint of PyTorch</source>
+   <translation>Fremdes Netz hinzufügen: eine ONNX-Datei oder ein Checkpoint von PyTorch</translation>
   </message>
   <message>
    <source>Add a raster layer of the project</source>
@@ -208,12 +224,20 @@
    <translation>Fügen Sie Bilder hinzu.</translation>
   </message>
   <message>
+   <source>Add model</source>
+   <translation>Modell hinzufügen</translation>
+  </message>
+  <message>
    <source>Add photos or label images, or drop files, folders and layers here.</source>
    <translation>Fügen Sie Fotos oder Klassenbilder hinzu oder ziehen Sie Dateien, Ordner und Layer hierher.</translation>
   </message>
   <message>
    <source>Add the image to the project as a half-transparent layer at its position</source>
    <translation>Bild als halbtransparenten Layer an seiner Position zum Projekt hinzufügen</translation>
+  </message>
+  <message>
+   <source>Adding a model</source>
+   <translation>Modell wird hinzugefügt</translation>
   </message>
   <message>
    <source>Adding an image to the map</source>
@@ -258,6 +282,10 @@
   <message>
    <source>All polygons are</source>
    <translation>Alle Polygone sind</translation>
+  </message>
+  <message>
+   <source>All used outputs of {path} have the class {name}, so every pixel would have it. Enter at least two classes; a class without interest can be “other”.</source>
+   <translation>Alle verwendeten Ausgaben von {path} haben die Klasse {name}, sodass jedes Pixel sie hätte. Geben Sie mindestens zwei Klassen ein; eine Klasse ohne Interesse kann „other“ sein.</translation>
   </message>
   <message>
    <source>Along the flight</source>
@@ -346,6 +374,10 @@
   <message>
    <source>Approximate position of the images. It limits the search area and makes the search faster. Optional.</source>
    <translation>Ungefähre Position der Bilder. Sie begrenzt das Suchgebiet und beschleunigt die Suche. Optional.</translation>
+  </message>
+  <message>
+   <source>Architecture of the checkpoint</source>
+   <translation>Architektur des Checkpoints</translation>
   </message>
   <message>
    <source>Area</source>
@@ -452,6 +484,10 @@
    <translation>Referenzdatenbank wird erstellt</translation>
   </message>
   <message>
+   <source>Buildings, one output with a threshold</source>
+   <translation>Gebäude, eine Ausgabe mit Schwellenwert</translation>
+  </message>
+  <message>
    <source>Builds a reference database from a label map: its landmarks, and windows that are described by topology vectors.
 
 The GeoPackage contains windows, landmarks, a reduced map (overview), classes and parameters. The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks have no vector.</source>
@@ -480,8 +516,8 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
    <translation>CSV-Datei mit den Spalten image, dx_m, dy_m und dheading_deg: die Bewegung seit der vorherigen Zeile, nach rechts und zur Oberkante dieses Bildes (m), und die Drehung im Uhrzeigersinn (Grad). Optionale Spalten sind sigma_m, sigma_heading_deg, scale und sigma_scale. Eine Zeile ohne Zahlen bedeutet unbekannte Bewegung. Die Tabelle hat Vorrang vor der in Bildern gemessenen Bewegung.</translation>
   </message>
   <message>
-   <source>CSV file with the columns key, value, class, priority. The value * matches any value; an empty class excludes polygons. If not set, the rules of SemRef are used.</source>
-   <translation>CSV-Datei mit den Spalten key, value, class, priority. Der Wert * passt auf jeden Wert; eine leere Klasse schließt Polygone aus. Ohne Angabe gelten die Regeln von SemRef.</translation>
+   <source>CSV file with the columns key, value, class, priority, and width (m) for lines. The value * matches any value; an empty class excludes polygons and lines. If not set, the rules of SemRef are used.</source>
+   <translation>CSV-Datei mit den Spalten key, value, class, priority und, für Linien, width (m). Der Wert * passt auf jeden Wert; eine leere Klasse schließt Polygone und Linien aus. Ohne Angabe gelten die Regeln von SemRef.</translation>
   </message>
   <message>
    <source>CSV file with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. It must contain every class of the layer.</source>
@@ -576,6 +612,10 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
    <translation>Prüfung eines Landbedeckungslayers</translation>
   </message>
   <message>
+   <source>Check that the classes are in the right places. If not, check order, resolution and mean.</source>
+   <translation>Prüfen Sie, ob die Klassen an den richtigen Stellen sind. Wenn nicht, prüfen Sie Reihenfolge, Auflösung und Mittelwert.</translation>
+  </message>
+  <message>
    <source>Check the disagreements in the dock’s tab “Correct”. Either map may be wrong.</source>
    <translation>Prüfen Sie die Abweichungen im Reiter „Korrigieren“ des Bedienfelds. Jede der beiden Karten kann falsch sein.</translation>
   </message>
@@ -644,6 +684,10 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
    <translation>Modell aus dem Modellordner oder aus den zuletzt verwendeten wählen</translation>
   </message>
   <message>
+   <source>Choose a raster layer or file for the test picture.</source>
+   <translation>Wählen Sie einen Rasterlayer oder eine Datei für das Testbild.</translation>
+  </message>
+  <message>
    <source>Choose a reference database</source>
    <translation>Referenzdatenbank wählen</translation>
   </message>
@@ -672,12 +716,20 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
    <translation>Klasse</translation>
   </message>
   <message>
+   <source>Class (empty: not used)</source>
+   <translation>Klasse (leer: nicht verwendet)</translation>
+  </message>
+  <message>
    <source>Class field</source>
    <translation>Klassenfeld</translation>
   </message>
   <message>
    <source>Class of all polygons, for example “building”. If you enter a class here, the class field is not used.</source>
    <translation>Klasse aller Polygone, zum Beispiel „building“. Wenn Sie hier eine Klasse angeben, wird das Klassenfeld nicht verwendet.</translation>
+  </message>
+  <message>
+   <source>Class of each output</source>
+   <translation>Klasse jeder Ausgabe</translation>
   </message>
   <message>
    <source>Class of other polygons</source>
@@ -758,6 +810,10 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
   <message>
    <source>Classes that are landmarks: names or values separated by “;”, for example building;bare_land;water. If not set, the classes with the role “reference” in the class table of the map are used.</source>
    <translation>Klassen, die Landmarken sind: Namen oder Werte, durch „;“ getrennt, zum Beispiel building;bare_land;water. Ohne Angabe gelten die Klassen mit der Rolle „reference“ in der Klassentabelle der Karte.</translation>
+  </message>
+  <message>
+   <source>Classes: {names}</source>
+   <translation>Klassen: {names}</translation>
   </message>
   <message>
    <source>Classify OpenStreetMap</source>
@@ -916,10 +972,10 @@ Pixels outside all ranges are unlabeled (0). With “Nearest color”, black is 
 Pixel außerhalb aller Bereiche bleiben ohne Klasse (0). Bei „Nächstliegende Farbe“ ist Schwarz ohne Klasse, außer wenn eine Klasse schwarz ist.</translation>
   </message>
   <message>
-   <source>Converts polygons with OpenStreetMap tags to land cover: building, water, bare land, forest, cultivated land, grass and built-up land. A priority decides which polygon is on top.
+   <source>Converts polygons with OpenStreetMap tags to land cover: building, water, bare land, forest, cultivated land, grass and built-up land. Roads, railways, rivers and streams can be added from lines. A priority decides which polygon is on top.
 
 The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shapefile, or a layer with tags in columns. A table of rules assigns classes to tags.</source>
-   <translation>Wandelt Polygone mit OpenStreetMap-Tags in Landbedeckung um: Gebäude, Wasser, offener Boden, Wald, Ackerland, Grünland und bebautes Land. Eine Priorität legt fest, welches Polygon oben liegt.
+   <translation>Wandelt Polygone mit OpenStreetMap-Tags in Landbedeckung um: Gebäude, Wasser, offener Boden, Wald, Ackerland, Grünland und bebautes Land. Straßen, Bahngleise, Flüsse und Bäche können aus Linien hinzugefügt werden. Eine Priorität legt fest, welches Polygon oben liegt.
 
 Die Eingabe kann ein Auszug (.osm, .osm.pbf), ein QuickOSM-Layer, ein Geofabrik-Shapefile oder ein Layer mit Tags in Spalten sein. Eine Regeltabelle ordnet den Tags Klassen zu.</translation>
   </message>
@@ -938,6 +994,10 @@ Die Eingabe kann ein Auszug (.osm, .osm.pbf), ein QuickOSM-Layer, ein Geofabrik-
   <message>
    <source>Copy of the model with the class offset, in meters, in its metadata.</source>
    <translation>Kopie des Modells mit dem Klassenversatz in Metern in den Metadaten.</translation>
+  </message>
+  <message>
+   <source>Copy of the network with metadata. The file of the network is not changed.</source>
+   <translation>Kopie des Netzes mit Metadaten. Die Datei des Netzes wird nicht verändert.</translation>
   </message>
   <message>
    <source>Copy position</source>
@@ -1296,8 +1356,24 @@ Ganze Geländeblöcke werden für die Validierung zurückgelegt; kein Pixel lieg
    <translation>EfficientNet-Lite0, mit Fotos vortrainiert</translation>
   </message>
   <message>
+   <source>Encoder of the checkpoint</source>
+   <translation>Encoder des Checkpoints</translation>
+  </message>
+  <message>
    <source>End (UTC)</source>
    <translation>Ende (UTC)</translation>
+  </message>
+  <message>
+   <source>Enter the class of each output of the network.</source>
+   <translation>Geben Sie die Klasse jeder Ausgabe des Netzes ein.</translation>
+  </message>
+  <message>
+   <source>Enter the license of the network, as its maker states it; “unknown” if there is none.</source>
+   <translation>Geben Sie die Lizenz des Netzes so ein, wie der Hersteller sie nennt; „unknown“, wenn es keine gibt.</translation>
+  </message>
+  <message>
+   <source>Enter the resolution of the images that the network was trained on.</source>
+   <translation>Geben Sie die Auflösung der Bilder ein, mit denen das Netz trainiert wurde.</translation>
   </message>
   <message>
    <source>Epoch</source>
@@ -1442,6 +1518,10 @@ Die Route ist ein Linienlayer oder eine Datei: GPX, KML, QGroundControl-Plan (.p
   <message>
    <source>Extent of the test layer</source>
    <translation>Ausdehnung des Testlayers</translation>
+  </message>
+  <message>
+   <source>FLAIR-INC RGB of IGN, 19 outputs</source>
+   <translation>FLAIR-INC RGB des IGN, 19 Ausgaben</translation>
   </message>
   <message>
    <source>False accepts</source>
@@ -2092,6 +2172,14 @@ Bilder ohne Position werden weggelassen, ebenso wahrscheinliche Positionen und P
    <translation>Anteil der Karte mit Klasse</translation>
   </message>
   <message>
+   <source>Labeling the test picture</source>
+   <translation>Klassen des Testbilds werden bestimmt</translation>
+  </message>
+  <message>
+   <source>Labeling the test picture…</source>
+   <translation>Klassen des Testbilds werden bestimmt…</translation>
+  </message>
+  <message>
    <source>Labels</source>
    <translation>Klassen</translation>
   </message>
@@ -2200,6 +2288,10 @@ Bilder ohne Position werden weggelassen, ebenso wahrscheinliche Positionen und P
    <translation>Breite, Länge (WGS 84)</translation>
   </message>
   <message>
+   <source>Layer of lines with tags as columns, or the extract. Roads and railways get the class road, rivers and streams the class water. The tags width and lanes give the width, otherwise the rules. Tunnels are left out.</source>
+   <translation>Layer mit Linien und Tags in Spalten, oder der Auszug. Straßen und Bahngleise erhalten die Klasse road, Flüsse und Bäche die Klasse water. Die Tags width und lanes geben die Breite an, sonst die Regeln. Tunnel werden weggelassen.</translation>
+  </message>
+  <message>
    <source>Layer of places to check</source>
    <translation>Layer der zu prüfenden Stellen</translation>
   </message>
@@ -2248,6 +2340,10 @@ Bilder ohne Position werden weggelassen, ebenso wahrscheinliche Positionen und P
    <translation>Lizenz</translation>
   </message>
   <message>
+   <source>License of the network, as its maker states it. The model card shows it.</source>
+   <translation>Lizenz des Netzes, wie der Hersteller sie nennt. Die Modellkarte zeigt sie.</translation>
+  </message>
+  <message>
    <source>Likely position</source>
    <translation>Wahrscheinliche Position</translation>
   </message>
@@ -2266,6 +2362,10 @@ Bilder ohne Position werden weggelassen, ebenso wahrscheinliche Positionen und P
   <message>
    <source>Line layer, or path of a GPX, KML, .plan or .waypoints file. Each line is a separate route.</source>
    <translation>Linienlayer oder Pfad einer GPX-, KML-, .plan- oder .waypoints-Datei. Jede Linie ist eine eigene Route.</translation>
+  </message>
+  <message>
+   <source>Lines can be added to tags of OpenStreetMap only, and “{layer}” has no tags. Choose another map, or leave out the lines.</source>
+   <translation>Linien können nur zu Tags von OpenStreetMap hinzugefügt werden, und „{layer}“ hat keine Tags. Wählen Sie eine andere Karte oder lassen Sie die Linien weg.</translation>
   </message>
   <message>
    <source>Loading the model</source>
@@ -2392,6 +2492,14 @@ The image is resampled to the resolution of the model if both are known, and pro
 Das Bild wird auf die Auflösung des Modells umgerechnet, wenn beide bekannt sind, und in überlappenden Kacheln verarbeitet. Die Klassenkarte hat die Georeferenz des Bildes und die Klassen des Modells. Kartenkacheln und Webkarten zeichnet QGIS in der angegebenen Ausdehnung.</translation>
   </message>
   <message>
+   <source>Makes a model from a segmentation network of others: an ONNX file, or a checkpoint of segmentation_models_pytorch.
+
+The result is a copy with class names, resolution, standardization and license. Outputs of the same class are merged: their probabilities are added after a softmax over all used outputs. A checkpoint needs the training environment (Settings ▸ Options ▸ SemRef).</source>
+   <translation>Erstellt ein Modell aus einem fremden Segmentierungsnetz: einer ONNX-Datei oder einem Checkpoint von segmentation_models_pytorch.
+
+Das Ergebnis ist eine Kopie mit Klassennamen, Auflösung, Standardisierung und Lizenz. Ausgaben derselben Klasse werden zusammengefasst: Ihre Wahrscheinlichkeiten werden nach einem Softmax über alle verwendeten Ausgaben addiert. Ein Checkpoint braucht die Trainingsumgebung (Einstellungen ▸ Optionen ▸ SemRef).</translation>
+  </message>
+  <message>
    <source>Makes a reference database from a land-cover layer in one run, with “Rasterize land-cover layer” and “Build reference database”. Select a class table, or enter the reference classes.</source>
    <translation>Erstellt in einem Lauf eine Referenzdatenbank aus einem Landbedeckungslayer, mit „Landbedeckungslayer rastern“ und „Referenzdatenbank erstellen“. Wählen Sie eine Klassentabelle oder geben Sie die Referenzklassen an.</translation>
   </message>
@@ -2500,12 +2608,20 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
    <translation>Höchstgeschwindigkeit (m/s)</translation>
   </message>
   <message>
+   <source>Mean (R; G; B)</source>
+   <translation>Mittelwert (R; G; B)</translation>
+  </message>
+  <message>
    <source>Mean IoU</source>
    <translation>Mittlere IoU</translation>
   </message>
   <message>
    <source>Mean IoU {iou:.1%}, overall accuracy {accuracy:.1%}, {pixels} pixels.</source>
    <translation>Mittlere IoU {iou:.1%}, Gesamtgenauigkeit {accuracy:.1%}, {pixels} Pixel.</translation>
+  </message>
+  <message>
+   <source>Mean and standard deviation have three numbers, for red, green and blue; deviations above 0.</source>
+   <translation>Mittelwert und Standardabweichung haben drei Zahlen, für Rot, Grün und Blau; Abweichungen über 0.</translation>
   </message>
   <message>
    <source>Mean confidence</source>
@@ -2692,8 +2808,24 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
    <translation>Name</translation>
   </message>
   <message>
+   <source>Name for the list of models. If not set, the name of the file.</source>
+   <translation>Name für die Liste der Modelle. Ohne Angabe der Name der Datei.</translation>
+  </message>
+  <message>
+   <source>Name in segmentation_models_pytorch, for example resnet34. Not used for ONNX files.</source>
+   <translation>Name in segmentation_models_pytorch, zum Beispiel resnet34. Für ONNX-Dateien nicht verwendet.</translation>
+  </message>
+  <message>
+   <source>Name in segmentation_models_pytorch, for example unet, fpn or deeplabv3. Not used for ONNX files.</source>
+   <translation>Name in segmentation_models_pytorch, zum Beispiel unet, fpn oder deeplabv3. Für ONNX-Dateien nicht verwendet.</translation>
+  </message>
+  <message>
    <source>Name of the matched window: its first column and row on the map</source>
    <translation>Name des gefundenen Fensters: seine erste Spalte und Zeile auf der Karte</translation>
+  </message>
+  <message>
+   <source>Names in the order of the outputs, separated by “;”. Outputs with the same name are merged. Leave a name empty for an output that is not used, for example building;road;;road.</source>
+   <translation>Namen in der Reihenfolge der Ausgaben, durch „;“ getrennt. Ausgaben mit demselben Namen werden zusammengefasst. Lassen Sie den Namen einer Ausgabe leer, die nicht verwendet wird, zum Beispiel building;road;;road.</translation>
   </message>
   <message>
    <source>Names or values of the classes that are landmarks, separated by “;”. If not set, classes that are usually compact and permanent are used: buildings, water, bare land, orchards.</source>
@@ -2718,6 +2850,10 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   <message>
    <source>Network that is trained if there is no base model. The small network trains faster, but has learned nothing before.</source>
    <translation>Netz, das trainiert wird, wenn es kein Ausgangsmodell gibt. Das kleine Netz lernt schneller, hat aber noch kein Vorwissen.</translation>
+  </message>
+  <message>
+   <source>Networks</source>
+   <translation>Netze</translation>
   </message>
   <message>
    <source>Next image (Alt+Down)</source>
@@ -2814,6 +2950,10 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   <message>
    <source>No rule matches a tag of “{source}”. Its columns are: {columns}. Select a layer with OpenStreetMap tags or other rules, or enter a class of other polygons.</source>
    <translation>Keine Regel passt auf ein Tag von „{source}“. Seine Spalten sind: {columns}. Wählen Sie einen Layer mit OpenStreetMap-Tags oder andere Regeln, oder geben Sie eine Klasse der übrigen Polygone an.</translation>
+  </message>
+  <message>
+   <source>No rule with a width matches a tag of the lines “{source}”. Their columns are: {columns}. Select a layer of lines with OpenStreetMap tags, or other rules.</source>
+   <translation>Keine Regel mit einer Breite passt auf ein Tag der Linien „{source}“. Ihre Spalten sind: {columns}. Wählen Sie einen Linienlayer mit OpenStreetMap-Tags oder andere Regeln.</translation>
   </message>
   <message>
    <source>No training</source>
@@ -2924,6 +3064,10 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
    <translation>Anzahl der Landmarken im Vektor, wenn keine Datenbank gewählt ist: die der Mitte nächsten.</translation>
   </message>
   <message>
+   <source>Number of outputs</source>
+   <translation>Anzahl der Ausgaben</translation>
+  </message>
+  <message>
    <source>Number of polygons with a class</source>
    <translation>Anzahl der Polygone mit Klasse</translation>
   </message>
@@ -2962,6 +3106,10 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   <message>
    <source>Numbers</source>
    <translation>Zahlen</translation>
+  </message>
+  <message>
+   <source>ONNX file with input 1 × 3 × height × width and an output for each class, or a checkpoint with the weights of such a network.</source>
+   <translation>ONNX-Datei mit der Eingabe 1 × 3 × Höhe × Breite und einer Ausgabe für jede Klasse, oder ein Checkpoint mit den Gewichten eines solchen Netzes.</translation>
   </message>
   <message>
    <source>ONNX file. During training a folder beside it contains the state that a canceled run needs to continue.</source>
@@ -3110,6 +3258,10 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   <message>
    <source>Open the sample project…</source>
    <translation>Beispielprojekt öffnen…</translation>
+  </message>
+  <message>
+   <source>OpenStreetMap lines</source>
+   <translation>OpenStreetMap-Linien</translation>
   </message>
   <message>
    <source>OpenStreetMap polygons</source>
@@ -3276,8 +3428,16 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
    <translation>Pixelgröße für „Landbedeckungslayer rastern“. Auch Landmarken, die bei dieser Pixelgröße verloren gehen, verschmelzen oder zerfallen, werden gemeldet. Ohne Angabe wird dies nicht geprüft.</translation>
   </message>
   <message>
+   <source>Pixel size of the images that the network was trained on.</source>
+   <translation>Pixelgröße der Bilder, mit denen das Netz trainiert wurde.</translation>
+  </message>
+  <message>
    <source>Pixel size that the network was trained on. If not set, the value in the metadata of the model is used. Images without a georeference are not resampled.</source>
    <translation>Pixelgröße, mit der das Netz trainiert wurde. Ohne Angabe gilt der Wert in den Metadaten des Modells. Bilder ohne Georeferenz werden nicht umgerechnet.</translation>
+  </message>
+  <message>
+   <source>Pixel values</source>
+   <translation>Pixelwerte</translation>
   </message>
   <message>
    <source>Places</source>
@@ -3412,6 +3572,10 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
    <translation>Landmarken werden vorbereitet</translation>
   </message>
   <message>
+   <source>Preset</source>
+   <translation>Voreinstellung</translation>
+  </message>
+  <message>
    <source>Press “Localize” in the dock to find the positions of the photos.</source>
    <translation>Klicken Sie im Bedienfeld auf „Lokalisieren“, um die Positionen der Fotos zu finden.</translation>
   </message>
@@ -3442,6 +3606,10 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   <message>
    <source>Probabilities</source>
    <translation>Wahrscheinlichkeiten</translation>
+  </message>
+  <message>
+   <source>Probability from which a pixel has the class, for networks with one output. If not set, 0.5.</source>
+   <translation>Wahrscheinlichkeit, ab der ein Pixel die Klasse hat, für Netze mit einer Ausgabe. Ohne Angabe 0,5.</translation>
   </message>
   <message>
    <source>Probability that the position is wrong</source>
@@ -3516,6 +3684,10 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
    <translation>Radius des Suchgebiets um die Position aus dem Vorwissen. Gilt nur, wenn diese Position angegeben ist.</translation>
   </message>
   <message>
+   <source>Range of the pixel values before the mean is subtracted and the result is divided.</source>
+   <translation>Bereich der Pixelwerte, bevor der Mittelwert abgezogen und das Ergebnis geteilt wird.</translation>
+  </message>
+  <message>
    <source>Rank</source>
    <translation>Rang</translation>
   </message>
@@ -3578,6 +3750,14 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   <message>
    <source>Reading the label map</source>
    <translation>Klassenkarte wird gelesen</translation>
+  </message>
+  <message>
+   <source>Reading the network</source>
+   <translation>Netz wird gelesen</translation>
+  </message>
+  <message>
+   <source>Reading the network…</source>
+   <translation>Netz wird gelesen…</translation>
   </message>
   <message>
    <source>Reading the photos and the map</source>
@@ -3782,6 +3962,10 @@ Bei einer Überlappung bleibt das Polygon mit der höheren Priorität, sonst das
   <message>
    <source>Ring Self-intersection</source>
    <translation>Selbstüberschneidung eines Rings</translation>
+  </message>
+  <message>
+   <source>Roads, railways, rivers and streams as lines: layer with OpenStreetMap tags, or the extract. Only models with a class road or water use them.</source>
+   <translation>Straßen, Bahngleise, Flüsse und Bäche als Linien: Layer mit OpenStreetMap-Tags, oder der Auszug. Nur Modelle mit einer Klasse road oder water verwenden sie.</translation>
   </message>
   <message>
    <source>Role</source>
@@ -4252,6 +4436,10 @@ Beschrieben wird das größte mittige Quadrat des Bildes, wie bei den Fenstern e
    <translation>Standardabweichung</translation>
   </message>
   <message>
+   <source>Standard deviation (R; G; B)</source>
+   <translation>Standardabweichung (R; G; B)</translation>
+  </message>
+  <message>
    <source>Standard deviation of landmark positions on the map, along each axis. It increases the 95 % radius, because neighboring landmarks are displaced together. The default of 1.2 m was measured between maps of two dates in two countries. “Compare label maps” measures it for your maps.</source>
    <translation>Standardabweichung der Positionen der Landmarken auf der Karte, je Achse. Sie vergrößert den 95-%-Radius, weil benachbarte Landmarken gemeinsam verschoben sind. Der Standardwert 1,2 m wurde zwischen Karten zweier Zeitpunkte in zwei Ländern gemessen. „Klassenkarten vergleichen“ misst sie für Ihre Karten.</translation>
   </message>
@@ -4388,6 +4576,14 @@ Beschrieben wird das größte mittige Quadrat des Bildes, wie bei den Fenstern e
    <translation>Ziel-KBS</translation>
   </message>
   <message>
+   <source>Test</source>
+   <translation>Testen</translation>
+  </message>
+  <message>
+   <source>Test picture: the middle of</source>
+   <translation>Testbild: die Mitte von</translation>
+  </message>
+  <message>
    <source>Test the model on new ground with “Segment image”, then “Compare label maps”.</source>
    <translation>Testen Sie das Modell auf neuem Gelände mit „Bild segmentieren“, dann „Klassenkarten vergleichen“.</translation>
   </message>
@@ -4398,6 +4594,10 @@ Beschrieben wird das größte mittige Quadrat des Bildes, wie bei den Fenstern e
   <message>
    <source>Tested versions</source>
    <translation>Getestete Versionen</translation>
+  </message>
+  <message>
+   <source>Testing the network</source>
+   <translation>Netz wird getestet</translation>
   </message>
   <message>
    <source>Tests a reference database with images of known position. They are cut from a label map, rotated, scaled, given label errors, and localized with one or more methods. The report compares the methods.
@@ -4832,6 +5032,10 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Die Landmarken, die mit der Karte übereinstimmen, legen die Position nicht genau genug fest.</translation>
   </message>
   <message>
+   <source>The last images do not agree with the map. The motion since the last position leads to {x:.0f}, {y:.0f}, with a 95 % radius of {radius:.0f} m.</source>
+   <translation>Die letzten Bilder stimmen nicht mit der Karte überein. Die Bewegung seit der letzten Position führt zu {x:.0f}, {y:.0f}, mit einem 95-%-Radius von {radius:.0f} m.</translation>
+  </message>
+  <message>
    <source>The last update of the database is undone.</source>
    <translation>Die letzte Aktualisierung der Datenbank ist rückgängig gemacht.</translation>
   </message>
@@ -4854,6 +5058,14 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
   <message>
    <source>The levels must be positive multipliers of the window size, for example 1;2.</source>
    <translation>Die Stufen müssen positive Vielfache der Fenstergröße sein, zum Beispiel 1;2.</translation>
+  </message>
+  <message>
+   <source>The lines can't be read. Choose a layer of lines.</source>
+   <translation>Die Linien können nicht gelesen werden. Wählen Sie einen Linienlayer.</translation>
+  </message>
+  <message>
+   <source>The lines “{layer}” and the polygons need a coordinate reference system. Set the CRS in the layer properties.</source>
+   <translation>Die Linien „{layer}“ und die Polygone brauchen ein Koordinatenbezugssystem. Legen Sie das KBS in den Layereigenschaften fest.</translation>
   </message>
   <message>
    <source>The longest stretch is first. A stretch is between two points with sufficient success. Suggestions show the mean expected success of a parallel line, to the left or right of the flight direction.</source>
@@ -4924,6 +5136,10 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Das Modell nennt sein Trainingsgelände nicht. Testen Sie es an einem Foto eines bekannten Orts.</translation>
   </message>
   <message>
+   <source>The model has none of the classes of lines, {classes}. Choose another model, or leave out the lines.</source>
+   <translation>Das Modell hat keine der Klassen von Linien, {classes}. Wählen Sie ein anderes Modell oder lassen Sie die Linien weg.</translation>
+  </message>
+  <message>
    <source>The model is trained and selected in the dock.</source>
    <translation>Das Modell ist trainiert und im Bedienfeld gewählt.</translation>
   </message>
@@ -4958,6 +5174,10 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
   <message>
    <source>The network found {count} landmarks ({classes})</source>
    <translation>Das Netz hat {count} Landmarken gefunden ({classes})</translation>
+  </message>
+  <message>
+   <source>The network has {count} outputs.</source>
+   <translation>Das Netz hat {count} Ausgaben.</translation>
   </message>
   <message>
    <source>The network was trained on: {places}.</source>
@@ -5192,12 +5412,20 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Die Einheit des Layer-KBS ({source}) ist nicht Meter. Das Ergebnis ist in {target}.</translation>
   </message>
   <message>
+   <source>The weights of {path} are in another file ({name}). Export the network as one file.</source>
+   <translation>Die Gewichte von {path} liegen in einer anderen Datei ({name}). Exportieren Sie das Netz als eine Datei.</translation>
+  </message>
+  <message>
    <source>The weights of {path} are in another file, so it cannot be copied with its class offset. Export it as one file.</source>
    <translation>Die Gewichte von {path} liegen in einer anderen Datei, deshalb lässt es sich nicht mit seinem Klassenversatz kopieren. Exportieren Sie es als eine Datei.</translation>
   </message>
   <message>
    <source>The weights of {path} are in another file, which is missing or incomplete. Copy it next to the model under its original name ({reason}).</source>
    <translation>Die Gewichte von {path} liegen in einer anderen Datei, die fehlt oder unvollständig ist. Kopieren Sie sie unter ihrem ursprünglichen Namen neben das Modell ({reason}).</translation>
+  </message>
+  <message>
+   <source>The weights of {path} do not fit the architecture {architecture} with the encoder {encoder} and three bands. Enter both as the maker of the checkpoint states them.</source>
+   <translation>Die Gewichte von {path} passen nicht zur Architektur {architecture} mit dem Encoder {encoder} und drei Kanälen. Geben Sie beide so ein, wie der Hersteller des Checkpoints sie nennt.</translation>
   </message>
   <message>
    <source>The window ({size} px) is larger than the map ({width} × {height} px); choose a smaller window or a larger map.</source>
@@ -5324,6 +5552,18 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Dieser Benutzer hat keinen privaten Ordner für das Geheimnis, das --state authentifiziert. Legen Sie ein Home-Verzeichnis für den Benutzer an oder ergänzen Sie --require-signature.</translation>
   </message>
   <message>
+   <source>Three numbers, separated by “;”. 0;0;0 if the network takes pixel values as they are.</source>
+   <translation>Drei Zahlen, durch „;“ getrennt. 0;0;0, wenn das Netz Pixelwerte unverändert nimmt.</translation>
+  </message>
+  <message>
+   <source>Three numbers, separated by “;”. 1;1;1 if the network takes pixel values as they are.</source>
+   <translation>Drei Zahlen, durch „;“ getrennt. 1;1;1, wenn das Netz Pixelwerte unverändert nimmt.</translation>
+  </message>
+  <message>
+   <source>Threshold</source>
+   <translation>Schwellenwert</translation>
+  </message>
+  <message>
    <source>Tile overlap (%)</source>
    <translation>Kachelüberlappung (%)</translation>
   </message>
@@ -5368,8 +5608,8 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Um Lücken zu schließen, ergänzen Sie eine Odometrietabelle oder das Log des Fluggeräts; damit werden Bilder ohne Landmarken verbunden.</translation>
   </message>
   <message>
-   <source>To get more models, train one on your own area (button next to the model in the dock) or on published photos. You can also use segmentation models of the Deepness plugin. {how}</source>
-   <translation>Weitere Modelle erhalten Sie, indem Sie eines auf Ihrem eigenen Gebiet (Schaltfläche neben dem Modell im Bedienfeld) oder mit veröffentlichten Fotos trainieren. Sie können auch Segmentierungsmodelle des Plugins Deepness verwenden. {how}</translation>
+   <source>To get more models, train one on your own area (button next to the model in the dock) or on published photos. You can also add networks of others, such as those of the Deepness plugin. {how}</source>
+   <translation>Weitere Modelle erhalten Sie, indem Sie eines auf Ihrem eigenen Gebiet (Schaltfläche neben dem Modell im Bedienfeld) oder mit veröffentlichten Fotos trainieren. Sie können auch fremde Netze hinzufügen, etwa die des Plugins Deepness. {how}</translation>
   </message>
   <message>
    <source>To image</source>
@@ -5610,6 +5850,10 @@ Alle Einstellungen kommen aus der Datenbank. Unveränderte Zeilen behalten ihre 
   <message>
    <source>Value</source>
    <translation>Wert</translation>
+  </message>
+  <message>
+   <source>Values for all fields that are not set. Without a preset, those in the metadata of the file.</source>
+   <translation>Werte für alle Felder ohne Angabe. Ohne Voreinstellung die in den Metadaten der Datei.</translation>
   </message>
   <message>
    <source>Vector</source>
@@ -5876,6 +6120,14 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>Brennweite {value:.0f} px</translation>
   </message>
   <message>
+   <source>from 0 to 1</source>
+   <translation>von 0 bis 1</translation>
+  </message>
+  <message>
+   <source>from 0 to 255</source>
+   <translation>von 0 bis 255</translation>
+  </message>
+  <message>
    <source>from the camera or the imagery</source>
    <translation>aus Kamera oder Luftbildern</translation>
   </message>
@@ -6130,6 +6382,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>roll {value:.1f}°</source>
    <translation>Rollwinkel {value:.1f}°</translation>
+  </message>
+  <message>
+   <source>segmentation_models_pytorch has no network {architecture} with the encoder {encoder}. Enter both as the maker of the checkpoint states them, for example unet and resnet34.</source>
+   <translation>segmentation_models_pytorch hat kein Netz {architecture} mit dem Encoder {encoder}. Geben Sie beide so ein, wie der Hersteller des Checkpoints sie nennt, zum Beispiel unet und resnet34.</translation>
   </message>
   <message>
    <source>similar places</source>
@@ -6784,6 +7040,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>{path} hat {bands} Kanäle, eine Klassenkarte aber einen: Dekodieren Sie ein Farbbild zuerst mit „Farbiges Klassenbild dekodieren“.</translation>
   </message>
   <message>
+   <source>{path} has {channels} outputs, but there are {count} class names. Enter one class for each output, empty for outputs that are not used.</source>
+   <translation>{path} hat {channels} Ausgaben, es gibt aber {count} Klassennamen. Geben Sie für jede Ausgabe eine Klasse ein, leer für Ausgaben, die nicht verwendet werden.</translation>
+  </message>
+  <message>
    <source>{path} has {count} landmarks and bounds of {bounds}; build it again.</source>
    <translation>{path} hat {count} Landmarken, aber Grenzen von {bounds}; erstellen Sie die Datenbank neu.</translation>
   </message>
@@ -6908,6 +7168,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>{path} ist keine Kameratabelle. Die Kopfzeile ist „{first}“; nötig sind die Spalte image und einige von {columns}.</translation>
   </message>
   <message>
+   <source>{path} is not a checkpoint of segmentation_models_pytorch that contains weights only. Save the network’s state_dict with torch.save.</source>
+   <translation>{path} ist kein Checkpoint von segmentation_models_pytorch, der nur Gewichte enthält. Speichern Sie das state_dict des Netzes mit torch.save.</translation>
+  </message>
+  <message>
    <source>{path} is not a file. Choose a table or a log.</source>
    <translation>{path} ist keine Datei. Wählen Sie eine Tabelle oder ein Log.</translation>
   </message>
@@ -6966,6 +7230,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>{path} names another file for its overviews ({name}), which SemRef does not open; remove {path}.aux.xml, or build the overviews again.</source>
    <translation>{path} nennt eine andere Datei für seine Übersichten ({name}), die SemRef nicht öffnet; entfernen Sie {path}.aux.xml oder erstellen Sie die Übersichten neu.</translation>
+  </message>
+  <message>
+   <source>{path} outputs class numbers. Export it without argmax, with an output for each class.</source>
+   <translation>{path} gibt Klassennummern aus. Exportieren Sie es ohne argmax, mit einer Ausgabe für jede Klasse.</translation>
   </message>
   <message>
    <source>{path} outputs the class number {number:g}, but names only {count} classes. Use the names from its training.</source>
@@ -7282,6 +7550,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>{where}: “{text}” is not a whole number; the column value needs 0 to 255.</source>
    <translation>{where}: „{text}“ ist keine ganze Zahl; die Spalte value braucht eine von 0 bis 255.</translation>
+  </message>
+  <message>
+   <source>{where}: “{text}” is not a width of lines; the column width needs a number of meters above 0 and up to {most:g}, or nothing.</source>
+   <translation>{where}: „{text}“ ist keine Breite von Linien; die Spalte width braucht eine Zahl von Metern über 0 und bis {most:g}, oder nichts.</translation>
   </message>
   <message>
    <source>{where}: “{text}” is not three numbers “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).</source>

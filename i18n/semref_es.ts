@@ -172,8 +172,24 @@
    <translation>Exactitud del radio y de la confianza</translation>
   </message>
   <message>
+   <source>Add</source>
+   <translation>Añadir</translation>
+  </message>
+  <message>
    <source>Add a folder of images</source>
    <translation>Añadir una carpeta de imágenes</translation>
+  </message>
+  <message>
+   <source>Add a model</source>
+   <translation>Añadir un modelo</translation>
+  </message>
+  <message>
+   <source>Add a model…</source>
+   <translation>Añadir un modelo…</translation>
+  </message>
+  <message>
+   <source>Add a network of others: an ONNX file, or a checkpoint of PyTorch</source>
+   <translation>Añadir una red de terceros: un archivo ONNX o un punto de control de PyTorch</translation>
   </message>
   <message>
    <source>Add a raster layer of the project</source>
@@ -208,12 +224,20 @@
    <translation>Añada imágenes.</translation>
   </message>
   <message>
+   <source>Add model</source>
+   <translation>Añadir modelo</translation>
+  </message>
+  <message>
    <source>Add photos or label images, or drop files, folders and layers here.</source>
    <translation>Añada fotos o imágenes de etiquetas, o suelte aquí archivos, carpetas y capas.</translation>
   </message>
   <message>
    <source>Add the image to the project as a half-transparent layer at its position</source>
    <translation>Añade la imagen al proyecto como capa semitransparente en su posición</translation>
+  </message>
+  <message>
+   <source>Adding a model</source>
+   <translation>Añadiendo un modelo</translation>
   </message>
   <message>
    <source>Adding an image to the map</source>
@@ -258,6 +282,10 @@
   <message>
    <source>All polygons are</source>
    <translation>Todos los polígonos son</translation>
+  </message>
+  <message>
+   <source>All used outputs of {path} have the class {name}, so every pixel would have it. Enter at least two classes; a class without interest can be “other”.</source>
+   <translation>Todas las salidas usadas de {path} tienen la clase {name}, así que todos los píxeles la tendrían. Indique al menos dos clases; una clase sin interés puede ser “other”.</translation>
   </message>
   <message>
    <source>Along the flight</source>
@@ -346,6 +374,10 @@
   <message>
    <source>Approximate position of the images. It limits the search area and makes the search faster. Optional.</source>
    <translation>Posición aproximada de las imágenes. Limita la zona de búsqueda y hace la búsqueda más rápida. Opcional.</translation>
+  </message>
+  <message>
+   <source>Architecture of the checkpoint</source>
+   <translation>Arquitectura del punto de control</translation>
   </message>
   <message>
    <source>Area</source>
@@ -452,6 +484,10 @@
    <translation>Creando la base de datos de referencia</translation>
   </message>
   <message>
+   <source>Buildings, one output with a threshold</source>
+   <translation>Edificios, una salida con umbral</translation>
+  </message>
+  <message>
    <source>Builds a reference database from a label map: its landmarks, and windows that are described by topology vectors.
 
 The GeoPackage contains windows, landmarks, a reduced map (overview), classes and parameters. The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks have no vector.</source>
@@ -480,8 +516,8 @@ El GeoPackage contiene ventanas, hitos, un mapa reducido (vista general), clases
    <translation>Archivo CSV con las columnas image, dx_m, dy_m y dheading_deg: el movimiento desde la fila anterior, hacia la derecha y hacia la parte superior de esa imagen (m), y el giro en sentido horario (grados). Las columnas opcionales son sigma_m, sigma_heading_deg, scale y sigma_scale. Una fila sin números significa movimiento desconocido. La tabla tiene preferencia sobre el movimiento medido en las imágenes.</translation>
   </message>
   <message>
-   <source>CSV file with the columns key, value, class, priority. The value * matches any value; an empty class excludes polygons. If not set, the rules of SemRef are used.</source>
-   <translation>Archivo CSV con las columnas key, value, class, priority. El valor * coincide con cualquier valor; una clase vacía excluye los polígonos. Si no se indica, se usan las reglas de SemRef.</translation>
+   <source>CSV file with the columns key, value, class, priority, and width (m) for lines. The value * matches any value; an empty class excludes polygons and lines. If not set, the rules of SemRef are used.</source>
+   <translation>Archivo CSV con las columnas key, value, class, priority y, para las líneas, width (m). El valor * coincide con cualquier valor; una clase vacía excluye los polígonos y las líneas. Si no se indica, se usan las reglas de SemRef.</translation>
   </message>
   <message>
    <source>CSV file with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. It must contain every class of the layer.</source>
@@ -576,6 +612,10 @@ El GeoPackage contiene ventanas, hitos, un mapa reducido (vista general), clases
    <translation>Comprobación de una capa de cobertura del suelo</translation>
   </message>
   <message>
+   <source>Check that the classes are in the right places. If not, check order, resolution and mean.</source>
+   <translation>Compruebe que las clases están en los lugares correctos. Si no es así, compruebe el orden, la resolución y la media.</translation>
+  </message>
+  <message>
    <source>Check the disagreements in the dock’s tab “Correct”. Either map may be wrong.</source>
    <translation>Revise las discrepancias en la pestaña “Corregir” del panel. Cualquiera de los dos mapas puede ser erróneo.</translation>
   </message>
@@ -644,6 +684,10 @@ El GeoPackage contiene ventanas, hitos, un mapa reducido (vista general), clases
    <translation>Elija un modelo de la carpeta de modelos o de los recientes</translation>
   </message>
   <message>
+   <source>Choose a raster layer or file for the test picture.</source>
+   <translation>Elija una capa ráster o un archivo para la imagen de prueba.</translation>
+  </message>
+  <message>
    <source>Choose a reference database</source>
    <translation>Elegir una base de datos de referencia</translation>
   </message>
@@ -672,12 +716,20 @@ El GeoPackage contiene ventanas, hitos, un mapa reducido (vista general), clases
    <translation>Clase</translation>
   </message>
   <message>
+   <source>Class (empty: not used)</source>
+   <translation>Clase (vacía: no se usa)</translation>
+  </message>
+  <message>
    <source>Class field</source>
    <translation>Campo de clase</translation>
   </message>
   <message>
    <source>Class of all polygons, for example “building”. If you enter a class here, the class field is not used.</source>
    <translation>Clase de todos los polígonos, por ejemplo “building”. Si indica aquí una clase, no se usa el campo de clase.</translation>
+  </message>
+  <message>
+   <source>Class of each output</source>
+   <translation>Clase de cada salida</translation>
   </message>
   <message>
    <source>Class of other polygons</source>
@@ -758,6 +810,10 @@ El GeoPackage contiene ventanas, hitos, un mapa reducido (vista general), clases
   <message>
    <source>Classes that are landmarks: names or values separated by “;”, for example building;bare_land;water. If not set, the classes with the role “reference” in the class table of the map are used.</source>
    <translation>Clases que son hitos: nombres o valores separados por “;”, por ejemplo building;bare_land;water. Si no se indica, se usan las clases con el rol “reference” de la tabla de clases del mapa.</translation>
+  </message>
+  <message>
+   <source>Classes: {names}</source>
+   <translation>Clases: {names}</translation>
   </message>
   <message>
    <source>Classify OpenStreetMap</source>
@@ -916,10 +972,10 @@ Pixels outside all ranges are unlabeled (0). With “Nearest color”, black is 
 Los píxeles fuera de todos los rangos quedan sin etiqueta (0). Con “Color más cercano”, el negro queda sin etiqueta salvo que una clase sea negra.</translation>
   </message>
   <message>
-   <source>Converts polygons with OpenStreetMap tags to land cover: building, water, bare land, forest, cultivated land, grass and built-up land. A priority decides which polygon is on top.
+   <source>Converts polygons with OpenStreetMap tags to land cover: building, water, bare land, forest, cultivated land, grass and built-up land. Roads, railways, rivers and streams can be added from lines. A priority decides which polygon is on top.
 
 The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shapefile, or a layer with tags in columns. A table of rules assigns classes to tags.</source>
-   <translation>Convierte polígonos con etiquetas de OpenStreetMap en cobertura del suelo: edificios, agua, suelo desnudo, bosque, cultivos, hierba y suelo urbanizado. Una prioridad decide qué polígono queda encima.
+   <translation>Convierte polígonos con etiquetas de OpenStreetMap en cobertura del suelo: edificios, agua, suelo desnudo, bosque, cultivos, hierba y suelo urbanizado. Se pueden añadir carreteras, vías férreas, ríos y arroyos a partir de líneas. Una prioridad decide qué polígono queda encima.
 
 La entrada puede ser un extracto (.osm, .osm.pbf), una capa de QuickOSM, un shapefile de Geofabrik o una capa con las etiquetas en columnas. Una tabla de reglas asigna clases a las etiquetas.</translation>
   </message>
@@ -938,6 +994,10 @@ La entrada puede ser un extracto (.osm, .osm.pbf), una capa de QuickOSM, un shap
   <message>
    <source>Copy of the model with the class offset, in meters, in its metadata.</source>
    <translation>Copia del modelo con el desplazamiento de clase, en metros, en sus metadatos.</translation>
+  </message>
+  <message>
+   <source>Copy of the network with metadata. The file of the network is not changed.</source>
+   <translation>Copia de la red con metadatos. El archivo de la red no se modifica.</translation>
   </message>
   <message>
    <source>Copy position</source>
@@ -1296,8 +1356,24 @@ Se reservan bloques enteros de terreno para la validación, y ningún píxel est
    <translation>EfficientNet-Lite0, preentrenada con fotos</translation>
   </message>
   <message>
+   <source>Encoder of the checkpoint</source>
+   <translation>Codificador del punto de control</translation>
+  </message>
+  <message>
    <source>End (UTC)</source>
    <translation>Fin (UTC)</translation>
+  </message>
+  <message>
+   <source>Enter the class of each output of the network.</source>
+   <translation>Indique la clase de cada salida de la red.</translation>
+  </message>
+  <message>
+   <source>Enter the license of the network, as its maker states it; “unknown” if there is none.</source>
+   <translation>Indique la licencia de la red tal como la declara su autor; “unknown” si no hay ninguna.</translation>
+  </message>
+  <message>
+   <source>Enter the resolution of the images that the network was trained on.</source>
+   <translation>Indique la resolución de las imágenes con las que se entrenó la red.</translation>
   </message>
   <message>
    <source>Epoch</source>
@@ -1442,6 +1518,10 @@ La ruta es una capa de líneas o un archivo: GPX, KML, plan de QGroundControl (.
   <message>
    <source>Extent of the test layer</source>
    <translation>Extensión de la capa de prueba</translation>
+  </message>
+  <message>
+   <source>FLAIR-INC RGB of IGN, 19 outputs</source>
+   <translation>FLAIR-INC RGB del IGN, 19 salidas</translation>
   </message>
   <message>
    <source>False accepts</source>
@@ -2092,6 +2172,14 @@ Se omiten las imágenes sin posición, y también las posiciones probables y las
    <translation>Fracción etiquetada del mapa</translation>
   </message>
   <message>
+   <source>Labeling the test picture</source>
+   <translation>Etiquetando la imagen de prueba</translation>
+  </message>
+  <message>
+   <source>Labeling the test picture…</source>
+   <translation>Etiquetando la imagen de prueba…</translation>
+  </message>
+  <message>
    <source>Labels</source>
    <translation>Etiquetas</translation>
   </message>
@@ -2200,6 +2288,10 @@ Se omiten las imágenes sin posición, y también las posiciones probables y las
    <translation>Latitud, longitud (WGS 84)</translation>
   </message>
   <message>
+   <source>Layer of lines with tags as columns, or the extract. Roads and railways get the class road, rivers and streams the class water. The tags width and lanes give the width, otherwise the rules. Tunnels are left out.</source>
+   <translation>Capa de líneas con etiquetas OSM en columnas, o el extracto. Las carreteras y las vías férreas reciben la clase road; los ríos y los arroyos, la clase water. Las etiquetas width y lanes dan el ancho; si faltan, lo dan las reglas. Los túneles se omiten.</translation>
+  </message>
+  <message>
    <source>Layer of places to check</source>
    <translation>Capa de lugares por revisar</translation>
   </message>
@@ -2248,6 +2340,10 @@ Se omiten las imágenes sin posición, y también las posiciones probables y las
    <translation>Licencia</translation>
   </message>
   <message>
+   <source>License of the network, as its maker states it. The model card shows it.</source>
+   <translation>Licencia de la red, tal como la declara su autor. La ficha del modelo la muestra.</translation>
+  </message>
+  <message>
    <source>Likely position</source>
    <translation>Posición probable</translation>
   </message>
@@ -2266,6 +2362,10 @@ Se omiten las imágenes sin posición, y también las posiciones probables y las
   <message>
    <source>Line layer, or path of a GPX, KML, .plan or .waypoints file. Each line is a separate route.</source>
    <translation>Capa de líneas, o ruta de un archivo GPX, KML, .plan o .waypoints. Cada línea es una ruta distinta.</translation>
+  </message>
+  <message>
+   <source>Lines can be added to tags of OpenStreetMap only, and “{layer}” has no tags. Choose another map, or leave out the lines.</source>
+   <translation>Solo se pueden añadir líneas a etiquetas de OpenStreetMap, y “{layer}” no tiene etiquetas. Elija otro mapa o prescinda de las líneas.</translation>
   </message>
   <message>
    <source>Loading the model</source>
@@ -2392,6 +2492,14 @@ The image is resampled to the resolution of the model if both are known, and pro
 La imagen se remuestrea a la resolución del modelo si ambas se conocen, y se procesa en teselas que se solapan. El mapa de etiquetas tiene la georreferencia de la imagen y las clases del modelo. QGIS dibuja las teselas de mapa y los mapas web dentro de la extensión indicada.</translation>
   </message>
   <message>
+   <source>Makes a model from a segmentation network of others: an ONNX file, or a checkpoint of segmentation_models_pytorch.
+
+The result is a copy with class names, resolution, standardization and license. Outputs of the same class are merged: their probabilities are added after a softmax over all used outputs. A checkpoint needs the training environment (Settings ▸ Options ▸ SemRef).</source>
+   <translation>Crea un modelo a partir de una red de segmentación de terceros: un archivo ONNX o un punto de control de segmentation_models_pytorch.
+
+El resultado es una copia con nombres de clases, resolución, estandarización y licencia. Las salidas de la misma clase se unen: sus probabilidades se suman después de una función softmax sobre todas las salidas usadas. Un punto de control necesita el entorno de entrenamiento (Configuración ▸ Opciones ▸ SemRef).</translation>
+  </message>
+  <message>
    <source>Makes a reference database from a land-cover layer in one run, with “Rasterize land-cover layer” and “Build reference database”. Select a class table, or enter the reference classes.</source>
    <translation>Crea una base de datos de referencia a partir de una capa de cobertura del suelo en una sola ejecución, con “Rasterizar capa de cobertura del suelo” y “Crear base de datos de referencia”. Seleccione una tabla de clases o indique las clases de referencia.</translation>
   </message>
@@ -2500,12 +2608,20 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
    <translation>Velocidad máxima (m/s)</translation>
   </message>
   <message>
+   <source>Mean (R; G; B)</source>
+   <translation>Media (R; G; B)</translation>
+  </message>
+  <message>
    <source>Mean IoU</source>
    <translation>IoU medio</translation>
   </message>
   <message>
    <source>Mean IoU {iou:.1%}, overall accuracy {accuracy:.1%}, {pixels} pixels.</source>
    <translation>IoU medio {iou:.1%}, exactitud global {accuracy:.1%}, {pixels} píxeles.</translation>
+  </message>
+  <message>
+   <source>Mean and standard deviation have three numbers, for red, green and blue; deviations above 0.</source>
+   <translation>La media y la desviación típica tienen tres números, para rojo, verde y azul; las desviaciones, mayores que 0.</translation>
   </message>
   <message>
    <source>Mean confidence</source>
@@ -2692,8 +2808,24 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
    <translation>Nombre</translation>
   </message>
   <message>
+   <source>Name for the list of models. If not set, the name of the file.</source>
+   <translation>Nombre para la lista de modelos. Si no se indica, el nombre del archivo.</translation>
+  </message>
+  <message>
+   <source>Name in segmentation_models_pytorch, for example resnet34. Not used for ONNX files.</source>
+   <translation>Nombre en segmentation_models_pytorch, por ejemplo resnet34. No se usa con archivos ONNX.</translation>
+  </message>
+  <message>
+   <source>Name in segmentation_models_pytorch, for example unet, fpn or deeplabv3. Not used for ONNX files.</source>
+   <translation>Nombre en segmentation_models_pytorch, por ejemplo unet, fpn o deeplabv3. No se usa con archivos ONNX.</translation>
+  </message>
+  <message>
    <source>Name of the matched window: its first column and row on the map</source>
    <translation>Nombre de la ventana coincidente: su primera columna y fila en el mapa</translation>
+  </message>
+  <message>
+   <source>Names in the order of the outputs, separated by “;”. Outputs with the same name are merged. Leave a name empty for an output that is not used, for example building;road;;road.</source>
+   <translation>Nombres en el orden de las salidas, separados por “;”. Las salidas con el mismo nombre se unen. Deje vacío el nombre de una salida que no se usa, por ejemplo building;road;;road.</translation>
   </message>
   <message>
    <source>Names or values of the classes that are landmarks, separated by “;”. If not set, classes that are usually compact and permanent are used: buildings, water, bare land, orchards.</source>
@@ -2718,6 +2850,10 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
   <message>
    <source>Network that is trained if there is no base model. The small network trains faster, but has learned nothing before.</source>
    <translation>Red que se entrena si no hay modelo de partida. La red pequeña se entrena más rápido, pero no ha aprendido nada antes.</translation>
+  </message>
+  <message>
+   <source>Networks</source>
+   <translation>Redes</translation>
   </message>
   <message>
    <source>Next image (Alt+Down)</source>
@@ -2814,6 +2950,10 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
   <message>
    <source>No rule matches a tag of “{source}”. Its columns are: {columns}. Select a layer with OpenStreetMap tags or other rules, or enter a class of other polygons.</source>
    <translation>Ninguna regla coincide con una etiqueta de “{source}”. Sus columnas son: {columns}. Seleccione una capa con etiquetas de OpenStreetMap u otras reglas, o indique una clase para los demás polígonos.</translation>
+  </message>
+  <message>
+   <source>No rule with a width matches a tag of the lines “{source}”. Their columns are: {columns}. Select a layer of lines with OpenStreetMap tags, or other rules.</source>
+   <translation>Ninguna regla con ancho coincide con una etiqueta de las líneas “{source}”. Sus columnas son: {columns}. Seleccione una capa de líneas con etiquetas de OpenStreetMap u otras reglas.</translation>
   </message>
   <message>
    <source>No training</source>
@@ -2924,6 +3064,10 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
    <translation>Número de hitos en el vector, si no se ha seleccionado una base de datos: los más cercanos al centro.</translation>
   </message>
   <message>
+   <source>Number of outputs</source>
+   <translation>Número de salidas</translation>
+  </message>
+  <message>
    <source>Number of polygons with a class</source>
    <translation>Número de polígonos con clase</translation>
   </message>
@@ -2962,6 +3106,10 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
   <message>
    <source>Numbers</source>
    <translation>Cifras</translation>
+  </message>
+  <message>
+   <source>ONNX file with input 1 × 3 × height × width and an output for each class, or a checkpoint with the weights of such a network.</source>
+   <translation>Archivo ONNX con una entrada de 1 × 3 × alto × ancho y una salida por clase, o un punto de control con los pesos de una red de este tipo.</translation>
   </message>
   <message>
    <source>ONNX file. During training a folder beside it contains the state that a canceled run needs to continue.</source>
@@ -3110,6 +3258,10 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
   <message>
    <source>Open the sample project…</source>
    <translation>Abrir el proyecto de ejemplo…</translation>
+  </message>
+  <message>
+   <source>OpenStreetMap lines</source>
+   <translation>Líneas de OpenStreetMap</translation>
   </message>
   <message>
    <source>OpenStreetMap polygons</source>
@@ -3276,8 +3428,16 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
    <translation>Tamaño de píxel para “Rasterizar capa de cobertura del suelo”. También se señalan los hitos que se pierden, se unen o se dividen con este tamaño de píxel. Si no se indica, no se comprueba.</translation>
   </message>
   <message>
+   <source>Pixel size of the images that the network was trained on.</source>
+   <translation>Tamaño de píxel de las imágenes con las que se entrenó la red.</translation>
+  </message>
+  <message>
    <source>Pixel size that the network was trained on. If not set, the value in the metadata of the model is used. Images without a georeference are not resampled.</source>
    <translation>Tamaño de píxel con el que se entrenó la red. Si no se indica, se usa el valor de los metadatos del modelo. Las imágenes sin georreferencia no se remuestrean.</translation>
+  </message>
+  <message>
+   <source>Pixel values</source>
+   <translation>Valores de los píxeles</translation>
   </message>
   <message>
    <source>Places</source>
@@ -3412,6 +3572,10 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
    <translation>Preparando los hitos</translation>
   </message>
   <message>
+   <source>Preset</source>
+   <translation>Ajuste predefinido</translation>
+  </message>
+  <message>
    <source>Press “Localize” in the dock to find the positions of the photos.</source>
    <translation>Pulse “Localizar” en el panel para encontrar las posiciones de las fotos.</translation>
   </message>
@@ -3442,6 +3606,10 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
   <message>
    <source>Probabilities</source>
    <translation>Probabilidades</translation>
+  </message>
+  <message>
+   <source>Probability from which a pixel has the class, for networks with one output. If not set, 0.5.</source>
+   <translation>Probabilidad a partir de la cual un píxel tiene la clase, para redes con una sola salida. Si no se indica, 0.5.</translation>
   </message>
   <message>
    <source>Probability that the position is wrong</source>
@@ -3516,6 +3684,10 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
    <translation>Radio de la zona de búsqueda alrededor de la posición previa. Solo se usa con una posición previa.</translation>
   </message>
   <message>
+   <source>Range of the pixel values before the mean is subtracted and the result is divided.</source>
+   <translation>Rango de los valores de los píxeles antes de restar la media y dividir el resultado.</translation>
+  </message>
+  <message>
    <source>Rank</source>
    <translation>Orden</translation>
   </message>
@@ -3578,6 +3750,14 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
   <message>
    <source>Reading the label map</source>
    <translation>Leyendo el mapa de etiquetas</translation>
+  </message>
+  <message>
+   <source>Reading the network</source>
+   <translation>Leyendo la red</translation>
+  </message>
+  <message>
+   <source>Reading the network…</source>
+   <translation>Leyendo la red…</translation>
   </message>
   <message>
    <source>Reading the photos and the map</source>
@@ -3782,6 +3962,10 @@ En un solapamiento se conserva el polígono con mayor prioridad; si no la hay, e
   <message>
    <source>Ring Self-intersection</source>
    <translation>Autointersección de un anillo</translation>
+  </message>
+  <message>
+   <source>Roads, railways, rivers and streams as lines: layer with OpenStreetMap tags, or the extract. Only models with a class road or water use them.</source>
+   <translation>Carreteras, vías férreas, ríos y arroyos como líneas: capa con etiquetas de OpenStreetMap, o el extracto. Solo las usan los modelos con una clase road o water.</translation>
   </message>
   <message>
    <source>Role</source>
@@ -4252,6 +4436,10 @@ La imagen se describe en su mayor cuadrado centrado, como las ventanas de una ba
    <translation>Desviación típica</translation>
   </message>
   <message>
+   <source>Standard deviation (R; G; B)</source>
+   <translation>Desviación típica (R; G; B)</translation>
+  </message>
+  <message>
    <source>Standard deviation of landmark positions on the map, along each axis. It increases the 95 % radius, because neighboring landmarks are displaced together. The default of 1.2 m was measured between maps of two dates in two countries. “Compare label maps” measures it for your maps.</source>
    <translation>Desviación típica de la posición de los hitos en el mapa, a lo largo de cada eje. Aumenta el radio del 95 %, porque los hitos vecinos se desplazan juntos. El valor predeterminado de 1.2 m se midió entre mapas de dos fechas en dos países. “Comparar mapas de etiquetas” la mide para sus mapas.</translation>
   </message>
@@ -4388,6 +4576,14 @@ La imagen se describe en su mayor cuadrado centrado, como las ventanas de una ba
    <translation>SRC de destino</translation>
   </message>
   <message>
+   <source>Test</source>
+   <translation>Probar</translation>
+  </message>
+  <message>
+   <source>Test picture: the middle of</source>
+   <translation>Imagen de prueba: el centro de</translation>
+  </message>
+  <message>
    <source>Test the model on new ground with “Segment image”, then “Compare label maps”.</source>
    <translation>Pruebe el modelo en terreno nuevo con “Segmentar imagen” y después con “Comparar mapas de etiquetas”.</translation>
   </message>
@@ -4398,6 +4594,10 @@ La imagen se describe en su mayor cuadrado centrado, como las ventanas de una ba
   <message>
    <source>Tested versions</source>
    <translation>Versiones probadas</translation>
+  </message>
+  <message>
+   <source>Testing the network</source>
+   <translation>Probando la red</translation>
   </message>
   <message>
    <source>Tests a reference database with images of known position. They are cut from a label map, rotated, scaled, given label errors, and localized with one or more methods. The report compares the methods.
@@ -4832,6 +5032,10 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>Los hitos que coinciden con el mapa no determinan la posición con suficiente precisión.</translation>
   </message>
   <message>
+   <source>The last images do not agree with the map. The motion since the last position leads to {x:.0f}, {y:.0f}, with a 95 % radius of {radius:.0f} m.</source>
+   <translation>Las últimas imágenes no coinciden con el mapa. El movimiento desde la última posición lleva a {x:.0f}, {y:.0f}, con un radio del 95 % de {radius:.0f} m.</translation>
+  </message>
+  <message>
    <source>The last update of the database is undone.</source>
    <translation>Se deshizo la última actualización de la base de datos.</translation>
   </message>
@@ -4854,6 +5058,14 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
   <message>
    <source>The levels must be positive multipliers of the window size, for example 1;2.</source>
    <translation>Los niveles deben ser múltiplos positivos del tamaño de ventana, por ejemplo 1;2.</translation>
+  </message>
+  <message>
+   <source>The lines can't be read. Choose a layer of lines.</source>
+   <translation>No se pueden leer las líneas. Elija una capa de líneas.</translation>
+  </message>
+  <message>
+   <source>The lines “{layer}” and the polygons need a coordinate reference system. Set the CRS in the layer properties.</source>
+   <translation>Las líneas “{layer}” y los polígonos necesitan un sistema de referencia de coordenadas. Defina el SRC en las propiedades de la capa.</translation>
   </message>
   <message>
    <source>The longest stretch is first. A stretch is between two points with sufficient success. Suggestions show the mean expected success of a parallel line, to the left or right of the flight direction.</source>
@@ -4924,6 +5136,10 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>El modelo no indica su terreno de entrenamiento. Pruébelo con una foto de un lugar conocido.</translation>
   </message>
   <message>
+   <source>The model has none of the classes of lines, {classes}. Choose another model, or leave out the lines.</source>
+   <translation>El modelo no tiene ninguna de las clases de líneas, {classes}. Elija otro modelo o prescinda de las líneas.</translation>
+  </message>
+  <message>
    <source>The model is trained and selected in the dock.</source>
    <translation>El modelo está entrenado y seleccionado en el panel.</translation>
   </message>
@@ -4958,6 +5174,10 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
   <message>
    <source>The network found {count} landmarks ({classes})</source>
    <translation>La red encontró {count} hitos ({classes})</translation>
+  </message>
+  <message>
+   <source>The network has {count} outputs.</source>
+   <translation>La red tiene {count} salidas.</translation>
   </message>
   <message>
    <source>The network was trained on: {places}.</source>
@@ -5192,12 +5412,20 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>La unidad del SRC de la capa ({source}) no es el metro. El resultado está en {target}.</translation>
   </message>
   <message>
+   <source>The weights of {path} are in another file ({name}). Export the network as one file.</source>
+   <translation>Los pesos de {path} están en otro archivo ({name}). Exporte la red como un solo archivo.</translation>
+  </message>
+  <message>
    <source>The weights of {path} are in another file, so it cannot be copied with its class offset. Export it as one file.</source>
    <translation>Los pesos de {path} están en otro archivo, por lo que no se puede copiar con su desplazamiento de clase. Expórtelo como un solo archivo.</translation>
   </message>
   <message>
    <source>The weights of {path} are in another file, which is missing or incomplete. Copy it next to the model under its original name ({reason}).</source>
    <translation>Los pesos de {path} están en otro archivo, que falta o está incompleto. Cópielo junto al modelo con su nombre original ({reason}).</translation>
+  </message>
+  <message>
+   <source>The weights of {path} do not fit the architecture {architecture} with the encoder {encoder} and three bands. Enter both as the maker of the checkpoint states them.</source>
+   <translation>Los pesos de {path} no encajan con la arquitectura {architecture} con el codificador {encoder} y tres bandas. Indique ambos tal como los declara el autor del punto de control.</translation>
   </message>
   <message>
    <source>The window ({size} px) is larger than the map ({width} × {height} px); choose a smaller window or a larger map.</source>
@@ -5324,6 +5552,18 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>Este usuario no tiene una carpeta privada para el secreto que autentica --state. Cree una carpeta personal para el usuario o añada --require-signature.</translation>
   </message>
   <message>
+   <source>Three numbers, separated by “;”. 0;0;0 if the network takes pixel values as they are.</source>
+   <translation>Tres números, separados por “;”. 0;0;0 si la red toma los valores de los píxeles tal cual.</translation>
+  </message>
+  <message>
+   <source>Three numbers, separated by “;”. 1;1;1 if the network takes pixel values as they are.</source>
+   <translation>Tres números, separados por “;”. 1;1;1 si la red toma los valores de los píxeles tal cual.</translation>
+  </message>
+  <message>
+   <source>Threshold</source>
+   <translation>Umbral</translation>
+  </message>
+  <message>
    <source>Tile overlap (%)</source>
    <translation>Solapamiento de teselas (%)</translation>
   </message>
@@ -5368,8 +5608,8 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>Para cerrar lagunas, añada una tabla de odometría o el registro de la aeronave, que conecta imágenes sin hitos.</translation>
   </message>
   <message>
-   <source>To get more models, train one on your own area (button next to the model in the dock) or on published photos. You can also use segmentation models of the Deepness plugin. {how}</source>
-   <translation>Para obtener más modelos, entrene uno con su propia zona (botón junto al modelo en el panel) o con fotos publicadas. También puede usar modelos de segmentación del complemento Deepness. {how}</translation>
+   <source>To get more models, train one on your own area (button next to the model in the dock) or on published photos. You can also add networks of others, such as those of the Deepness plugin. {how}</source>
+   <translation>Para obtener más modelos, entrene uno con su propia zona (botón junto al modelo en el panel) o con fotos publicadas. También puede añadir redes de terceros, como las del complemento Deepness. {how}</translation>
   </message>
   <message>
    <source>To image</source>
@@ -5610,6 +5850,10 @@ Todos los parámetros provienen de la base de datos. Las filas sin cambios conse
   <message>
    <source>Value</source>
    <translation>Valor</translation>
+  </message>
+  <message>
+   <source>Values for all fields that are not set. Without a preset, those in the metadata of the file.</source>
+   <translation>Valores para todos los campos que no se indican. Sin un ajuste predefinido, los de los metadatos del archivo.</translation>
   </message>
   <message>
    <source>Vector</source>
@@ -5876,6 +6120,14 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>distancia focal {value:.0f} px</translation>
   </message>
   <message>
+   <source>from 0 to 1</source>
+   <translation>de 0 a 1</translation>
+  </message>
+  <message>
+   <source>from 0 to 255</source>
+   <translation>de 0 a 255</translation>
+  </message>
+  <message>
    <source>from the camera or the imagery</source>
    <translation>de la cámara o las imágenes aéreas</translation>
   </message>
@@ -6130,6 +6382,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>roll {value:.1f}°</source>
    <translation>alabeo {value:.1f}°</translation>
+  </message>
+  <message>
+   <source>segmentation_models_pytorch has no network {architecture} with the encoder {encoder}. Enter both as the maker of the checkpoint states them, for example unet and resnet34.</source>
+   <translation>segmentation_models_pytorch no tiene ninguna red {architecture} con el codificador {encoder}. Indique ambos tal como los declara el autor del punto de control, por ejemplo unet y resnet34.</translation>
   </message>
   <message>
    <source>similar places</source>
@@ -6784,6 +7040,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>{path} tiene {bands} bandas; un mapa de etiquetas tiene una: decodifique antes una imagen en color con “Decodificar etiquetas en color”.</translation>
   </message>
   <message>
+   <source>{path} has {channels} outputs, but there are {count} class names. Enter one class for each output, empty for outputs that are not used.</source>
+   <translation>{path} tiene {channels} salidas, pero hay {count} nombres de clase. Indique una clase por cada salida, vacía para las salidas que no se usan.</translation>
+  </message>
+  <message>
    <source>{path} has {count} landmarks and bounds of {bounds}; build it again.</source>
    <translation>{path} tiene {count} hitos y límites de {bounds}; vuelva a crearla.</translation>
   </message>
@@ -6908,6 +7168,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>{path} no es una tabla de cámara. Su cabecera es “{first}”; necesita la columna image y algunas de {columns}.</translation>
   </message>
   <message>
+   <source>{path} is not a checkpoint of segmentation_models_pytorch that contains weights only. Save the network’s state_dict with torch.save.</source>
+   <translation>{path} no es un punto de control de segmentation_models_pytorch que contenga solo pesos. Guarde el state_dict de la red con torch.save.</translation>
+  </message>
+  <message>
    <source>{path} is not a file. Choose a table or a log.</source>
    <translation>{path} no es un archivo. Elija una tabla o un registro.</translation>
   </message>
@@ -6966,6 +7230,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>{path} names another file for its overviews ({name}), which SemRef does not open; remove {path}.aux.xml, or build the overviews again.</source>
    <translation>{path} nombra otro archivo para sus vistas generales ({name}), que SemRef no abre; elimine {path}.aux.xml o cree de nuevo las vistas generales.</translation>
+  </message>
+  <message>
+   <source>{path} outputs class numbers. Export it without argmax, with an output for each class.</source>
+   <translation>{path} devuelve números de clase. Expórtelo sin argmax, con una salida por cada clase.</translation>
   </message>
   <message>
    <source>{path} outputs the class number {number:g}, but names only {count} classes. Use the names from its training.</source>
@@ -7282,6 +7550,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>{where}: “{text}” is not a whole number; the column value needs 0 to 255.</source>
    <translation>{where}: “{text}” no es un número entero; la columna value necesita de 0 a 255.</translation>
+  </message>
+  <message>
+   <source>{where}: “{text}” is not a width of lines; the column width needs a number of meters above 0 and up to {most:g}, or nothing.</source>
+   <translation>{where}: “{text}” no es un ancho de líneas; la columna width necesita un número de metros mayor que 0 y de {most:g} como máximo, o nada.</translation>
   </message>
   <message>
    <source>{where}: “{text}” is not three numbers “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).</source>

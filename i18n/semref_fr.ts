@@ -172,8 +172,24 @@
    <translation>Fiabilité du rayon et de la confiance</translation>
   </message>
   <message>
+   <source>Add</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Add a folder of images</source>
    <translation>Ajouter un dossier d’images</translation>
+  </message>
+  <message>
+   <source>Add a model</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Add a model…</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Add a network of others: an ONNX file, or a checkpoint of PyTorch</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Add a raster layer of the project</source>
@@ -208,12 +224,20 @@
    <translation>Ajoutez des images.</translation>
   </message>
   <message>
+   <source>Add model</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Add photos or label images, or drop files, folders and layers here.</source>
    <translation>Ajoutez des photos ou des images d’étiquettes, ou déposez ici des fichiers, des dossiers et des couches.</translation>
   </message>
   <message>
    <source>Add the image to the project as a half-transparent layer at its position</source>
    <translation>Ajouter l’image au projet, à sa position, comme couche semi-transparente</translation>
+  </message>
+  <message>
+   <source>Adding a model</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Adding an image to the map</source>
@@ -258,6 +282,10 @@
   <message>
    <source>All polygons are</source>
    <translation>Tous les polygones sont</translation>
+  </message>
+  <message>
+   <source>All used outputs of {path} have the class {name}, so every pixel would have it. Enter at least two classes; a class without interest can be “other”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Along the flight</source>
@@ -346,6 +374,10 @@
   <message>
    <source>Approximate position of the images. It limits the search area and makes the search faster. Optional.</source>
    <translation>Position approximative des images. Elle limite la zone de recherche et accélère la recherche. Facultatif.</translation>
+  </message>
+  <message>
+   <source>Architecture of the checkpoint</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Area</source>
@@ -452,6 +484,10 @@
    <translation>Création de la base de données de référence</translation>
   </message>
   <message>
+   <source>Buildings, one output with a threshold</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Builds a reference database from a label map: its landmarks, and windows that are described by topology vectors.
 
 The GeoPackage contains windows, landmarks, a reduced map (overview), classes and parameters. The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks have no vector.</source>
@@ -480,8 +516,8 @@ Le GeoPackage contient les fenêtres, les repères visuels, une carte réduite (
    <translation>Fichier CSV avec les colonnes image, dx_m, dy_m et dheading_deg : le mouvement depuis la ligne précédente, vers la droite et vers le haut de cette image (m), et la rotation dans le sens horaire (degrés). Les colonnes facultatives sont sigma_m, sigma_heading_deg, scale et sigma_scale. Une ligne sans nombres signifie un mouvement inconnu. La table a priorité sur le mouvement mesuré dans les images.</translation>
   </message>
   <message>
-   <source>CSV file with the columns key, value, class, priority. The value * matches any value; an empty class excludes polygons. If not set, the rules of SemRef are used.</source>
-   <translation>Fichier CSV avec les colonnes key, value, class, priority. La valeur * correspond à toute valeur ; une classe vide exclut les polygones. Par défaut, les règles de SemRef sont utilisées.</translation>
+   <source>CSV file with the columns key, value, class, priority, and width (m) for lines. The value * matches any value; an empty class excludes polygons and lines. If not set, the rules of SemRef are used.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>CSV file with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. It must contain every class of the layer.</source>
@@ -576,6 +612,10 @@ Le GeoPackage contient les fenêtres, les repères visuels, une carte réduite (
    <translation>Vérification d’une couche d’occupation du sol</translation>
   </message>
   <message>
+   <source>Check that the classes are in the right places. If not, check order, resolution and mean.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Check the disagreements in the dock’s tab “Correct”. Either map may be wrong.</source>
    <translation>Vérifiez les divergences dans l’onglet « Corriger » du panneau. L’une ou l’autre carte peut être fausse.</translation>
   </message>
@@ -644,6 +684,10 @@ Le GeoPackage contient les fenêtres, les repères visuels, une carte réduite (
    <translation>Choisir un modèle du dossier des modèles ou utilisé récemment</translation>
   </message>
   <message>
+   <source>Choose a raster layer or file for the test picture.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Choose a reference database</source>
    <translation>Choisir une base de données de référence</translation>
   </message>
@@ -672,12 +716,20 @@ Le GeoPackage contient les fenêtres, les repères visuels, une carte réduite (
    <translation>Classe</translation>
   </message>
   <message>
+   <source>Class (empty: not used)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Class field</source>
    <translation>Champ de classe</translation>
   </message>
   <message>
    <source>Class of all polygons, for example “building”. If you enter a class here, the class field is not used.</source>
    <translation>Classe de tous les polygones, par exemple « building ». Si vous saisissez une classe ici, le champ de classe n’est pas utilisé.</translation>
+  </message>
+  <message>
+   <source>Class of each output</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Class of other polygons</source>
@@ -758,6 +810,10 @@ Le GeoPackage contient les fenêtres, les repères visuels, une carte réduite (
   <message>
    <source>Classes that are landmarks: names or values separated by “;”, for example building;bare_land;water. If not set, the classes with the role “reference” in the class table of the map are used.</source>
    <translation>Classes qui sont des repères visuels : noms ou valeurs séparés par « ; », par exemple building;bare_land;water. Par défaut, les classes de rôle « reference » dans la table des classes de la carte sont utilisées.</translation>
+  </message>
+  <message>
+   <source>Classes: {names}</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Classify OpenStreetMap</source>
@@ -916,12 +972,10 @@ Pixels outside all ranges are unlabeled (0). With “Nearest color”, black is 
 Les pixels hors de toutes les plages restent sans étiquette (0). Avec « Couleur la plus proche », le noir reste sans étiquette, sauf si une classe est noire.</translation>
   </message>
   <message>
-   <source>Converts polygons with OpenStreetMap tags to land cover: building, water, bare land, forest, cultivated land, grass and built-up land. A priority decides which polygon is on top.
+   <source>Converts polygons with OpenStreetMap tags to land cover: building, water, bare land, forest, cultivated land, grass and built-up land. Roads, railways, rivers and streams can be added from lines. A priority decides which polygon is on top.
 
 The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shapefile, or a layer with tags in columns. A table of rules assigns classes to tags.</source>
-   <translation>Convertit des polygones avec des attributs OpenStreetMap en occupation du sol : bâtiments, eau, sol nu, forêt, terres cultivées, herbe et zones bâties. Une priorité détermine quel polygone est au-dessus.
-
-L’entrée peut être un extrait (.osm, .osm.pbf), une couche QuickOSM, un shapefile de Geofabrik ou une couche avec les attributs en colonnes. Une table de règles associe les classes aux attributs.</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Copied: {command}</source>
@@ -938,6 +992,10 @@ L’entrée peut être un extrait (.osm, .osm.pbf), une couche QuickOSM, un shap
   <message>
    <source>Copy of the model with the class offset, in meters, in its metadata.</source>
    <translation>Copie du modèle avec le décalage de classe, en mètres, dans ses métadonnées.</translation>
+  </message>
+  <message>
+   <source>Copy of the network with metadata. The file of the network is not changed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Copy position</source>
@@ -1296,8 +1354,24 @@ Des blocs de terrain entiers sont réservés à la validation, et aucun pixel n�
    <translation>EfficientNet-Lite0, préentraîné sur des photos</translation>
   </message>
   <message>
+   <source>Encoder of the checkpoint</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>End (UTC)</source>
    <translation>Fin (UTC)</translation>
+  </message>
+  <message>
+   <source>Enter the class of each output of the network.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Enter the license of the network, as its maker states it; “unknown” if there is none.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Enter the resolution of the images that the network was trained on.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Epoch</source>
@@ -1442,6 +1516,10 @@ L’itinéraire est une couche de lignes ou un fichier : GPX, KML, plan QGroundC
   <message>
    <source>Extent of the test layer</source>
    <translation>Emprise de la couche à tester</translation>
+  </message>
+  <message>
+   <source>FLAIR-INC RGB of IGN, 19 outputs</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>False accepts</source>
@@ -2092,6 +2170,14 @@ Les images sans position sont exclues, de même que les positions probables et l
    <translation>Part étiquetée de la carte</translation>
   </message>
   <message>
+   <source>Labeling the test picture</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Labeling the test picture…</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Labels</source>
    <translation>Étiquettes</translation>
   </message>
@@ -2200,6 +2286,10 @@ Les images sans position sont exclues, de même que les positions probables et l
    <translation>Latitude, longitude (WGS 84)</translation>
   </message>
   <message>
+   <source>Layer of lines with tags as columns, or the extract. Roads and railways get the class road, rivers and streams the class water. The tags width and lanes give the width, otherwise the rules. Tunnels are left out.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Layer of places to check</source>
    <translation>Couche d’endroits à vérifier</translation>
   </message>
@@ -2248,6 +2338,10 @@ Les images sans position sont exclues, de même que les positions probables et l
    <translation>Licence</translation>
   </message>
   <message>
+   <source>License of the network, as its maker states it. The model card shows it.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Likely position</source>
    <translation>Position probable</translation>
   </message>
@@ -2266,6 +2360,10 @@ Les images sans position sont exclues, de même que les positions probables et l
   <message>
    <source>Line layer, or path of a GPX, KML, .plan or .waypoints file. Each line is a separate route.</source>
    <translation>Couche de lignes, ou chemin d’un fichier GPX, KML, .plan ou .waypoints. Chaque ligne est un itinéraire distinct.</translation>
+  </message>
+  <message>
+   <source>Lines can be added to tags of OpenStreetMap only, and “{layer}” has no tags. Choose another map, or leave out the lines.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Loading the model</source>
@@ -2392,6 +2490,12 @@ The image is resampled to the resolution of the model if both are known, and pro
 L’image est rééchantillonnée à la résolution du modèle si les deux sont connues, puis traitée en tuiles qui se recouvrent. La carte d’étiquettes a le géoréférencement de l’image et les classes du modèle. QGIS dessine les tuiles de carte et les cartes web dans l’emprise indiquée.</translation>
   </message>
   <message>
+   <source>Makes a model from a segmentation network of others: an ONNX file, or a checkpoint of segmentation_models_pytorch.
+
+The result is a copy with class names, resolution, standardization and license. Outputs of the same class are merged: their probabilities are added after a softmax over all used outputs. A checkpoint needs the training environment (Settings ▸ Options ▸ SemRef).</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Makes a reference database from a land-cover layer in one run, with “Rasterize land-cover layer” and “Build reference database”. Select a class table, or enter the reference classes.</source>
    <translation>Crée une base de données de référence à partir d’une couche d’occupation du sol en une seule exécution, avec « Rastériser une couche d’occupation du sol » et « Créer une base de données de référence ». Sélectionnez une table des classes ou saisissez les classes de référence.</translation>
   </message>
@@ -2500,12 +2604,20 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
    <translation>Vitesse maximale (m/s)</translation>
   </message>
   <message>
+   <source>Mean (R; G; B)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Mean IoU</source>
    <translation>IoU moyen</translation>
   </message>
   <message>
    <source>Mean IoU {iou:.1%}, overall accuracy {accuracy:.1%}, {pixels} pixels.</source>
    <translation>IoU moyen {iou:.1%}, exactitude globale {accuracy:.1%}, {pixels} pixels.</translation>
+  </message>
+  <message>
+   <source>Mean and standard deviation have three numbers, for red, green and blue; deviations above 0.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Mean confidence</source>
@@ -2692,8 +2804,24 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
    <translation>Nom</translation>
   </message>
   <message>
+   <source>Name for the list of models. If not set, the name of the file.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Name in segmentation_models_pytorch, for example resnet34. Not used for ONNX files.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Name in segmentation_models_pytorch, for example unet, fpn or deeplabv3. Not used for ONNX files.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Name of the matched window: its first column and row on the map</source>
    <translation>Nom de la fenêtre correspondante : sa première colonne et sa première ligne sur la carte</translation>
+  </message>
+  <message>
+   <source>Names in the order of the outputs, separated by “;”. Outputs with the same name are merged. Leave a name empty for an output that is not used, for example building;road;;road.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Names or values of the classes that are landmarks, separated by “;”. If not set, classes that are usually compact and permanent are used: buildings, water, bare land, orchards.</source>
@@ -2718,6 +2846,10 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   <message>
    <source>Network that is trained if there is no base model. The small network trains faster, but has learned nothing before.</source>
    <translation>Réseau entraîné s’il n’y a pas de modèle de départ. Le petit réseau s’entraîne plus vite, mais n’a rien appris auparavant.</translation>
+  </message>
+  <message>
+   <source>Networks</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Next image (Alt+Down)</source>
@@ -2814,6 +2946,10 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   <message>
    <source>No rule matches a tag of “{source}”. Its columns are: {columns}. Select a layer with OpenStreetMap tags or other rules, or enter a class of other polygons.</source>
    <translation>Aucune règle ne s’applique à un attribut de « {source} ». Ses colonnes sont : {columns}. Sélectionnez une couche avec des attributs OpenStreetMap ou d’autres règles, ou saisissez une classe pour les autres polygones.</translation>
+  </message>
+  <message>
+   <source>No rule with a width matches a tag of the lines “{source}”. Their columns are: {columns}. Select a layer of lines with OpenStreetMap tags, or other rules.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>No training</source>
@@ -2924,6 +3060,10 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
    <translation>Nombre de repères visuels dans le vecteur, si aucune base de données n’est sélectionnée : ceux qui sont les plus proches du centre.</translation>
   </message>
   <message>
+   <source>Number of outputs</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Number of polygons with a class</source>
    <translation>Nombre de polygones ayant une classe</translation>
   </message>
@@ -2962,6 +3102,10 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   <message>
    <source>Numbers</source>
    <translation>Chiffres</translation>
+  </message>
+  <message>
+   <source>ONNX file with input 1 × 3 × height × width and an output for each class, or a checkpoint with the weights of such a network.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>ONNX file. During training a folder beside it contains the state that a canceled run needs to continue.</source>
@@ -3110,6 +3254,10 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   <message>
    <source>Open the sample project…</source>
    <translation>Ouvrir le projet d’exemple…</translation>
+  </message>
+  <message>
+   <source>OpenStreetMap lines</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>OpenStreetMap polygons</source>
@@ -3276,8 +3424,16 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
    <translation>Taille de pixel pour « Rastériser une couche d’occupation du sol ». Les repères visuels perdus, réunis ou divisés à cette taille de pixel sont aussi signalés. Si elle n’est pas indiquée, cela n’est pas vérifié.</translation>
   </message>
   <message>
+   <source>Pixel size of the images that the network was trained on.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Pixel size that the network was trained on. If not set, the value in the metadata of the model is used. Images without a georeference are not resampled.</source>
    <translation>Taille de pixel avec laquelle le réseau a été entraîné. Par défaut, la valeur des métadonnées du modèle est utilisée. Les images sans géoréférencement ne sont pas rééchantillonnées.</translation>
+  </message>
+  <message>
+   <source>Pixel values</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Places</source>
@@ -3412,6 +3568,10 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
    <translation>Préparation des repères visuels</translation>
   </message>
   <message>
+   <source>Preset</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Press “Localize” in the dock to find the positions of the photos.</source>
    <translation>Cliquez sur « Localiser » dans le panneau pour trouver les positions des photos.</translation>
   </message>
@@ -3442,6 +3602,10 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   <message>
    <source>Probabilities</source>
    <translation>Probabilités</translation>
+  </message>
+  <message>
+   <source>Probability from which a pixel has the class, for networks with one output. If not set, 0.5.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Probability that the position is wrong</source>
@@ -3516,6 +3680,10 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
    <translation>Rayon de la zone de recherche autour de la position a priori. Utilisé seulement avec une position a priori.</translation>
   </message>
   <message>
+   <source>Range of the pixel values before the mean is subtracted and the result is divided.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Rank</source>
    <translation>Rang</translation>
   </message>
@@ -3578,6 +3746,14 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   <message>
    <source>Reading the label map</source>
    <translation>Lecture de la carte d’étiquettes</translation>
+  </message>
+  <message>
+   <source>Reading the network</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Reading the network…</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Reading the photos and the map</source>
@@ -3782,6 +3958,10 @@ Dans un recouvrement, le polygone de priorité supérieure est conservé, sinon 
   <message>
    <source>Ring Self-intersection</source>
    <translation>Auto-intersection d’un anneau</translation>
+  </message>
+  <message>
+   <source>Roads, railways, rivers and streams as lines: layer with OpenStreetMap tags, or the extract. Only models with a class road or water use them.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Role</source>
@@ -4252,6 +4432,10 @@ L’image est décrite dans son plus grand carré centré, comme les fenêtres d
    <translation>Écart type</translation>
   </message>
   <message>
+   <source>Standard deviation (R; G; B)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Standard deviation of landmark positions on the map, along each axis. It increases the 95 % radius, because neighboring landmarks are displaced together. The default of 1.2 m was measured between maps of two dates in two countries. “Compare label maps” measures it for your maps.</source>
    <translation>Écart type des positions des repères visuels sur la carte, le long de chaque axe. Il augmente le rayon à 95 %, car les repères visuels voisins sont déplacés ensemble. La valeur par défaut de 1.2 m a été mesurée entre des cartes de deux dates dans deux pays. « Comparer des cartes d’étiquettes » la mesure pour vos cartes.</translation>
   </message>
@@ -4388,6 +4572,14 @@ L’image est décrite dans son plus grand carré centré, comme les fenêtres d
    <translation>SCR cible</translation>
   </message>
   <message>
+   <source>Test</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Test picture: the middle of</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Test the model on new ground with “Segment image”, then “Compare label maps”.</source>
    <translation>Testez le modèle sur un nouveau terrain avec « Segmenter une image », puis « Comparer des cartes d’étiquettes ».</translation>
   </message>
@@ -4398,6 +4590,10 @@ L’image est décrite dans son plus grand carré centré, comme les fenêtres d
   <message>
    <source>Tested versions</source>
    <translation>Versions testées</translation>
+  </message>
+  <message>
+   <source>Testing the network</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Tests a reference database with images of known position. They are cut from a label map, rotated, scaled, given label errors, and localized with one or more methods. The report compares the methods.
@@ -4832,6 +5028,10 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>Les repères visuels qui concordent avec la carte ne déterminent pas la position assez précisément.</translation>
   </message>
   <message>
+   <source>The last images do not agree with the map. The motion since the last position leads to {x:.0f}, {y:.0f}, with a 95 % radius of {radius:.0f} m.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>The last update of the database is undone.</source>
    <translation>La dernière mise à jour de la base de données est annulée.</translation>
   </message>
@@ -4854,6 +5054,14 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   <message>
    <source>The levels must be positive multipliers of the window size, for example 1;2.</source>
    <translation>Les niveaux doivent être des multiplicateurs positifs de la taille de fenêtre, par exemple 1;2.</translation>
+  </message>
+  <message>
+   <source>The lines can't be read. Choose a layer of lines.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The lines “{layer}” and the polygons need a coordinate reference system. Set the CRS in the layer properties.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The longest stretch is first. A stretch is between two points with sufficient success. Suggestions show the mean expected success of a parallel line, to the left or right of the flight direction.</source>
@@ -4924,6 +5132,10 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>Le modèle n’indique pas son terrain d’entraînement. Testez-le sur une photo d’un lieu connu.</translation>
   </message>
   <message>
+   <source>The model has none of the classes of lines, {classes}. Choose another model, or leave out the lines.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>The model is trained and selected in the dock.</source>
    <translation>Le modèle est entraîné et sélectionné dans le panneau.</translation>
   </message>
@@ -4958,6 +5170,10 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   <message>
    <source>The network found {count} landmarks ({classes})</source>
    <translation>Le réseau a trouvé {count} repères visuels ({classes})</translation>
+  </message>
+  <message>
+   <source>The network has {count} outputs.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The network was trained on: {places}.</source>
@@ -5192,12 +5408,20 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>L’unité du SCR de la couche ({source}) n’est pas le mètre. Le résultat est en {target}.</translation>
   </message>
   <message>
+   <source>The weights of {path} are in another file ({name}). Export the network as one file.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>The weights of {path} are in another file, so it cannot be copied with its class offset. Export it as one file.</source>
    <translation>Les poids de {path} sont dans un autre fichier ; le modèle ne peut donc pas être copié avec son décalage de classe. Exportez-le en un seul fichier.</translation>
   </message>
   <message>
    <source>The weights of {path} are in another file, which is missing or incomplete. Copy it next to the model under its original name ({reason}).</source>
    <translation>Les poids de {path} sont dans un autre fichier, manquant ou incomplet. Copiez-le à côté du modèle sous son nom d’origine ({reason}).</translation>
+  </message>
+  <message>
+   <source>The weights of {path} do not fit the architecture {architecture} with the encoder {encoder} and three bands. Enter both as the maker of the checkpoint states them.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The window ({size} px) is larger than the map ({width} × {height} px); choose a smaller window or a larger map.</source>
@@ -5324,6 +5548,18 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>Cet utilisateur n’a pas de dossier privé pour le secret qui authentifie --state. Créez un dossier personnel pour l’utilisateur, ou ajoutez --require-signature.</translation>
   </message>
   <message>
+   <source>Three numbers, separated by “;”. 0;0;0 if the network takes pixel values as they are.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Three numbers, separated by “;”. 1;1;1 if the network takes pixel values as they are.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Threshold</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Tile overlap (%)</source>
    <translation>Recouvrement des tuiles (%)</translation>
   </message>
@@ -5368,8 +5604,8 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>Pour combler les lacunes, ajoutez une table d’odométrie ou le journal de l’aéronef, qui relie les images sans repères visuels.</translation>
   </message>
   <message>
-   <source>To get more models, train one on your own area (button next to the model in the dock) or on published photos. You can also use segmentation models of the Deepness plugin. {how}</source>
-   <translation>Pour obtenir d’autres modèles, entraînez-en un sur votre propre zone (bouton à côté du modèle dans le panneau) ou sur des photos publiées. Vous pouvez aussi utiliser des modèles de segmentation de l’extension Deepness. {how}</translation>
+   <source>To get more models, train one on your own area (button next to the model in the dock) or on published photos. You can also add networks of others, such as those of the Deepness plugin. {how}</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>To image</source>
@@ -5610,6 +5846,10 @@ Tous les paramètres viennent de la base de données. Les lignes inchangées gar
   <message>
    <source>Value</source>
    <translation>Valeur</translation>
+  </message>
+  <message>
+   <source>Values for all fields that are not set. Without a preset, those in the metadata of the file.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Vector</source>
@@ -5876,6 +6116,14 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>focale {value:.0f} px</translation>
   </message>
   <message>
+   <source>from 0 to 1</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>from 0 to 255</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>from the camera or the imagery</source>
    <translation>d’après la caméra ou l’imagerie</translation>
   </message>
@@ -6130,6 +6378,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>roll {value:.1f}°</source>
    <translation>roulis {value:.1f}°</translation>
+  </message>
+  <message>
+   <source>segmentation_models_pytorch has no network {architecture} with the encoder {encoder}. Enter both as the maker of the checkpoint states them, for example unet and resnet34.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>similar places</source>
@@ -6784,6 +7036,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>{path} a {bands} bandes ; une carte d’étiquettes en a une : décodez d’abord une image en couleur avec « Décoder des étiquettes en couleur ».</translation>
   </message>
   <message>
+   <source>{path} has {channels} outputs, but there are {count} class names. Enter one class for each output, empty for outputs that are not used.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>{path} has {count} landmarks and bounds of {bounds}; build it again.</source>
    <translation>{path} a {count} repères visuels, mais les limites de {bounds} ; recréez-la.</translation>
   </message>
@@ -6908,6 +7164,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>{path} n’est pas une table de la caméra. Son en-tête est « {first} » ; il lui faut la colonne image et certaines de {columns}.</translation>
   </message>
   <message>
+   <source>{path} is not a checkpoint of segmentation_models_pytorch that contains weights only. Save the network’s state_dict with torch.save.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>{path} is not a file. Choose a table or a log.</source>
    <translation>{path} n’est pas un fichier. Choisissez une table ou un journal.</translation>
   </message>
@@ -6966,6 +7226,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>{path} names another file for its overviews ({name}), which SemRef does not open; remove {path}.aux.xml, or build the overviews again.</source>
    <translation>{path} nomme un autre fichier pour ses aperçus ({name}), que SemRef n’ouvre pas ; supprimez {path}.aux.xml ou recréez les aperçus.</translation>
+  </message>
+  <message>
+   <source>{path} outputs class numbers. Export it without argmax, with an output for each class.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} outputs the class number {number:g}, but names only {count} classes. Use the names from its training.</source>
@@ -7282,6 +7546,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>{where}: “{text}” is not a whole number; the column value needs 0 to 255.</source>
    <translation>{where} : « {text} » n’est pas un nombre entier ; la colonne value exige de 0 à 255.</translation>
+  </message>
+  <message>
+   <source>{where}: “{text}” is not a width of lines; the column width needs a number of meters above 0 and up to {most:g}, or nothing.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{where}: “{text}” is not three numbers “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).</source>

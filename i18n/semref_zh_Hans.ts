@@ -172,8 +172,24 @@
    <translation>半径和置信度的准确性</translation>
   </message>
   <message>
+   <source>Add</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Add a folder of images</source>
    <translation>添加影像文件夹</translation>
+  </message>
+  <message>
+   <source>Add a model</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Add a model…</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Add a network of others: an ONNX file, or a checkpoint of PyTorch</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Add a raster layer of the project</source>
@@ -208,12 +224,20 @@
    <translation>请添加影像。</translation>
   </message>
   <message>
+   <source>Add model</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Add photos or label images, or drop files, folders and layers here.</source>
    <translation>添加照片或标签影像，或将文件、文件夹和图层拖放到此处。</translation>
   </message>
   <message>
    <source>Add the image to the project as a half-transparent layer at its position</source>
    <translation>将影像作为半透明图层按其位置添加到工程</translation>
+  </message>
+  <message>
+   <source>Adding a model</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Adding an image to the map</source>
@@ -258,6 +282,10 @@
   <message>
    <source>All polygons are</source>
    <translation>所有多边形均为</translation>
+  </message>
+  <message>
+   <source>All used outputs of {path} have the class {name}, so every pixel would have it. Enter at least two classes; a class without interest can be “other”.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Along the flight</source>
@@ -346,6 +374,10 @@
   <message>
    <source>Approximate position of the images. It limits the search area and makes the search faster. Optional.</source>
    <translation>影像的大致位置。它可限制搜索区域并加快搜索。可选。</translation>
+  </message>
+  <message>
+   <source>Architecture of the checkpoint</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Area</source>
@@ -452,6 +484,10 @@
    <translation>正在构建参考数据库</translation>
   </message>
   <message>
+   <source>Buildings, one output with a threshold</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Builds a reference database from a label map: its landmarks, and windows that are described by topology vectors.
 
 The GeoPackage contains windows, landmarks, a reduced map (overview), classes and parameters. The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks have no vector.</source>
@@ -480,8 +516,8 @@ GeoPackage 包含窗口、地标、缩小的地图（概览）、类别和参数
    <translation>CSV 文件，包含 image、dx_m、dy_m 和 dheading_deg 列：自上一行以来的运动，向该影像右侧和上边方向计（m），以及顺时针转角（度）。可选列为 sigma_m、sigma_heading_deg、scale 和 sigma_scale。没有数值的行表示运动未知。该表优先于从影像中测得的运动。</translation>
   </message>
   <message>
-   <source>CSV file with the columns key, value, class, priority. The value * matches any value; an empty class excludes polygons. If not set, the rules of SemRef are used.</source>
-   <translation>CSV 文件，包含 key、value、class、priority 列。值 * 匹配任意值；类别为空则排除多边形。如果未设置，则使用 SemRef 的规则。</translation>
+   <source>CSV file with the columns key, value, class, priority, and width (m) for lines. The value * matches any value; an empty class excludes polygons and lines. If not set, the rules of SemRef are used.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>CSV file with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. It must contain every class of the layer.</source>
@@ -576,6 +612,10 @@ GeoPackage 包含窗口、地标、缩小的地图（概览）、类别和参数
    <translation>土地覆盖图层的检查</translation>
   </message>
   <message>
+   <source>Check that the classes are in the right places. If not, check order, resolution and mean.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Check the disagreements in the dock’s tab “Correct”. Either map may be wrong.</source>
    <translation>请在面板的“修正”选项卡中检查不一致之处。两幅地图都可能有误。</translation>
   </message>
@@ -644,6 +684,10 @@ GeoPackage 包含窗口、地标、缩小的地图（概览）、类别和参数
    <translation>从模型文件夹或最近使用的模型中选择模型</translation>
   </message>
   <message>
+   <source>Choose a raster layer or file for the test picture.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Choose a reference database</source>
    <translation>选择参考数据库</translation>
   </message>
@@ -672,12 +716,20 @@ GeoPackage 包含窗口、地标、缩小的地图（概览）、类别和参数
    <translation>类别</translation>
   </message>
   <message>
+   <source>Class (empty: not used)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Class field</source>
    <translation>类别字段</translation>
   </message>
   <message>
    <source>Class of all polygons, for example “building”. If you enter a class here, the class field is not used.</source>
    <translation>所有多边形的类别，例如“building”。如果在此输入类别，则不使用类别字段。</translation>
+  </message>
+  <message>
+   <source>Class of each output</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Class of other polygons</source>
@@ -758,6 +810,10 @@ GeoPackage 包含窗口、地标、缩小的地图（概览）、类别和参数
   <message>
    <source>Classes that are landmarks: names or values separated by “;”, for example building;bare_land;water. If not set, the classes with the role “reference” in the class table of the map are used.</source>
    <translation>作为地标的类别：以“;”分隔的名称或值，例如 building;bare_land;water。如果未设置，则使用地图的类别表中角色为“reference”的类别。</translation>
+  </message>
+  <message>
+   <source>Classes: {names}</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Classify OpenStreetMap</source>
@@ -916,12 +972,10 @@ Pixels outside all ranges are unlabeled (0). With “Nearest color”, black is 
 不在任何范围内的像元无标签（0）。使用“最近颜色”时，除非有类别为黑色，否则黑色为无标签。</translation>
   </message>
   <message>
-   <source>Converts polygons with OpenStreetMap tags to land cover: building, water, bare land, forest, cultivated land, grass and built-up land. A priority decides which polygon is on top.
+   <source>Converts polygons with OpenStreetMap tags to land cover: building, water, bare land, forest, cultivated land, grass and built-up land. Roads, railways, rivers and streams can be added from lines. A priority decides which polygon is on top.
 
 The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shapefile, or a layer with tags in columns. A table of rules assigns classes to tags.</source>
-   <translation>将带有 OpenStreetMap 标签的多边形转换为土地覆盖：建筑物、水体、裸地、森林、耕地、草地和建成区。优先级决定哪个多边形在上。
-
-输入可以是提取文件（.osm、.osm.pbf）、QuickOSM 图层、Geofabrik shapefile，或以列存储标签的图层。规则表将标签归入类别。</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Copied: {command}</source>
@@ -938,6 +992,10 @@ The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shap
   <message>
    <source>Copy of the model with the class offset, in meters, in its metadata.</source>
    <translation>模型的副本，其元数据中包含类别偏移（米）。</translation>
+  </message>
+  <message>
+   <source>Copy of the network with metadata. The file of the network is not changed.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Copy position</source>
@@ -1296,8 +1354,24 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
    <translation>EfficientNet-Lite0，已用照片预训练</translation>
   </message>
   <message>
+   <source>Encoder of the checkpoint</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>End (UTC)</source>
    <translation>结束（UTC）</translation>
+  </message>
+  <message>
+   <source>Enter the class of each output of the network.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Enter the license of the network, as its maker states it; “unknown” if there is none.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Enter the resolution of the images that the network was trained on.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Epoch</source>
@@ -1442,6 +1516,10 @@ The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also 
   <message>
    <source>Extent of the test layer</source>
    <translation>测试图层的范围</translation>
+  </message>
+  <message>
+   <source>FLAIR-INC RGB of IGN, 19 outputs</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>False accepts</source>
@@ -2092,6 +2170,14 @@ Images without a position are left out, and so are likely positions and position
    <translation>地图有标签的比例</translation>
   </message>
   <message>
+   <source>Labeling the test picture</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Labeling the test picture…</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Labels</source>
    <translation>标签</translation>
   </message>
@@ -2200,6 +2286,10 @@ Images without a position are left out, and so are likely positions and position
    <translation>纬度, 经度 (WGS 84)</translation>
   </message>
   <message>
+   <source>Layer of lines with tags as columns, or the extract. Roads and railways get the class road, rivers and streams the class water. The tags width and lanes give the width, otherwise the rules. Tunnels are left out.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Layer of places to check</source>
    <translation>待检查位置的图层</translation>
   </message>
@@ -2248,6 +2338,10 @@ Images without a position are left out, and so are likely positions and position
    <translation>许可</translation>
   </message>
   <message>
+   <source>License of the network, as its maker states it. The model card shows it.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Likely position</source>
    <translation>可能位置</translation>
   </message>
@@ -2266,6 +2360,10 @@ Images without a position are left out, and so are likely positions and position
   <message>
    <source>Line layer, or path of a GPX, KML, .plan or .waypoints file. Each line is a separate route.</source>
    <translation>线图层，或 GPX、KML、.plan 或 .waypoints 文件的路径。每条线为一条单独的航线。</translation>
+  </message>
+  <message>
+   <source>Lines can be added to tags of OpenStreetMap only, and “{layer}” has no tags. Choose another map, or leave out the lines.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Loading the model</source>
@@ -2392,6 +2490,12 @@ The image is resampled to the resolution of the model if both are known, and pro
 如果影像和模型的分辨率均已知，影像会重采样到模型的分辨率，并按重叠的图块处理。标签图采用影像的地理参考和模型的类别。QGIS 在给定范围内绘制地图瓦片和网络地图。</translation>
   </message>
   <message>
+   <source>Makes a model from a segmentation network of others: an ONNX file, or a checkpoint of segmentation_models_pytorch.
+
+The result is a copy with class names, resolution, standardization and license. Outputs of the same class are merged: their probabilities are added after a softmax over all used outputs. A checkpoint needs the training environment (Settings ▸ Options ▸ SemRef).</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Makes a reference database from a land-cover layer in one run, with “Rasterize land-cover layer” and “Build reference database”. Select a class table, or enter the reference classes.</source>
    <translation>用“栅格化土地覆盖图层”和“构建参考数据库”一次性由土地覆盖图层生成参考数据库。请选择类别表，或输入参考类别。</translation>
   </message>
@@ -2500,12 +2604,20 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation>最大速度（m/s）</translation>
   </message>
   <message>
+   <source>Mean (R; G; B)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Mean IoU</source>
    <translation>平均 IoU</translation>
   </message>
   <message>
    <source>Mean IoU {iou:.1%}, overall accuracy {accuracy:.1%}, {pixels} pixels.</source>
    <translation>平均 IoU {iou:.1%}，总体精度 {accuracy:.1%}，{pixels} 个像元。</translation>
+  </message>
+  <message>
+   <source>Mean and standard deviation have three numbers, for red, green and blue; deviations above 0.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Mean confidence</source>
@@ -2692,8 +2804,24 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation>名称</translation>
   </message>
   <message>
+   <source>Name for the list of models. If not set, the name of the file.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Name in segmentation_models_pytorch, for example resnet34. Not used for ONNX files.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Name in segmentation_models_pytorch, for example unet, fpn or deeplabv3. Not used for ONNX files.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Name of the matched window: its first column and row on the map</source>
    <translation>所匹配窗口的名称：其在地图上的起始列和起始行</translation>
+  </message>
+  <message>
+   <source>Names in the order of the outputs, separated by “;”. Outputs with the same name are merged. Leave a name empty for an output that is not used, for example building;road;;road.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Names or values of the classes that are landmarks, separated by “;”. If not set, classes that are usually compact and permanent are used: buildings, water, bare land, orchards.</source>
@@ -2718,6 +2846,10 @@ The result is too optimistic if the real errors are larger or the ground has cha
   <message>
    <source>Network that is trained if there is no base model. The small network trains faster, but has learned nothing before.</source>
    <translation>没有基础模型时训练的网络。小型网络训练更快，但没有预先学到任何内容。</translation>
+  </message>
+  <message>
+   <source>Networks</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Next image (Alt+Down)</source>
@@ -2814,6 +2946,10 @@ The result is too optimistic if the real errors are larger or the ground has cha
   <message>
    <source>No rule matches a tag of “{source}”. Its columns are: {columns}. Select a layer with OpenStreetMap tags or other rules, or enter a class of other polygons.</source>
    <translation>没有规则与“{source}”的标签匹配。其列为：{columns}。请选择带有 OpenStreetMap 标签的图层或其他规则，或输入其他多边形的类别。</translation>
+  </message>
+  <message>
+   <source>No rule with a width matches a tag of the lines “{source}”. Their columns are: {columns}. Select a layer of lines with OpenStreetMap tags, or other rules.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>No training</source>
@@ -2924,6 +3060,10 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation>未选择数据库时向量中的地标数：取离中心最近的地标。</translation>
   </message>
   <message>
+   <source>Number of outputs</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Number of polygons with a class</source>
    <translation>有类别的多边形数</translation>
   </message>
@@ -2962,6 +3102,10 @@ The result is too optimistic if the real errors are larger or the ground has cha
   <message>
    <source>Numbers</source>
    <translation>数值</translation>
+  </message>
+  <message>
+   <source>ONNX file with input 1 × 3 × height × width and an output for each class, or a checkpoint with the weights of such a network.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>ONNX file. During training a folder beside it contains the state that a canceled run needs to continue.</source>
@@ -3110,6 +3254,10 @@ The result is too optimistic if the real errors are larger or the ground has cha
   <message>
    <source>Open the sample project…</source>
    <translation>打开示例工程…</translation>
+  </message>
+  <message>
+   <source>OpenStreetMap lines</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>OpenStreetMap polygons</source>
@@ -3276,8 +3424,16 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation>“栅格化土地覆盖图层”的像元大小。在此像元大小下丢失、合并或分裂的地标也会被报告。如果未设置，则不检查。</translation>
   </message>
   <message>
+   <source>Pixel size of the images that the network was trained on.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Pixel size that the network was trained on. If not set, the value in the metadata of the model is used. Images without a georeference are not resampled.</source>
    <translation>训练网络所用的像元大小。如果未设置，则使用模型元数据中的值。没有地理参考的影像不会重采样。</translation>
+  </message>
+  <message>
+   <source>Pixel values</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Places</source>
@@ -3412,6 +3568,10 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation>正在准备地标</translation>
   </message>
   <message>
+   <source>Preset</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Press “Localize” in the dock to find the positions of the photos.</source>
    <translation>在面板中按“定位”以查找照片的位置。</translation>
   </message>
@@ -3442,6 +3602,10 @@ The result is too optimistic if the real errors are larger or the ground has cha
   <message>
    <source>Probabilities</source>
    <translation>概率</translation>
+  </message>
+  <message>
+   <source>Probability from which a pixel has the class, for networks with one output. If not set, 0.5.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Probability that the position is wrong</source>
@@ -3516,6 +3680,10 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation>先验位置周围搜索区域的半径。仅在有先验位置时使用。</translation>
   </message>
   <message>
+   <source>Range of the pixel values before the mean is subtracted and the result is divided.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Rank</source>
    <translation>名次</translation>
   </message>
@@ -3578,6 +3746,14 @@ The result is too optimistic if the real errors are larger or the ground has cha
   <message>
    <source>Reading the label map</source>
    <translation>正在读取标签图</translation>
+  </message>
+  <message>
+   <source>Reading the network</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Reading the network…</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Reading the photos and the map</source>
@@ -3782,6 +3958,10 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   <message>
    <source>Ring Self-intersection</source>
    <translation>环自相交</translation>
+  </message>
+  <message>
+   <source>Roads, railways, rivers and streams as lines: layer with OpenStreetMap tags, or the extract. Only models with a class road or water use them.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Role</source>
@@ -4252,6 +4432,10 @@ The image is described in its largest centered square, like the windows of a dat
    <translation>标准差</translation>
   </message>
   <message>
+   <source>Standard deviation (R; G; B)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Standard deviation of landmark positions on the map, along each axis. It increases the 95 % radius, because neighboring landmarks are displaced together. The default of 1.2 m was measured between maps of two dates in two countries. “Compare label maps” measures it for your maps.</source>
    <translation>地图上地标位置沿各轴的标准差。相邻地标会一起偏移，因此会增大 95 % 半径。默认值 1.2 m 是在两个国家的两个日期的地图之间测得的。“比较标签图”可测出您的地图的值。</translation>
   </message>
@@ -4388,6 +4572,14 @@ The image is described in its largest centered square, like the windows of a dat
    <translation>目标坐标参照系</translation>
   </message>
   <message>
+   <source>Test</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Test picture: the middle of</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Test the model on new ground with “Segment image”, then “Compare label maps”.</source>
    <translation>请在新的地面上检验模型：先“分割影像”，再“比较标签图”。</translation>
   </message>
@@ -4398,6 +4590,10 @@ The image is described in its largest centered square, like the windows of a dat
   <message>
    <source>Tested versions</source>
    <translation>已测试的版本</translation>
+  </message>
+  <message>
+   <source>Testing the network</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Tests a reference database with images of known position. They are cut from a label map, rotated, scaled, given label errors, and localized with one or more methods. The report compares the methods.
@@ -4832,6 +5028,10 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>与地图相符的地标不足以精确确定位置。</translation>
   </message>
   <message>
+   <source>The last images do not agree with the map. The motion since the last position leads to {x:.0f}, {y:.0f}, with a 95 % radius of {radius:.0f} m.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>The last update of the database is undone.</source>
    <translation>已撤销数据库的上次更新。</translation>
   </message>
@@ -4854,6 +5054,14 @@ Use a label map of another date than that of the database, with a map displaceme
   <message>
    <source>The levels must be positive multipliers of the window size, for example 1;2.</source>
    <translation>各级必须是窗口大小的正倍数，例如 1;2。</translation>
+  </message>
+  <message>
+   <source>The lines can't be read. Choose a layer of lines.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>The lines “{layer}” and the polygons need a coordinate reference system. Set the CRS in the layer properties.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The longest stretch is first. A stretch is between two points with sufficient success. Suggestions show the mean expected success of a parallel line, to the left or right of the flight direction.</source>
@@ -4924,6 +5132,10 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>模型未说明其训练区域。请用已知地点的照片检验。</translation>
   </message>
   <message>
+   <source>The model has none of the classes of lines, {classes}. Choose another model, or leave out the lines.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>The model is trained and selected in the dock.</source>
    <translation>模型已训练完成，并已在面板中选用。</translation>
   </message>
@@ -4958,6 +5170,10 @@ Use a label map of another date than that of the database, with a map displaceme
   <message>
    <source>The network found {count} landmarks ({classes})</source>
    <translation>网络找到 {count} 个地标（{classes}）</translation>
+  </message>
+  <message>
+   <source>The network has {count} outputs.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The network was trained on: {places}.</source>
@@ -5192,12 +5408,20 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>图层坐标参照系的单位（{source}）不是米。结果采用 {target}。</translation>
   </message>
   <message>
+   <source>The weights of {path} are in another file ({name}). Export the network as one file.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>The weights of {path} are in another file, so it cannot be copied with its class offset. Export it as one file.</source>
    <translation>{path} 的权重在另一个文件中，因此无法连同类别偏移一起复制。请将其导出为单个文件。</translation>
   </message>
   <message>
    <source>The weights of {path} are in another file, which is missing or incomplete. Copy it next to the model under its original name ({reason}).</source>
    <translation>{path} 的权重在另一个缺失或不完整的文件中。请以原名将其复制到模型旁边（{reason}）。</translation>
+  </message>
+  <message>
+   <source>The weights of {path} do not fit the architecture {architecture} with the encoder {encoder} and three bands. Enter both as the maker of the checkpoint states them.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The window ({size} px) is larger than the map ({width} × {height} px); choose a smaller window or a larger map.</source>
@@ -5324,6 +5548,18 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>此用户没有私有文件夹来存放用于验证 --state 的密钥。请为该用户创建主文件夹，或添加 --require-signature。</translation>
   </message>
   <message>
+   <source>Three numbers, separated by “;”. 0;0;0 if the network takes pixel values as they are.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Three numbers, separated by “;”. 1;1;1 if the network takes pixel values as they are.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Threshold</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Tile overlap (%)</source>
    <translation>图块重叠度（%）</translation>
   </message>
@@ -5368,8 +5604,8 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>要填补间断，请添加里程计表或飞行器的日志，以连接没有地标的影像。</translation>
   </message>
   <message>
-   <source>To get more models, train one on your own area (button next to the model in the dock) or on published photos. You can also use segmentation models of the Deepness plugin. {how}</source>
-   <translation>要获得更多模型，请用您自己的区域（面板中模型旁的按钮）或已发布的照片训练。也可以使用 Deepness 插件的分割模型。{how}</translation>
+   <source>To get more models, train one on your own area (button next to the model in the dock) or on published photos. You can also add networks of others, such as those of the Deepness plugin. {how}</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>To image</source>
@@ -5610,6 +5846,10 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
   <message>
    <source>Value</source>
    <translation>值</translation>
+  </message>
+  <message>
+   <source>Values for all fields that are not set. Without a preset, those in the metadata of the file.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Vector</source>
@@ -5876,6 +6116,14 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>焦距 {value:.0f} 像素</translation>
   </message>
   <message>
+   <source>from 0 to 1</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>from 0 to 255</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>from the camera or the imagery</source>
    <translation>由相机或底图影像得出</translation>
   </message>
@@ -6130,6 +6378,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>roll {value:.1f}°</source>
    <translation>横滚 {value:.1f}°</translation>
+  </message>
+  <message>
+   <source>segmentation_models_pytorch has no network {architecture} with the encoder {encoder}. Enter both as the maker of the checkpoint states them, for example unet and resnet34.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>similar places</source>
@@ -6784,6 +7036,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>{path} 有 {bands} 个波段；标签图只有一个：请先用“解码彩色标签”解码彩色影像。</translation>
   </message>
   <message>
+   <source>{path} has {channels} outputs, but there are {count} class names. Enter one class for each output, empty for outputs that are not used.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>{path} has {count} landmarks and bounds of {bounds}; build it again.</source>
    <translation>{path} 有 {count} 个地标，但有 {bounds} 个范围；请重新构建。</translation>
   </message>
@@ -6908,6 +7164,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>{path} 不是相机表。其表头为“{first}”；它需要 image 列以及 {columns} 中的若干列。</translation>
   </message>
   <message>
+   <source>{path} is not a checkpoint of segmentation_models_pytorch that contains weights only. Save the network’s state_dict with torch.save.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>{path} is not a file. Choose a table or a log.</source>
    <translation>{path} 不是文件。请选择表格或日志。</translation>
   </message>
@@ -6966,6 +7226,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>{path} names another file for its overviews ({name}), which SemRef does not open; remove {path}.aux.xml, or build the overviews again.</source>
    <translation>{path} 为其金字塔指定了另一个文件（{name}），SemRef 不会打开它；请删除 {path}.aux.xml，或重新构建金字塔。</translation>
+  </message>
+  <message>
+   <source>{path} outputs class numbers. Export it without argmax, with an output for each class.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} outputs the class number {number:g}, but names only {count} classes. Use the names from its training.</source>
@@ -7282,6 +7546,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>{where}: “{text}” is not a whole number; the column value needs 0 to 255.</source>
    <translation>{where}：“{text}”不是整数；value 列需要 0 到 255。</translation>
+  </message>
+  <message>
+   <source>{where}: “{text}” is not a width of lines; the column width needs a number of meters above 0 and up to {most:g}, or nothing.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{where}: “{text}” is not three numbers “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).</source>
