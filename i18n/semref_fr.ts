@@ -173,7 +173,7 @@
   </message>
   <message>
    <source>Add</source>
-   <translation type="unfinished" />
+   <translation>Ajouter</translation>
   </message>
   <message>
    <source>Add a folder of images</source>
@@ -181,15 +181,15 @@
   </message>
   <message>
    <source>Add a model</source>
-   <translation type="unfinished" />
+   <translation>Ajouter un modèle</translation>
   </message>
   <message>
    <source>Add a model…</source>
-   <translation type="unfinished" />
+   <translation>Ajouter un modèle…</translation>
   </message>
   <message>
    <source>Add a network of others: an ONNX file, or a checkpoint of PyTorch</source>
-   <translation type="unfinished" />
+   <translation>Ajouter un réseau d’un autre auteur : un fichier ONNX ou un point de contrôle de PyTorch</translation>
   </message>
   <message>
    <source>Add a raster layer of the project</source>
@@ -225,7 +225,7 @@
   </message>
   <message>
    <source>Add model</source>
-   <translation type="unfinished" />
+   <translation>Ajouter un modèle</translation>
   </message>
   <message>
    <source>Add photos or label images, or drop files, folders and layers here.</source>
@@ -237,7 +237,7 @@
   </message>
   <message>
    <source>Adding a model</source>
-   <translation type="unfinished" />
+   <translation>Ajout d’un modèle</translation>
   </message>
   <message>
    <source>Adding an image to the map</source>
@@ -285,7 +285,7 @@
   </message>
   <message>
    <source>All used outputs of {path} have the class {name}, so every pixel would have it. Enter at least two classes; a class without interest can be “other”.</source>
-   <translation type="unfinished" />
+   <translation>Toutes les sorties utilisées de {path} ont la classe {name} ; chaque pixel l’aurait donc. Saisissez au moins deux classes ; une classe sans intérêt peut être « other ».</translation>
   </message>
   <message>
    <source>Along the flight</source>
@@ -377,7 +377,7 @@
   </message>
   <message>
    <source>Architecture of the checkpoint</source>
-   <translation type="unfinished" />
+   <translation>Architecture du point de contrôle</translation>
   </message>
   <message>
    <source>Area</source>
@@ -485,7 +485,7 @@
   </message>
   <message>
    <source>Buildings, one output with a threshold</source>
-   <translation type="unfinished" />
+   <translation>Bâtiments, une sortie avec un seuil</translation>
   </message>
   <message>
    <source>Builds a reference database from a label map: its landmarks, and windows that are described by topology vectors.
@@ -517,7 +517,7 @@ Le GeoPackage contient les fenêtres, les repères visuels, une carte réduite (
   </message>
   <message>
    <source>CSV file with the columns key, value, class, priority, and width (m) for lines. The value * matches any value; an empty class excludes polygons and lines. If not set, the rules of SemRef are used.</source>
-   <translation type="unfinished" />
+   <translation>Fichier CSV avec les colonnes key, value, class, priority, et width (m) pour les lignes. La valeur * correspond à toute valeur ; une classe vide exclut les polygones et les lignes. Par défaut, les règles de SemRef sont utilisées.</translation>
   </message>
   <message>
    <source>CSV file with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. It must contain every class of the layer.</source>
@@ -613,7 +613,7 @@ Le GeoPackage contient les fenêtres, les repères visuels, une carte réduite (
   </message>
   <message>
    <source>Check that the classes are in the right places. If not, check order, resolution and mean.</source>
-   <translation type="unfinished" />
+   <translation>Vérifiez que les classes sont aux bons endroits. Sinon, vérifiez l’ordre, la résolution et la moyenne.</translation>
   </message>
   <message>
    <source>Check the disagreements in the dock’s tab “Correct”. Either map may be wrong.</source>
@@ -685,7 +685,7 @@ Le GeoPackage contient les fenêtres, les repères visuels, une carte réduite (
   </message>
   <message>
    <source>Choose a raster layer or file for the test picture.</source>
-   <translation type="unfinished" />
+   <translation>Choisissez une couche raster ou un fichier pour l’image de test.</translation>
   </message>
   <message>
    <source>Choose a reference database</source>
@@ -717,7 +717,7 @@ Le GeoPackage contient les fenêtres, les repères visuels, une carte réduite (
   </message>
   <message>
    <source>Class (empty: not used)</source>
-   <translation type="unfinished" />
+   <translation>Classe (vide : non utilisée)</translation>
   </message>
   <message>
    <source>Class field</source>
@@ -729,7 +729,7 @@ Le GeoPackage contient les fenêtres, les repères visuels, une carte réduite (
   </message>
   <message>
    <source>Class of each output</source>
-   <translation type="unfinished" />
+   <translation>Classe de chaque sortie</translation>
   </message>
   <message>
    <source>Class of other polygons</source>
@@ -813,7 +813,7 @@ Le GeoPackage contient les fenêtres, les repères visuels, une carte réduite (
   </message>
   <message>
    <source>Classes: {names}</source>
-   <translation type="unfinished" />
+   <translation>Classes : {names}</translation>
   </message>
   <message>
    <source>Classify OpenStreetMap</source>
@@ -975,7 +975,9 @@ Les pixels hors de toutes les plages restent sans étiquette (0). Avec « Couleu
    <source>Converts polygons with OpenStreetMap tags to land cover: building, water, bare land, forest, cultivated land, grass and built-up land. Roads, railways, rivers and streams can be added from lines. A priority decides which polygon is on top.
 
 The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shapefile, or a layer with tags in columns. A table of rules assigns classes to tags.</source>
-   <translation type="unfinished" />
+   <translation>Convertit des polygones avec des attributs OpenStreetMap en occupation du sol : bâtiment, eau, sol nu, forêt, terre cultivée, herbe et zone bâtie. Les routes, les voies ferrées, les rivières et les ruisseaux peuvent être ajoutés à partir de lignes. Une priorité décide quel polygone est au-dessus.
+
+L’entrée peut être un extrait (.osm, .osm.pbf), une couche QuickOSM, un shapefile de Geofabrik ou une couche avec les attributs en colonnes. Une table de règles attribue les classes aux attributs.</translation>
   </message>
   <message>
    <source>Copied: {command}</source>
@@ -995,7 +997,7 @@ The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shap
   </message>
   <message>
    <source>Copy of the network with metadata. The file of the network is not changed.</source>
-   <translation type="unfinished" />
+   <translation>Copie du réseau avec métadonnées. Le fichier du réseau n’est pas modifié.</translation>
   </message>
   <message>
    <source>Copy position</source>
@@ -1355,7 +1357,7 @@ Des blocs de terrain entiers sont réservés à la validation, et aucun pixel n�
   </message>
   <message>
    <source>Encoder of the checkpoint</source>
-   <translation type="unfinished" />
+   <translation>Encodeur du point de contrôle</translation>
   </message>
   <message>
    <source>End (UTC)</source>
@@ -1363,15 +1365,15 @@ Des blocs de terrain entiers sont réservés à la validation, et aucun pixel n�
   </message>
   <message>
    <source>Enter the class of each output of the network.</source>
-   <translation type="unfinished" />
+   <translation>Saisissez la classe de chaque sortie du réseau.</translation>
   </message>
   <message>
    <source>Enter the license of the network, as its maker states it; “unknown” if there is none.</source>
-   <translation type="unfinished" />
+   <translation>Saisissez la licence du réseau telle que son auteur l’indique ; « unknown » s’il n’y en a pas.</translation>
   </message>
   <message>
    <source>Enter the resolution of the images that the network was trained on.</source>
-   <translation type="unfinished" />
+   <translation>Saisissez la résolution des images avec lesquelles le réseau a été entraîné.</translation>
   </message>
   <message>
    <source>Epoch</source>
@@ -1519,7 +1521,7 @@ L’itinéraire est une couche de lignes ou un fichier : GPX, KML, plan QGroundC
   </message>
   <message>
    <source>FLAIR-INC RGB of IGN, 19 outputs</source>
-   <translation type="unfinished" />
+   <translation>FLAIR-INC RVB de l’IGN, 19 sorties</translation>
   </message>
   <message>
    <source>False accepts</source>
@@ -2171,11 +2173,11 @@ Les images sans position sont exclues, de même que les positions probables et l
   </message>
   <message>
    <source>Labeling the test picture</source>
-   <translation type="unfinished" />
+   <translation>Étiquetage de l’image de test</translation>
   </message>
   <message>
    <source>Labeling the test picture…</source>
-   <translation type="unfinished" />
+   <translation>Étiquetage de l’image de test…</translation>
   </message>
   <message>
    <source>Labels</source>
@@ -2287,7 +2289,7 @@ Les images sans position sont exclues, de même que les positions probables et l
   </message>
   <message>
    <source>Layer of lines with tags as columns, or the extract. Roads and railways get the class road, rivers and streams the class water. The tags width and lanes give the width, otherwise the rules. Tunnels are left out.</source>
-   <translation type="unfinished" />
+   <translation>Couche de lignes avec les attributs en colonnes, ou l’extrait. Les routes et les voies ferrées reçoivent la classe road, les rivières et les ruisseaux la classe water. Les attributs width et lanes donnent la largeur, sinon les règles. Les tunnels sont exclus.</translation>
   </message>
   <message>
    <source>Layer of places to check</source>
@@ -2339,7 +2341,7 @@ Les images sans position sont exclues, de même que les positions probables et l
   </message>
   <message>
    <source>License of the network, as its maker states it. The model card shows it.</source>
-   <translation type="unfinished" />
+   <translation>Licence du réseau telle que son auteur l’indique. La fiche du modèle la montre.</translation>
   </message>
   <message>
    <source>Likely position</source>
@@ -2363,7 +2365,7 @@ Les images sans position sont exclues, de même que les positions probables et l
   </message>
   <message>
    <source>Lines can be added to tags of OpenStreetMap only, and “{layer}” has no tags. Choose another map, or leave out the lines.</source>
-   <translation type="unfinished" />
+   <translation>Des lignes ne peuvent être ajoutées qu’à des attributs OpenStreetMap, et « {layer} » n’en a pas. Choisissez une autre carte, ou laissez les lignes de côté.</translation>
   </message>
   <message>
    <source>Loading the model</source>
@@ -2493,7 +2495,9 @@ L’image est rééchantillonnée à la résolution du modèle si les deux sont 
    <source>Makes a model from a segmentation network of others: an ONNX file, or a checkpoint of segmentation_models_pytorch.
 
 The result is a copy with class names, resolution, standardization and license. Outputs of the same class are merged: their probabilities are added after a softmax over all used outputs. A checkpoint needs the training environment (Settings ▸ Options ▸ SemRef).</source>
-   <translation type="unfinished" />
+   <translation>Crée un modèle à partir d’un réseau de segmentation d’un autre auteur : un fichier ONNX ou un point de contrôle de segmentation_models_pytorch.
+
+Le résultat est une copie avec noms de classes, résolution, standardisation et licence. Les sorties de même classe sont fusionnées : leurs probabilités sont additionnées après un softmax sur toutes les sorties utilisées. Un point de contrôle exige l’environnement d’entraînement (Préférences ▸ Options ▸ SemRef).</translation>
   </message>
   <message>
    <source>Makes a reference database from a land-cover layer in one run, with “Rasterize land-cover layer” and “Build reference database”. Select a class table, or enter the reference classes.</source>
@@ -2605,7 +2609,7 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   </message>
   <message>
    <source>Mean (R; G; B)</source>
-   <translation type="unfinished" />
+   <translation>Moyenne (R ; V ; B)</translation>
   </message>
   <message>
    <source>Mean IoU</source>
@@ -2617,7 +2621,7 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   </message>
   <message>
    <source>Mean and standard deviation have three numbers, for red, green and blue; deviations above 0.</source>
-   <translation type="unfinished" />
+   <translation>La moyenne et l’écart type ont trois nombres, pour le rouge, le vert et le bleu ; les écarts types sont supérieurs à 0.</translation>
   </message>
   <message>
    <source>Mean confidence</source>
@@ -2805,15 +2809,15 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   </message>
   <message>
    <source>Name for the list of models. If not set, the name of the file.</source>
-   <translation type="unfinished" />
+   <translation>Nom pour la liste des modèles. Par défaut, le nom du fichier.</translation>
   </message>
   <message>
    <source>Name in segmentation_models_pytorch, for example resnet34. Not used for ONNX files.</source>
-   <translation type="unfinished" />
+   <translation>Nom dans segmentation_models_pytorch, par exemple resnet34. N’est pas utilisé pour les fichiers ONNX.</translation>
   </message>
   <message>
    <source>Name in segmentation_models_pytorch, for example unet, fpn or deeplabv3. Not used for ONNX files.</source>
-   <translation type="unfinished" />
+   <translation>Nom dans segmentation_models_pytorch, par exemple unet, fpn ou deeplabv3. N’est pas utilisé pour les fichiers ONNX.</translation>
   </message>
   <message>
    <source>Name of the matched window: its first column and row on the map</source>
@@ -2821,7 +2825,7 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   </message>
   <message>
    <source>Names in the order of the outputs, separated by “;”. Outputs with the same name are merged. Leave a name empty for an output that is not used, for example building;road;;road.</source>
-   <translation type="unfinished" />
+   <translation>Noms dans l’ordre des sorties, séparés par « ; ». Les sorties de même nom sont fusionnées. Laissez vide le nom d’une sortie non utilisée, par exemple building;road;;road.</translation>
   </message>
   <message>
    <source>Names or values of the classes that are landmarks, separated by “;”. If not set, classes that are usually compact and permanent are used: buildings, water, bare land, orchards.</source>
@@ -2849,7 +2853,7 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   </message>
   <message>
    <source>Networks</source>
-   <translation type="unfinished" />
+   <translation>Réseaux</translation>
   </message>
   <message>
    <source>Next image (Alt+Down)</source>
@@ -2949,7 +2953,7 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   </message>
   <message>
    <source>No rule with a width matches a tag of the lines “{source}”. Their columns are: {columns}. Select a layer of lines with OpenStreetMap tags, or other rules.</source>
-   <translation type="unfinished" />
+   <translation>Aucune règle avec une largeur ne s’applique à un attribut des lignes « {source} ». Leurs colonnes sont : {columns}. Sélectionnez une couche de lignes avec des attributs OpenStreetMap, ou d’autres règles.</translation>
   </message>
   <message>
    <source>No training</source>
@@ -3061,7 +3065,7 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   </message>
   <message>
    <source>Number of outputs</source>
-   <translation type="unfinished" />
+   <translation>Nombre de sorties</translation>
   </message>
   <message>
    <source>Number of polygons with a class</source>
@@ -3105,7 +3109,7 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   </message>
   <message>
    <source>ONNX file with input 1 × 3 × height × width and an output for each class, or a checkpoint with the weights of such a network.</source>
-   <translation type="unfinished" />
+   <translation>Fichier ONNX avec l’entrée 1 × 3 × hauteur × largeur et une sortie pour chaque classe, ou un point de contrôle avec les poids d’un tel réseau.</translation>
   </message>
   <message>
    <source>ONNX file. During training a folder beside it contains the state that a canceled run needs to continue.</source>
@@ -3257,7 +3261,7 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   </message>
   <message>
    <source>OpenStreetMap lines</source>
-   <translation type="unfinished" />
+   <translation>Lignes OpenStreetMap</translation>
   </message>
   <message>
    <source>OpenStreetMap polygons</source>
@@ -3425,7 +3429,7 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   </message>
   <message>
    <source>Pixel size of the images that the network was trained on.</source>
-   <translation type="unfinished" />
+   <translation>Taille de pixel des images avec lesquelles le réseau a été entraîné.</translation>
   </message>
   <message>
    <source>Pixel size that the network was trained on. If not set, the value in the metadata of the model is used. Images without a georeference are not resampled.</source>
@@ -3433,7 +3437,7 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   </message>
   <message>
    <source>Pixel values</source>
-   <translation type="unfinished" />
+   <translation>Valeurs des pixels</translation>
   </message>
   <message>
    <source>Places</source>
@@ -3569,7 +3573,7 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   </message>
   <message>
    <source>Preset</source>
-   <translation type="unfinished" />
+   <translation>Préréglage</translation>
   </message>
   <message>
    <source>Press “Localize” in the dock to find the positions of the photos.</source>
@@ -3605,7 +3609,7 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   </message>
   <message>
    <source>Probability from which a pixel has the class, for networks with one output. If not set, 0.5.</source>
-   <translation type="unfinished" />
+   <translation>Probabilité à partir de laquelle un pixel a la classe, pour les réseaux à une sortie. Par défaut, 0.5.</translation>
   </message>
   <message>
    <source>Probability that the position is wrong</source>
@@ -3681,7 +3685,7 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   </message>
   <message>
    <source>Range of the pixel values before the mean is subtracted and the result is divided.</source>
-   <translation type="unfinished" />
+   <translation>Plage des valeurs des pixels avant que la moyenne soit soustraite et que le résultat soit divisé.</translation>
   </message>
   <message>
    <source>Rank</source>
@@ -3749,11 +3753,11 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   </message>
   <message>
    <source>Reading the network</source>
-   <translation type="unfinished" />
+   <translation>Lecture du réseau</translation>
   </message>
   <message>
    <source>Reading the network…</source>
-   <translation type="unfinished" />
+   <translation>Lecture du réseau…</translation>
   </message>
   <message>
    <source>Reading the photos and the map</source>
@@ -3961,7 +3965,7 @@ Dans un recouvrement, le polygone de priorité supérieure est conservé, sinon 
   </message>
   <message>
    <source>Roads, railways, rivers and streams as lines: layer with OpenStreetMap tags, or the extract. Only models with a class road or water use them.</source>
-   <translation type="unfinished" />
+   <translation>Routes, voies ferrées, rivières et ruisseaux en tant que lignes : couche avec des attributs OpenStreetMap, ou l’extrait. Seuls les modèles avec une classe road ou water les utilisent.</translation>
   </message>
   <message>
    <source>Role</source>
@@ -4433,7 +4437,7 @@ L’image est décrite dans son plus grand carré centré, comme les fenêtres d
   </message>
   <message>
    <source>Standard deviation (R; G; B)</source>
-   <translation type="unfinished" />
+   <translation>Écart type (R ; V ; B)</translation>
   </message>
   <message>
    <source>Standard deviation of landmark positions on the map, along each axis. It increases the 95 % radius, because neighboring landmarks are displaced together. The default of 1.2 m was measured between maps of two dates in two countries. “Compare label maps” measures it for your maps.</source>
@@ -4573,11 +4577,11 @@ L’image est décrite dans son plus grand carré centré, comme les fenêtres d
   </message>
   <message>
    <source>Test</source>
-   <translation type="unfinished" />
+   <translation>Tester</translation>
   </message>
   <message>
    <source>Test picture: the middle of</source>
-   <translation type="unfinished" />
+   <translation>Image de test : le milieu de</translation>
   </message>
   <message>
    <source>Test the model on new ground with “Segment image”, then “Compare label maps”.</source>
@@ -4593,7 +4597,7 @@ L’image est décrite dans son plus grand carré centré, comme les fenêtres d
   </message>
   <message>
    <source>Testing the network</source>
-   <translation type="unfinished" />
+   <translation>Test du réseau</translation>
   </message>
   <message>
    <source>Tests a reference database with images of known position. They are cut from a label map, rotated, scaled, given label errors, and localized with one or more methods. The report compares the methods.
@@ -5029,7 +5033,7 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>The last images do not agree with the map. The motion since the last position leads to {x:.0f}, {y:.0f}, with a 95 % radius of {radius:.0f} m.</source>
-   <translation type="unfinished" />
+   <translation>Les dernières images ne concordent pas avec la carte. Le déplacement depuis la dernière position mène à {x:.0f}, {y:.0f}, avec un rayon à 95 % de {radius:.0f} m.</translation>
   </message>
   <message>
    <source>The last update of the database is undone.</source>
@@ -5057,11 +5061,11 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>The lines can't be read. Choose a layer of lines.</source>
-   <translation type="unfinished" />
+   <translation>Les lignes ne peuvent pas être lues. Choisissez une couche de lignes.</translation>
   </message>
   <message>
    <source>The lines “{layer}” and the polygons need a coordinate reference system. Set the CRS in the layer properties.</source>
-   <translation type="unfinished" />
+   <translation>Les lignes « {layer} » et les polygones ont besoin d’un système de coordonnées de référence. Définissez le SCR dans les propriétés de la couche.</translation>
   </message>
   <message>
    <source>The longest stretch is first. A stretch is between two points with sufficient success. Suggestions show the mean expected success of a parallel line, to the left or right of the flight direction.</source>
@@ -5133,7 +5137,7 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>The model has none of the classes of lines, {classes}. Choose another model, or leave out the lines.</source>
-   <translation type="unfinished" />
+   <translation>Le modèle n’a aucune des classes de lignes, {classes}. Choisissez un autre modèle, ou laissez les lignes de côté.</translation>
   </message>
   <message>
    <source>The model is trained and selected in the dock.</source>
@@ -5173,7 +5177,7 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>The network has {count} outputs.</source>
-   <translation type="unfinished" />
+   <translation>Le réseau a {count} sorties.</translation>
   </message>
   <message>
    <source>The network was trained on: {places}.</source>
@@ -5409,7 +5413,7 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>The weights of {path} are in another file ({name}). Export the network as one file.</source>
-   <translation type="unfinished" />
+   <translation>Les poids de {path} se trouvent dans un autre fichier ({name}). Exportez le réseau en un seul fichier.</translation>
   </message>
   <message>
    <source>The weights of {path} are in another file, so it cannot be copied with its class offset. Export it as one file.</source>
@@ -5421,7 +5425,7 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>The weights of {path} do not fit the architecture {architecture} with the encoder {encoder} and three bands. Enter both as the maker of the checkpoint states them.</source>
-   <translation type="unfinished" />
+   <translation>Les poids de {path} ne correspondent pas à l’architecture {architecture} avec l’encodeur {encoder} et trois bandes. Saisissez les deux tels que l’auteur du point de contrôle les indique.</translation>
   </message>
   <message>
    <source>The window ({size} px) is larger than the map ({width} × {height} px); choose a smaller window or a larger map.</source>
@@ -5549,15 +5553,15 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>Three numbers, separated by “;”. 0;0;0 if the network takes pixel values as they are.</source>
-   <translation type="unfinished" />
+   <translation>Trois nombres séparés par « ; ». 0;0;0 si le réseau prend les valeurs des pixels telles quelles.</translation>
   </message>
   <message>
    <source>Three numbers, separated by “;”. 1;1;1 if the network takes pixel values as they are.</source>
-   <translation type="unfinished" />
+   <translation>Trois nombres séparés par « ; ». 1;1;1 si le réseau prend les valeurs des pixels telles quelles.</translation>
   </message>
   <message>
    <source>Threshold</source>
-   <translation type="unfinished" />
+   <translation>Seuil</translation>
   </message>
   <message>
    <source>Tile overlap (%)</source>
@@ -5605,7 +5609,7 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>To get more models, train one on your own area (button next to the model in the dock) or on published photos. You can also add networks of others, such as those of the Deepness plugin. {how}</source>
-   <translation type="unfinished" />
+   <translation>Pour obtenir d’autres modèles, entraînez-en un sur votre propre zone (bouton à côté du modèle dans le panneau) ou sur des photos publiées. Vous pouvez aussi ajouter des réseaux d’autres auteurs, comme ceux de l’extension Deepness. {how}</translation>
   </message>
   <message>
    <source>To image</source>
@@ -5849,7 +5853,7 @@ Tous les paramètres viennent de la base de données. Les lignes inchangées gar
   </message>
   <message>
    <source>Values for all fields that are not set. Without a preset, those in the metadata of the file.</source>
-   <translation type="unfinished" />
+   <translation>Valeurs de tous les champs qui ne sont pas définis. Sans préréglage, celles des métadonnées du fichier.</translation>
   </message>
   <message>
    <source>Vector</source>
@@ -6117,11 +6121,11 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>from 0 to 1</source>
-   <translation type="unfinished" />
+   <translation>de 0 à 1</translation>
   </message>
   <message>
    <source>from 0 to 255</source>
-   <translation type="unfinished" />
+   <translation>de 0 à 255</translation>
   </message>
   <message>
    <source>from the camera or the imagery</source>
@@ -6381,7 +6385,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>segmentation_models_pytorch has no network {architecture} with the encoder {encoder}. Enter both as the maker of the checkpoint states them, for example unet and resnet34.</source>
-   <translation type="unfinished" />
+   <translation>segmentation_models_pytorch n’a pas de réseau {architecture} avec l’encodeur {encoder}. Saisissez les deux tels que l’auteur du point de contrôle les indique, par exemple unet et resnet34.</translation>
   </message>
   <message>
    <source>similar places</source>
@@ -7037,7 +7041,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{path} has {channels} outputs, but there are {count} class names. Enter one class for each output, empty for outputs that are not used.</source>
-   <translation type="unfinished" />
+   <translation>{path} a {channels} sorties, mais il y a {count} noms de classes. Saisissez une classe pour chaque sortie, vide pour les sorties non utilisées.</translation>
   </message>
   <message>
    <source>{path} has {count} landmarks and bounds of {bounds}; build it again.</source>
@@ -7165,7 +7169,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{path} is not a checkpoint of segmentation_models_pytorch that contains weights only. Save the network’s state_dict with torch.save.</source>
-   <translation type="unfinished" />
+   <translation>{path} n’est pas un point de contrôle de segmentation_models_pytorch qui ne contient que des poids. Enregistrez le state_dict du réseau avec torch.save.</translation>
   </message>
   <message>
    <source>{path} is not a file. Choose a table or a log.</source>
@@ -7229,7 +7233,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{path} outputs class numbers. Export it without argmax, with an output for each class.</source>
-   <translation type="unfinished" />
+   <translation>{path} produit des numéros de classe. Exportez-le sans argmax, avec une sortie pour chaque classe.</translation>
   </message>
   <message>
    <source>{path} outputs the class number {number:g}, but names only {count} classes. Use the names from its training.</source>
@@ -7549,7 +7553,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   </message>
   <message>
    <source>{where}: “{text}” is not a width of lines; the column width needs a number of meters above 0 and up to {most:g}, or nothing.</source>
-   <translation type="unfinished" />
+   <translation>{where} : « {text} » n’est pas une largeur de lignes ; la colonne width exige un nombre de mètres supérieur à 0 et d’au plus {most:g}, ou rien.</translation>
   </message>
   <message>
    <source>{where}: “{text}” is not three numbers “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).</source>

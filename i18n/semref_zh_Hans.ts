@@ -173,7 +173,7 @@
   </message>
   <message>
    <source>Add</source>
-   <translation type="unfinished" />
+   <translation>添加</translation>
   </message>
   <message>
    <source>Add a folder of images</source>
@@ -181,15 +181,15 @@
   </message>
   <message>
    <source>Add a model</source>
-   <translation type="unfinished" />
+   <translation>添加模型</translation>
   </message>
   <message>
    <source>Add a model…</source>
-   <translation type="unfinished" />
+   <translation>添加模型…</translation>
   </message>
   <message>
    <source>Add a network of others: an ONNX file, or a checkpoint of PyTorch</source>
-   <translation type="unfinished" />
+   <translation>添加他人的网络：ONNX 文件或 PyTorch 检查点</translation>
   </message>
   <message>
    <source>Add a raster layer of the project</source>
@@ -225,7 +225,7 @@
   </message>
   <message>
    <source>Add model</source>
-   <translation type="unfinished" />
+   <translation>添加模型</translation>
   </message>
   <message>
    <source>Add photos or label images, or drop files, folders and layers here.</source>
@@ -237,7 +237,7 @@
   </message>
   <message>
    <source>Adding a model</source>
-   <translation type="unfinished" />
+   <translation>正在添加模型</translation>
   </message>
   <message>
    <source>Adding an image to the map</source>
@@ -285,7 +285,7 @@
   </message>
   <message>
    <source>All used outputs of {path} have the class {name}, so every pixel would have it. Enter at least two classes; a class without interest can be “other”.</source>
-   <translation type="unfinished" />
+   <translation>{path} 的所有已用输出都属于类别 {name}，因此每个像元都会是该类别。请至少输入两个类别；不关注的类别可以是“other”。</translation>
   </message>
   <message>
    <source>Along the flight</source>
@@ -377,7 +377,7 @@
   </message>
   <message>
    <source>Architecture of the checkpoint</source>
-   <translation type="unfinished" />
+   <translation>检查点的架构</translation>
   </message>
   <message>
    <source>Area</source>
@@ -485,7 +485,7 @@
   </message>
   <message>
    <source>Buildings, one output with a threshold</source>
-   <translation type="unfinished" />
+   <translation>建筑物，单个输出加阈值</translation>
   </message>
   <message>
    <source>Builds a reference database from a label map: its landmarks, and windows that are described by topology vectors.
@@ -517,7 +517,7 @@ GeoPackage 包含窗口、地标、缩小的地图（概览）、类别和参数
   </message>
   <message>
    <source>CSV file with the columns key, value, class, priority, and width (m) for lines. The value * matches any value; an empty class excludes polygons and lines. If not set, the rules of SemRef are used.</source>
-   <translation type="unfinished" />
+   <translation>包含 key、value、class、priority 列的 CSV 文件，线另需 width（m）列。值 * 匹配任意值；空类别会排除多边形和线。如果未设置，则使用 SemRef 的规则。</translation>
   </message>
   <message>
    <source>CSV file with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. It must contain every class of the layer.</source>
@@ -613,7 +613,7 @@ GeoPackage 包含窗口、地标、缩小的地图（概览）、类别和参数
   </message>
   <message>
    <source>Check that the classes are in the right places. If not, check order, resolution and mean.</source>
-   <translation type="unfinished" />
+   <translation>请检查各类别是否在正确的位置。如果不是，请检查顺序、分辨率和均值。</translation>
   </message>
   <message>
    <source>Check the disagreements in the dock’s tab “Correct”. Either map may be wrong.</source>
@@ -685,7 +685,7 @@ GeoPackage 包含窗口、地标、缩小的地图（概览）、类别和参数
   </message>
   <message>
    <source>Choose a raster layer or file for the test picture.</source>
-   <translation type="unfinished" />
+   <translation>请为测试图片选择栅格图层或文件。</translation>
   </message>
   <message>
    <source>Choose a reference database</source>
@@ -717,7 +717,7 @@ GeoPackage 包含窗口、地标、缩小的地图（概览）、类别和参数
   </message>
   <message>
    <source>Class (empty: not used)</source>
-   <translation type="unfinished" />
+   <translation>类别（空：不使用）</translation>
   </message>
   <message>
    <source>Class field</source>
@@ -729,7 +729,7 @@ GeoPackage 包含窗口、地标、缩小的地图（概览）、类别和参数
   </message>
   <message>
    <source>Class of each output</source>
-   <translation type="unfinished" />
+   <translation>每个输出的类别</translation>
   </message>
   <message>
    <source>Class of other polygons</source>
@@ -813,7 +813,7 @@ GeoPackage 包含窗口、地标、缩小的地图（概览）、类别和参数
   </message>
   <message>
    <source>Classes: {names}</source>
-   <translation type="unfinished" />
+   <translation>类别：{names}</translation>
   </message>
   <message>
    <source>Classify OpenStreetMap</source>
@@ -975,7 +975,9 @@ Pixels outside all ranges are unlabeled (0). With “Nearest color”, black is 
    <source>Converts polygons with OpenStreetMap tags to land cover: building, water, bare land, forest, cultivated land, grass and built-up land. Roads, railways, rivers and streams can be added from lines. A priority decides which polygon is on top.
 
 The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shapefile, or a layer with tags in columns. A table of rules assigns classes to tags.</source>
-   <translation type="unfinished" />
+   <translation>将带有 OpenStreetMap 标签的多边形转换为土地覆盖：建筑物、水体、裸地、森林、耕地、草地和建成区。道路、铁路、河流和溪流可以由线添加。优先级决定哪个多边形在上。
+
+输入可以是提取文件（.osm、.osm.pbf）、QuickOSM 图层、Geofabrik shapefile，或以列存储标签的图层。规则表为标签指定类别。</translation>
   </message>
   <message>
    <source>Copied: {command}</source>
@@ -995,7 +997,7 @@ The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shap
   </message>
   <message>
    <source>Copy of the network with metadata. The file of the network is not changed.</source>
-   <translation type="unfinished" />
+   <translation>带有元数据的网络副本。网络的文件不会更改。</translation>
   </message>
   <message>
    <source>Copy position</source>
@@ -1355,7 +1357,7 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Encoder of the checkpoint</source>
-   <translation type="unfinished" />
+   <translation>检查点的编码器</translation>
   </message>
   <message>
    <source>End (UTC)</source>
@@ -1363,15 +1365,15 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   </message>
   <message>
    <source>Enter the class of each output of the network.</source>
-   <translation type="unfinished" />
+   <translation>请输入网络每个输出的类别。</translation>
   </message>
   <message>
    <source>Enter the license of the network, as its maker states it; “unknown” if there is none.</source>
-   <translation type="unfinished" />
+   <translation>请按制作者的说明输入网络的许可；如果没有，请输入“unknown”。</translation>
   </message>
   <message>
    <source>Enter the resolution of the images that the network was trained on.</source>
-   <translation type="unfinished" />
+   <translation>请输入训练该网络所用影像的分辨率。</translation>
   </message>
   <message>
    <source>Epoch</source>
@@ -1519,7 +1521,7 @@ The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also 
   </message>
   <message>
    <source>FLAIR-INC RGB of IGN, 19 outputs</source>
-   <translation type="unfinished" />
+   <translation>IGN 的 FLAIR-INC RGB，19 个输出</translation>
   </message>
   <message>
    <source>False accepts</source>
@@ -2171,11 +2173,11 @@ Images without a position are left out, and so are likely positions and position
   </message>
   <message>
    <source>Labeling the test picture</source>
-   <translation type="unfinished" />
+   <translation>正在标注测试图片</translation>
   </message>
   <message>
    <source>Labeling the test picture…</source>
-   <translation type="unfinished" />
+   <translation>正在标注测试图片…</translation>
   </message>
   <message>
    <source>Labels</source>
@@ -2287,7 +2289,7 @@ Images without a position are left out, and so are likely positions and position
   </message>
   <message>
    <source>Layer of lines with tags as columns, or the extract. Roads and railways get the class road, rivers and streams the class water. The tags width and lanes give the width, otherwise the rules. Tunnels are left out.</source>
-   <translation type="unfinished" />
+   <translation>以列存储标签的线图层，或提取文件。道路和铁路得到类别 road，河流和溪流得到类别 water。标签 width 和 lanes 给出宽度，否则由规则给出。隧道会被舍弃。</translation>
   </message>
   <message>
    <source>Layer of places to check</source>
@@ -2339,7 +2341,7 @@ Images without a position are left out, and so are likely positions and position
   </message>
   <message>
    <source>License of the network, as its maker states it. The model card shows it.</source>
-   <translation type="unfinished" />
+   <translation>网络的许可，按制作者的说明。模型卡会显示它。</translation>
   </message>
   <message>
    <source>Likely position</source>
@@ -2363,7 +2365,7 @@ Images without a position are left out, and so are likely positions and position
   </message>
   <message>
    <source>Lines can be added to tags of OpenStreetMap only, and “{layer}” has no tags. Choose another map, or leave out the lines.</source>
-   <translation type="unfinished" />
+   <translation>线只能添加到 OpenStreetMap 标签，而“{layer}”没有标签。请选择其他地图，或不使用线。</translation>
   </message>
   <message>
    <source>Loading the model</source>
@@ -2493,7 +2495,9 @@ The image is resampled to the resolution of the model if both are known, and pro
    <source>Makes a model from a segmentation network of others: an ONNX file, or a checkpoint of segmentation_models_pytorch.
 
 The result is a copy with class names, resolution, standardization and license. Outputs of the same class are merged: their probabilities are added after a softmax over all used outputs. A checkpoint needs the training environment (Settings ▸ Options ▸ SemRef).</source>
-   <translation type="unfinished" />
+   <translation>由他人的分割网络制作模型：ONNX 文件，或 segmentation_models_pytorch 的检查点。
+
+结果是带有类别名称、分辨率、标准化和许可的副本。相同类别的输出会合并：对所有已用输出做 softmax 后，将其概率相加。检查点需要训练环境（设置 ▸ 选项 ▸ SemRef）。</translation>
   </message>
   <message>
    <source>Makes a reference database from a land-cover layer in one run, with “Rasterize land-cover layer” and “Build reference database”. Select a class table, or enter the reference classes.</source>
@@ -2605,7 +2609,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Mean (R; G; B)</source>
-   <translation type="unfinished" />
+   <translation>均值（R; G; B）</translation>
   </message>
   <message>
    <source>Mean IoU</source>
@@ -2617,7 +2621,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Mean and standard deviation have three numbers, for red, green and blue; deviations above 0.</source>
-   <translation type="unfinished" />
+   <translation>均值和标准差各有三个数，对应红、绿、蓝；标准差须大于 0。</translation>
   </message>
   <message>
    <source>Mean confidence</source>
@@ -2805,15 +2809,15 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Name for the list of models. If not set, the name of the file.</source>
-   <translation type="unfinished" />
+   <translation>模型列表中的名称。如果未设置，则使用文件名。</translation>
   </message>
   <message>
    <source>Name in segmentation_models_pytorch, for example resnet34. Not used for ONNX files.</source>
-   <translation type="unfinished" />
+   <translation>segmentation_models_pytorch 中的名称，例如 resnet34。不用于 ONNX 文件。</translation>
   </message>
   <message>
    <source>Name in segmentation_models_pytorch, for example unet, fpn or deeplabv3. Not used for ONNX files.</source>
-   <translation type="unfinished" />
+   <translation>segmentation_models_pytorch 中的名称，例如 unet、fpn 或 deeplabv3。不用于 ONNX 文件。</translation>
   </message>
   <message>
    <source>Name of the matched window: its first column and row on the map</source>
@@ -2821,7 +2825,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Names in the order of the outputs, separated by “;”. Outputs with the same name are merged. Leave a name empty for an output that is not used, for example building;road;;road.</source>
-   <translation type="unfinished" />
+   <translation>按输出顺序的名称，以“;”分隔。同名的输出会合并。不使用的输出请将名称留空，例如 building;road;;road。</translation>
   </message>
   <message>
    <source>Names or values of the classes that are landmarks, separated by “;”. If not set, classes that are usually compact and permanent are used: buildings, water, bare land, orchards.</source>
@@ -2849,7 +2853,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Networks</source>
-   <translation type="unfinished" />
+   <translation>网络</translation>
   </message>
   <message>
    <source>Next image (Alt+Down)</source>
@@ -2949,7 +2953,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>No rule with a width matches a tag of the lines “{source}”. Their columns are: {columns}. Select a layer of lines with OpenStreetMap tags, or other rules.</source>
-   <translation type="unfinished" />
+   <translation>没有带宽度的规则与线“{source}”的标签匹配。其列为：{columns}。请选择带有 OpenStreetMap 标签的线图层，或其他规则。</translation>
   </message>
   <message>
    <source>No training</source>
@@ -3061,7 +3065,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Number of outputs</source>
-   <translation type="unfinished" />
+   <translation>输出数量</translation>
   </message>
   <message>
    <source>Number of polygons with a class</source>
@@ -3105,7 +3109,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>ONNX file with input 1 × 3 × height × width and an output for each class, or a checkpoint with the weights of such a network.</source>
-   <translation type="unfinished" />
+   <translation>输入为 1 × 3 × 高 × 宽且每个类别有一个输出的 ONNX 文件，或包含此类网络权重的检查点。</translation>
   </message>
   <message>
    <source>ONNX file. During training a folder beside it contains the state that a canceled run needs to continue.</source>
@@ -3257,7 +3261,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>OpenStreetMap lines</source>
-   <translation type="unfinished" />
+   <translation>OpenStreetMap 线</translation>
   </message>
   <message>
    <source>OpenStreetMap polygons</source>
@@ -3425,7 +3429,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Pixel size of the images that the network was trained on.</source>
-   <translation type="unfinished" />
+   <translation>训练该网络所用影像的像元大小。</translation>
   </message>
   <message>
    <source>Pixel size that the network was trained on. If not set, the value in the metadata of the model is used. Images without a georeference are not resampled.</source>
@@ -3433,7 +3437,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Pixel values</source>
-   <translation type="unfinished" />
+   <translation>像元值</translation>
   </message>
   <message>
    <source>Places</source>
@@ -3569,7 +3573,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Preset</source>
-   <translation type="unfinished" />
+   <translation>预设</translation>
   </message>
   <message>
    <source>Press “Localize” in the dock to find the positions of the photos.</source>
@@ -3605,7 +3609,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Probability from which a pixel has the class, for networks with one output. If not set, 0.5.</source>
-   <translation type="unfinished" />
+   <translation>像元达到该概率即属于该类别，用于只有一个输出的网络。如果未设置，则为 0.5。</translation>
   </message>
   <message>
    <source>Probability that the position is wrong</source>
@@ -3681,7 +3685,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Range of the pixel values before the mean is subtracted and the result is divided.</source>
-   <translation type="unfinished" />
+   <translation>减去均值并相除之前的像元值范围。</translation>
   </message>
   <message>
    <source>Rank</source>
@@ -3749,11 +3753,11 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Reading the network</source>
-   <translation type="unfinished" />
+   <translation>正在读取网络</translation>
   </message>
   <message>
    <source>Reading the network…</source>
-   <translation type="unfinished" />
+   <translation>正在读取网络…</translation>
   </message>
   <message>
    <source>Reading the photos and the map</source>
@@ -3961,7 +3965,7 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   </message>
   <message>
    <source>Roads, railways, rivers and streams as lines: layer with OpenStreetMap tags, or the extract. Only models with a class road or water use them.</source>
-   <translation type="unfinished" />
+   <translation>以线表示的道路、铁路、河流和溪流：带有 OpenStreetMap 标签的图层，或提取文件。只有包含类别 road 或 water 的模型才使用它们。</translation>
   </message>
   <message>
    <source>Role</source>
@@ -4433,7 +4437,7 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Standard deviation (R; G; B)</source>
-   <translation type="unfinished" />
+   <translation>标准差（R; G; B）</translation>
   </message>
   <message>
    <source>Standard deviation of landmark positions on the map, along each axis. It increases the 95 % radius, because neighboring landmarks are displaced together. The default of 1.2 m was measured between maps of two dates in two countries. “Compare label maps” measures it for your maps.</source>
@@ -4573,11 +4577,11 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Test</source>
-   <translation type="unfinished" />
+   <translation>测试</translation>
   </message>
   <message>
    <source>Test picture: the middle of</source>
-   <translation type="unfinished" />
+   <translation>测试图片的中心取自</translation>
   </message>
   <message>
    <source>Test the model on new ground with “Segment image”, then “Compare label maps”.</source>
@@ -4593,7 +4597,7 @@ The image is described in its largest centered square, like the windows of a dat
   </message>
   <message>
    <source>Testing the network</source>
-   <translation type="unfinished" />
+   <translation>正在测试网络</translation>
   </message>
   <message>
    <source>Tests a reference database with images of known position. They are cut from a label map, rotated, scaled, given label errors, and localized with one or more methods. The report compares the methods.
@@ -5029,7 +5033,7 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The last images do not agree with the map. The motion since the last position leads to {x:.0f}, {y:.0f}, with a 95 % radius of {radius:.0f} m.</source>
-   <translation type="unfinished" />
+   <translation>最近的影像与地图不一致。自上次定位以来的运动通向 {x:.0f}, {y:.0f}，95 % 半径为 {radius:.0f} m。</translation>
   </message>
   <message>
    <source>The last update of the database is undone.</source>
@@ -5057,11 +5061,11 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The lines can't be read. Choose a layer of lines.</source>
-   <translation type="unfinished" />
+   <translation>无法读取线。请选择线图层。</translation>
   </message>
   <message>
    <source>The lines “{layer}” and the polygons need a coordinate reference system. Set the CRS in the layer properties.</source>
-   <translation type="unfinished" />
+   <translation>线“{layer}”和多边形需要坐标参照系。请在图层属性中设置 CRS。</translation>
   </message>
   <message>
    <source>The longest stretch is first. A stretch is between two points with sufficient success. Suggestions show the mean expected success of a parallel line, to the left or right of the flight direction.</source>
@@ -5133,7 +5137,7 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The model has none of the classes of lines, {classes}. Choose another model, or leave out the lines.</source>
-   <translation type="unfinished" />
+   <translation>模型没有线的任何类别（{classes}）。请选择其他模型，或不使用线。</translation>
   </message>
   <message>
    <source>The model is trained and selected in the dock.</source>
@@ -5173,7 +5177,7 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The network has {count} outputs.</source>
-   <translation type="unfinished" />
+   <translation>网络有 {count} 个输出。</translation>
   </message>
   <message>
    <source>The network was trained on: {places}.</source>
@@ -5409,7 +5413,7 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The weights of {path} are in another file ({name}). Export the network as one file.</source>
-   <translation type="unfinished" />
+   <translation>{path} 的权重在另一个文件（{name}）中。请将网络导出为一个文件。</translation>
   </message>
   <message>
    <source>The weights of {path} are in another file, so it cannot be copied with its class offset. Export it as one file.</source>
@@ -5421,7 +5425,7 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The weights of {path} do not fit the architecture {architecture} with the encoder {encoder} and three bands. Enter both as the maker of the checkpoint states them.</source>
-   <translation type="unfinished" />
+   <translation>{path} 的权重与架构 {architecture}、编码器 {encoder} 和三个波段不符。请按检查点制作者的说明输入两者。</translation>
   </message>
   <message>
    <source>The window ({size} px) is larger than the map ({width} × {height} px); choose a smaller window or a larger map.</source>
@@ -5549,15 +5553,15 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>Three numbers, separated by “;”. 0;0;0 if the network takes pixel values as they are.</source>
-   <translation type="unfinished" />
+   <translation>三个数，以“;”分隔。如果网络直接使用像元值，则为 0;0;0。</translation>
   </message>
   <message>
    <source>Three numbers, separated by “;”. 1;1;1 if the network takes pixel values as they are.</source>
-   <translation type="unfinished" />
+   <translation>三个数，以“;”分隔。如果网络直接使用像元值，则为 1;1;1。</translation>
   </message>
   <message>
    <source>Threshold</source>
-   <translation type="unfinished" />
+   <translation>阈值</translation>
   </message>
   <message>
    <source>Tile overlap (%)</source>
@@ -5605,7 +5609,7 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>To get more models, train one on your own area (button next to the model in the dock) or on published photos. You can also add networks of others, such as those of the Deepness plugin. {how}</source>
-   <translation type="unfinished" />
+   <translation>要获得更多模型，请用您自己的区域（停靠面板中模型旁边的按钮）或已发布的照片训练。您也可以添加他人的网络，例如 Deepness 插件的网络。{how}</translation>
   </message>
   <message>
    <source>To image</source>
@@ -5849,7 +5853,7 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
   </message>
   <message>
    <source>Values for all fields that are not set. Without a preset, those in the metadata of the file.</source>
-   <translation type="unfinished" />
+   <translation>所有未设置字段的值。没有预设时，使用文件元数据中的值。</translation>
   </message>
   <message>
    <source>Vector</source>
@@ -6117,11 +6121,11 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>from 0 to 1</source>
-   <translation type="unfinished" />
+   <translation>0 到 1</translation>
   </message>
   <message>
    <source>from 0 to 255</source>
-   <translation type="unfinished" />
+   <translation>0 到 255</translation>
   </message>
   <message>
    <source>from the camera or the imagery</source>
@@ -6381,7 +6385,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>segmentation_models_pytorch has no network {architecture} with the encoder {encoder}. Enter both as the maker of the checkpoint states them, for example unet and resnet34.</source>
-   <translation type="unfinished" />
+   <translation>segmentation_models_pytorch 没有使用编码器 {encoder} 的网络 {architecture}。请按检查点制作者的说明输入两者，例如 unet 和 resnet34。</translation>
   </message>
   <message>
    <source>similar places</source>
@@ -7037,7 +7041,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} has {channels} outputs, but there are {count} class names. Enter one class for each output, empty for outputs that are not used.</source>
-   <translation type="unfinished" />
+   <translation>{path} 有 {channels} 个输出，但有 {count} 个类别名称。请为每个输出输入一个类别，不使用的输出留空。</translation>
   </message>
   <message>
    <source>{path} has {count} landmarks and bounds of {bounds}; build it again.</source>
@@ -7165,7 +7169,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} is not a checkpoint of segmentation_models_pytorch that contains weights only. Save the network’s state_dict with torch.save.</source>
-   <translation type="unfinished" />
+   <translation>{path} 不是只包含权重的 segmentation_models_pytorch 检查点。请用 torch.save 保存网络的 state_dict。</translation>
   </message>
   <message>
    <source>{path} is not a file. Choose a table or a log.</source>
@@ -7229,7 +7233,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} outputs class numbers. Export it without argmax, with an output for each class.</source>
-   <translation type="unfinished" />
+   <translation>{path} 输出类别编号。请不带 argmax 导出，每个类别一个输出。</translation>
   </message>
   <message>
    <source>{path} outputs the class number {number:g}, but names only {count} classes. Use the names from its training.</source>
@@ -7549,7 +7553,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{where}: “{text}” is not a width of lines; the column width needs a number of meters above 0 and up to {most:g}, or nothing.</source>
-   <translation type="unfinished" />
+   <translation>{where}：“{text}”不是线的宽度；列 width 需要大于 0 且不超过 {most:g} 的米数，或留空。</translation>
   </message>
   <message>
    <source>{where}: “{text}” is not three numbers “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).</source>
