@@ -19,6 +19,7 @@ from benchmarks.ground import Ground, Wanted
 from benchmarks.maps import World, build_parameters, read, run_algorithm, settings
 from benchmarks.photos import SHIPPED
 from benchmarks.results import ROOT, Table, rate, size
+from benchmarks.set_up import set_up
 from benchmarks.tile_by_tile import TileByTile
 from benchmarks.turns import on_processor, ratios, spread, take_turns
 from semref.core.localization import Method, Prior
@@ -457,6 +458,7 @@ def write_area(path: Path, template: Path, area: Sequence[float]) -> Path:
 
 
 MEASUREMENTS = {
+    "set up": set_up,
     "one fix": one_fix,
     "correlation": correlation,
     "build": build,

@@ -285,7 +285,7 @@
   </message>
   <message>
    <source>All used outputs of {path} have the class {name}, so every pixel would have it. Enter at least two classes; a class without interest can be “other”.</source>
-   <translation>Toutes les sorties utilisées de {path} ont la classe {name} ; chaque pixel l’aurait donc. Saisissez au moins deux classes ; une classe sans intérêt peut être « other ».</translation>
+   <translation>Toutes les sorties utilisées de {path} ont la classe {name} ; tous les pixels auraient donc cette classe. Saisissez au moins deux classes ; une classe sans intérêt peut être « other ».</translation>
   </message>
   <message>
    <source>Along the flight</source>
@@ -1521,7 +1521,7 @@ L’itinéraire est une couche de lignes ou un fichier : GPX, KML, plan QGroundC
   </message>
   <message>
    <source>FLAIR-INC RGB of IGN, 19 outputs</source>
-   <translation>FLAIR-INC RVB de l’IGN, 19 sorties</translation>
+   <translation>FLAIR-INC RGB de l’IGN, 19 sorties</translation>
   </message>
   <message>
    <source>False accepts</source>
@@ -2365,7 +2365,7 @@ Les images sans position sont exclues, de même que les positions probables et l
   </message>
   <message>
    <source>Lines can be added to tags of OpenStreetMap only, and “{layer}” has no tags. Choose another map, or leave out the lines.</source>
-   <translation>Des lignes ne peuvent être ajoutées qu’à des attributs OpenStreetMap, et « {layer} » n’en a pas. Choisissez une autre carte, ou laissez les lignes de côté.</translation>
+   <translation>Des lignes ne peuvent être ajoutées qu’à des attributs OpenStreetMap, et « {layer} » n’en a pas. Choisissez une autre carte, ou n’utilisez pas les lignes.</translation>
   </message>
   <message>
    <source>Loading the model</source>
@@ -2621,7 +2621,7 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   </message>
   <message>
    <source>Mean and standard deviation have three numbers, for red, green and blue; deviations above 0.</source>
-   <translation>La moyenne et l’écart type ont trois nombres, pour le rouge, le vert et le bleu ; les écarts types sont supérieurs à 0.</translation>
+   <translation>La moyenne et l’écart type comportent trois nombres, pour le rouge, le vert et le bleu ; les écarts types sont supérieurs à 0.</translation>
   </message>
   <message>
    <source>Mean confidence</source>
@@ -3609,7 +3609,7 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   </message>
   <message>
    <source>Probability from which a pixel has the class, for networks with one output. If not set, 0.5.</source>
-   <translation>Probabilité à partir de laquelle un pixel a la classe, pour les réseaux à une sortie. Par défaut, 0.5.</translation>
+   <translation>Probabilité à partir de laquelle un pixel a la classe, pour les réseaux à une sortie. Par défaut, 0,5.</translation>
   </message>
   <message>
    <source>Probability that the position is wrong</source>
@@ -5137,7 +5137,7 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>The model has none of the classes of lines, {classes}. Choose another model, or leave out the lines.</source>
-   <translation>Le modèle n’a aucune des classes de lignes, {classes}. Choisissez un autre modèle, ou laissez les lignes de côté.</translation>
+   <translation>Le modèle n’a aucune des classes de lignes, {classes}. Choisissez un autre modèle, ou n’utilisez pas les lignes.</translation>
   </message>
   <message>
    <source>The model is trained and selected in the dock.</source>
@@ -5553,11 +5553,11 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>Three numbers, separated by “;”. 0;0;0 if the network takes pixel values as they are.</source>
-   <translation>Trois nombres séparés par « ; ». 0;0;0 si le réseau prend les valeurs des pixels telles quelles.</translation>
+   <translation>Trois nombres, séparés par « ; ». 0;0;0 si le réseau utilise les valeurs des pixels telles quelles.</translation>
   </message>
   <message>
    <source>Three numbers, separated by “;”. 1;1;1 if the network takes pixel values as they are.</source>
-   <translation>Trois nombres séparés par « ; ». 1;1;1 si le réseau prend les valeurs des pixels telles quelles.</translation>
+   <translation>Trois nombres, séparés par « ; ». 1;1;1 si le réseau utilise les valeurs des pixels telles quelles.</translation>
   </message>
   <message>
    <source>Threshold</source>

@@ -517,7 +517,7 @@ GeoPackage 包含窗口、地标、缩小的地图（概览）、类别和参数
   </message>
   <message>
    <source>CSV file with the columns key, value, class, priority, and width (m) for lines. The value * matches any value; an empty class excludes polygons and lines. If not set, the rules of SemRef are used.</source>
-   <translation>包含 key、value、class、priority 列的 CSV 文件，线另需 width（m）列。值 * 匹配任意值；空类别会排除多边形和线。如果未设置，则使用 SemRef 的规则。</translation>
+   <translation>包含 key、value、class、priority 列的 CSV 文件，对于线还有 width（m）列。值 * 匹配任意值；空类别会排除多边形和线。如果未设置，则使用 SemRef 的规则。</translation>
   </message>
   <message>
    <source>CSV file with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. It must contain every class of the layer.</source>
@@ -3065,7 +3065,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Number of outputs</source>
-   <translation>输出数量</translation>
+   <translation>输出数</translation>
   </message>
   <message>
    <source>Number of polygons with a class</source>
@@ -3685,7 +3685,7 @@ The result is too optimistic if the real errors are larger or the ground has cha
   </message>
   <message>
    <source>Range of the pixel values before the mean is subtracted and the result is divided.</source>
-   <translation>减去均值并相除之前的像元值范围。</translation>
+   <translation>减去均值并做除法之前的像元值范围。</translation>
   </message>
   <message>
    <source>Rank</source>
@@ -5033,7 +5033,7 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The last images do not agree with the map. The motion since the last position leads to {x:.0f}, {y:.0f}, with a 95 % radius of {radius:.0f} m.</source>
-   <translation>最近的影像与地图不一致。自上次定位以来的运动通向 {x:.0f}, {y:.0f}，95 % 半径为 {radius:.0f} m。</translation>
+   <translation>最近的影像与地图不一致。由上一个位置之后的运动推算出 {x:.0f}, {y:.0f}，95 % 半径为 {radius:.0f} m。</translation>
   </message>
   <message>
    <source>The last update of the database is undone.</source>
@@ -5065,7 +5065,7 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The lines “{layer}” and the polygons need a coordinate reference system. Set the CRS in the layer properties.</source>
-   <translation>线“{layer}”和多边形需要坐标参照系。请在图层属性中设置 CRS。</translation>
+   <translation>线“{layer}”和多边形需要坐标参照系。请在图层属性中设置坐标参照系。</translation>
   </message>
   <message>
    <source>The longest stretch is first. A stretch is between two points with sufficient success. Suggestions show the mean expected success of a parallel line, to the left or right of the flight direction.</source>
@@ -5609,7 +5609,7 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>To get more models, train one on your own area (button next to the model in the dock) or on published photos. You can also add networks of others, such as those of the Deepness plugin. {how}</source>
-   <translation>要获得更多模型，请用您自己的区域（停靠面板中模型旁边的按钮）或已发布的照片训练。您也可以添加他人的网络，例如 Deepness 插件的网络。{how}</translation>
+   <translation>要获得更多模型，请用您自己的区域（面板中模型旁边的按钮）或公开发布的照片训练模型。您也可以添加他人的网络，例如 Deepness 插件的网络。{how}</translation>
   </message>
   <message>
    <source>To image</source>
