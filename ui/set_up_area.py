@@ -4,10 +4,26 @@ from __future__ import annotations
 
 import os
 
-from qgis.core import QgsProcessingContext, QgsProcessingFeedback, QgsProject, QgsSettings, QgsVectorLayer
+from qgis.core import (
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProject,
+    QgsProviderRegistry,
+    QgsSettings,
+    QgsVectorLayer,
+)
 from qgis.gui import QgsFileWidget, QgsProcessingMapLayerComboBox
 from qgis.PyQt.QtCore import Qt, QTimer, pyqtSignal
-from qgis.PyQt.QtWidgets import QDialog, QDoubleSpinBox, QFormLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from qgis.PyQt.QtWidgets import (
+    QDialog,
+    QDoubleSpinBox,
+    QFileDialog,
+    QFormLayout,
+    QLabel,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from ..core.errors import SemRefError
 from ..processing.algorithms.set_up_area import SetUpArea
@@ -47,6 +63,7 @@ class SetUpAreaDialog(QDialog):
         self._asked = _algorithm()
         self._definition = self._asked.parameterDefinition
         self.photos = _files(QgsFileWidget.StorageMode.GetDirectory)
+        self.add_files = QPushButton(tr("Add files…"))
         self.width_m = _number(tr("from the camera or the imagery"), " m", 1, 10)
         self.map = QgsProcessingMapLayerComboBox(self._definition(SetUpArea.ANNOTATION))
         self.lines = QgsProcessingMapLayerComboBox(self._definition(SetUpArea.LINES))
@@ -84,7 +101,8 @@ class SetUpAreaDialog(QDialog):
             definition = self._definition(key)
             widget.setToolTip(definition.help())
             widget.setAccessibleName(definition.description())
-            form.addRow(definition.description(), widget)
+            row = row_of((widget, 1), self.add_files) if widget is self.photos else widget
+            form.addRow(definition.description(), row)
         self.summary.setWordWrap(True)
         # Names of layers may look like HTML.
         self.summary.setTextFormat(Qt.TextFormat.PlainText)
@@ -115,6 +133,7 @@ class SetUpAreaDialog(QDialog):
         self._run.textChanged.connect(self.state.show_text)
         self._run.done.connect(self._finish)
         self._run.canceled.connect(lambda: self._show_fault(tr("Canceled. Press “Run” to continue.")))
+        self.add_files.clicked.connect(self._choose_photos)
         self.start.clicked.connect(self._start_or_cancel)
         self.close_button.clicked.connect(self.hide)
 
@@ -128,9 +147,9 @@ class SetUpAreaDialog(QDialog):
 
     def parameters(self) -> dict:
         """Return the parameters of the algorithm."""
-        photos = self.photos.filePath().strip()
+        photos = QgsFileWidget.splitFilePaths(self.photos.filePath().strip())
         return {
-            SetUpArea.PHOTOS: [photos] if photos else [],
+            SetUpArea.PHOTOS: [path for path in photos if path],
             SetUpArea.PHOTO_WIDTH: self.width_m.value() or None,
             SetUpArea.ANNOTATION: self.map.currentLayer() or self.map.value(),
             SetUpArea.LINES: self.lines.currentLayer() or self.lines.value(),
@@ -139,6 +158,12 @@ class SetUpAreaDialog(QDialog):
             SetUpArea.MODEL: self.model.filePath().strip(),
             SetUpArea.FOLDER: self.folder.filePath().strip(),
         }
+
+    def _choose_photos(self) -> None:
+        filters = QgsProviderRegistry.instance().fileRasterFilters()
+        paths, _ = QFileDialog.getOpenFileNames(self, tr("Add images"), self.photos.defaultRoot(), filters)
+        if paths:
+            self.photos.setFilePath(" ".join(f'"{path}"' for path in paths))
 
     def _read_soon(self, *_: object) -> None:
         if not self._run.running:
@@ -193,7 +218,7 @@ class SetUpAreaDialog(QDialog):
         self.state.show_text("")
         self.start.setText(tr("Cancel") if is_running else tr("Run"))
         self.start.setEnabled(True)
-        for widget in (self.photos, self.width_m, self.map, self.lines, self.imagery):
+        for widget in (self.photos, self.add_files, self.width_m, self.map, self.lines, self.imagery):
             widget.setEnabled(not is_running)
         for widget in (self.minutes, self.model, self.folder):
             widget.setEnabled(not is_running)

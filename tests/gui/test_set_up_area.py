@@ -49,6 +49,17 @@ def test_it_asks_for_what_is_missing_and_shows_the_sizes_before_it_starts(
     wait_until(dialog.start.isEnabled, "the button Run")
 
 
+def test_several_photos_are_chosen_at_once(project_map, dialog, sample, monkeypatch):
+    from qgis.PyQt.QtWidgets import QFileDialog
+
+    chosen = [str(sample / "photos" / f"photo_{n:02d}.jpg") for n in (1, 3)]
+    monkeypatch.setattr(QFileDialog, "getOpenFileNames", lambda *_: (chosen, ""))
+    dialog.add_files.click()
+    assert dialog.parameters()["PHOTOS"] == chosen
+    dialog.width_m.setValue(640)
+    shows(dialog, "2 photos.")
+
+
 @pytest.mark.slow
 def test_a_run_shows_map_landmarks_and_positions(dock, iface, project_map, dialog, sample, repository, tmp_path):
     from qgis.core import QgsProject
