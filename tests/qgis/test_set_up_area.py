@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import errno
 import gc
 from pathlib import Path
 
@@ -189,6 +190,21 @@ def test_files_of_others_and_of_other_values_are_not_replaced(run_algorithm, sma
     run_algorithm(SETUP, small)
     with pytest.raises(QgsProcessingException, match="was not made by a run with the same values"):
         run_algorithm(SETUP, {**small, "PHOTO_WIDTH": 120})
+
+
+def test_a_full_disk_is_one_sentence_and_the_run_goes_on(run_algorithm, small, feedback, monkeypatch):
+    from semref.processing.algorithms.build_database import BuildDatabase
+
+    def full(*_):
+        raise OSError(errno.ENOSPC, "No space left on device", "reference_database.gpkg")
+
+    with monkeypatch.context() as disk:
+        disk.setattr(BuildDatabase, "work", full)
+        with pytest.raises(QgsProcessingException, match="The disk is full: reference_database.gpkg cannot be written"):
+            run_algorithm(SETUP, small)
+    assert not files_in(small["FOLDER"]) & {"reference_database.gpkg", "report.html"}
+    run_algorithm(SETUP, small, feedback)
+    assert {"reference_database.gpkg", "report.html"} <= files_in(small["FOLDER"])
 
 
 class CancelInSecondStep(QgsProcessingFeedback):
