@@ -7688,6 +7688,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>„{layer}“ hat den Geometrietyp {kind}. Wählen Sie einen Polygonlayer.</translation>
   </message>
   <message>
+   <source>“{layer}” is drawn for the training. Check that its provider permits this use.</source>
+   <translation>„{layer}“ wird für das Training gezeichnet. Prüfen Sie, ob der Anbieter diese Nutzung erlaubt.</translation>
+  </message>
+  <message>
    <source>“{layer}” is not a local raster file, but a layer of {provider}. Save it as GeoTIFF first.</source>
    <translation>„{layer}“ ist keine lokale Rasterdatei, sondern ein Layer von {provider}. Speichern Sie ihn zuerst als GeoTIFF.</translation>
   </message>

@@ -7688,6 +7688,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>“{layer}” tiene geometría {kind}. Elija una capa de polígonos.</translation>
   </message>
   <message>
+   <source>“{layer}” is drawn for the training. Check that its provider permits this use.</source>
+   <translation>Se dibuja “{layer}” para el entrenamiento. Compruebe que su proveedor permite este uso.</translation>
+  </message>
+  <message>
    <source>“{layer}” is not a local raster file, but a layer of {provider}. Save it as GeoTIFF first.</source>
    <translation>“{layer}” no es un archivo ráster local, sino una capa de {provider}. Guárdela antes como GeoTIFF.</translation>
   </message>

@@ -7688,6 +7688,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>« {layer} » a une géométrie de type {kind}. Choisissez une couche de polygones.</translation>
   </message>
   <message>
+   <source>“{layer}” is drawn for the training. Check that its provider permits this use.</source>
+   <translation>« {layer} » est dessiné pour l’entraînement. Vérifiez que son fournisseur autorise cet usage.</translation>
+  </message>
+  <message>
    <source>“{layer}” is not a local raster file, but a layer of {provider}. Save it as GeoTIFF first.</source>
    <translation>« {layer} » n’est pas un fichier raster local, mais une couche de {provider}. Enregistrez-la d’abord en GeoTIFF.</translation>
   </message>

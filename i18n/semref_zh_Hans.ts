@@ -7688,6 +7688,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>“{layer}”的几何类型为 {kind}。请选择多边形图层。</translation>
   </message>
   <message>
+   <source>“{layer}” is drawn for the training. Check that its provider permits this use.</source>
+   <translation>“{layer}”将为训练而绘制。请确认其提供方允许此用途。</translation>
+  </message>
+  <message>
    <source>“{layer}” is not a local raster file, but a layer of {provider}. Save it as GeoTIFF first.</source>
    <translation>“{layer}”不是本地栅格文件，而是 {provider} 的图层。请先保存为 GeoTIFF。</translation>
   </message>

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -190,8 +191,7 @@ class SetUpArea(SemRefAlgorithm):
 
     def read_layers(self, values: Values) -> None:
         from ..base.area_setup import AreaMap
-        from ..base.photo_source import PhotoSource
-        from ..layers.rendering import needs_drawing
+        from ..layers.rendering import drawable, needs_drawing
         from ..layers.training_ground import require_common_ground
 
         self.check(values)
@@ -208,7 +208,7 @@ class SetUpArea(SemRefAlgorithm):
             return
         self._imagery = imagery.source()
         if needs_drawing(imagery):
-            self._drawn = PhotoSource(values, self.IMAGERY, self.EXTENT) if self._trains(values) else None
+            self._drawn = drawable(imagery) if self._trains(values) else None
             return
         self._imagery_pixel_m = _pixel_m(imagery)
         require_common_ground(imagery, self._map.name, self._map.extent, self._map.crs, values.transform_context)
@@ -226,6 +226,7 @@ class SetUpArea(SemRefAlgorithm):
         """Return what the map and the photos need, after ``read_layers``; for any thread. Raises SemRefError."""
         from ...storage.text_tables import read_rules
         from ..base.area_setup import read_area, read_photos
+        from ..layers.rendering import plan_drawing
 
         feedback.setProgressText(tr("Reading the photos and the map"))
         width_m = values.optional_number(self.PHOTO_WIDTH)
@@ -239,7 +240,13 @@ class SetUpArea(SemRefAlgorithm):
                 classes=sorted(of_lines),
             )
         context, pixel_m = values.transform_context, self._imagery_pixel_m if self._trains(values) else None
-        return read_area(self._map, photos, given, rules, known, pixel_m, context, feedback)
+        area = read_area(self._map, photos, given, rules, known, pixel_m, context, feedback)
+        if self._drawn is not None:
+            # Refuses imagery with too many pixels before any work.
+            plan_drawing(self._drawn, area.extent, area.crs, _resolution_m(area), context)
+            terms = tr("“{layer}” is drawn for the training. Check that its provider permits this use.")
+            area = replace(area, warnings=(*area.warnings, terms.format(layer=self._drawn.name())))
+        return area
 
     def _card(self, values: Values) -> ModelCard | None:
         """Return the card of the model; None without a model, or if a training cannot start from it."""
@@ -350,6 +357,7 @@ class SetUpArea(SemRefAlgorithm):
     ) -> dict[str, Any]:
         """Write the small files that a step reads, and draw imagery that is not a file; return values to replace."""
         from ..base.area_setup import camera_table
+        from ..base.photo_source import drawn_file
 
         if step.values.get("RULES"):
             record.write(RULES_FILE, rules_of(self._known(values)))
@@ -357,8 +365,8 @@ class SetUpArea(SemRefAlgorithm):
             record.write(CAMERAS_FILE, camera_table(area.photos))
         if step.algorithm is not TrainModel or self._drawn is None:
             return {}
-        resolution_cm = area.plan.resolution_cm or 100 * area.plan.pixel_size_m
-        return {"IMAGE": self._drawn.file(resolution_cm / 100, feedback), "RESOLUTION": None}
+        ground, context = (area.extent, area.crs), values.transform_context
+        return {"IMAGE": drawn_file(self._drawn, ground, _resolution_m(area), context, feedback)[0], "RESOLUTION": None}
 
     def _inputs(self, values: Values, area: AreaSetup) -> list[Any]:
         """Return what identifies the user's files; a file counts as changed if its size or time changed."""
@@ -396,6 +404,11 @@ def rules_of(known: Sequence[str]) -> str:
     header, *lines = RULES_PATH.read_text(encoding="utf-8").splitlines()
     kept = [line for line in lines if not line.split(",")[2] or line.split(",")[2].casefold() in known]
     return "\n".join([header, *kept, ""])
+
+
+def _resolution_m(area: AreaSetup) -> float:
+    """Return the pixel size of imagery that is drawn for the training."""
+    return (area.plan.resolution_cm or 100 * area.plan.pixel_size_m) / 100
 
 
 def _pixel_m(layer: QgsRasterLayer) -> float | None:

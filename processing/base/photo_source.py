@@ -135,23 +135,9 @@ class PhotoSource:
         self, resolution_m: float | None, feedback: QgsProcessingFeedback
     ) -> tuple[str, QgsCoordinateReferenceSystem]:
         """Draw a layer that is not a file; return (path of a GeoTIFF that exists as long as QGIS runs, its CRS)."""
-        from ..layers.rendering import draw, plan_drawing
-
         if resolution_m is None:
             raise ImageError("“{layer}” has no resolution of its own. Enter a resolution.", layer=self._layer.name())
-        context = self._values.transform_context
-        extent, crs = self._wanted_extent()
-        drawing = plan_drawing(self._layer, extent, crs, resolution_m, context)
-        height, width = drawing.frame.shape_hw
-        text = tr(
-            "Drawing “{layer}” with {width} × {height} pixels of {resolution:g} cm. Check that its provider permits "
-            "this use."
-        )
-        resolution_cm = 100 * resolution_m
-        feedback.pushInfo(text.format(layer=self._layer.name(), width=width, height=height, resolution=resolution_cm))
-        path = QgsProcessingUtils.generateTempFilename(f"{_stem(self._layer.name())}.tif")
-        follow(draw(drawing, path, context, feedback.isCanceled), feedback)
-        return path, drawing.crs
+        return drawn_file(self._layer, self._wanted_extent(), resolution_m, self._values.transform_context, feedback)
 
     def _wanted_extent(self) -> tuple[QgsRectangle, QgsCoordinateReferenceSystem]:
         if self._area is None or self._values.has(self._extent_key):
@@ -214,6 +200,36 @@ class PhotoSource:
                 )
             raise ImageError("The extent and “{image}” do not overlap. Set an extent within the image.", image=name)
         return left, top, right - left, bottom - top
+
+
+def drawn_file(
+    layer: QgsRasterLayer,
+    ground: tuple[QgsRectangle, QgsCoordinateReferenceSystem],
+    resolution_m: float,
+    context: QgsCoordinateTransformContext,
+    feedback: QgsProcessingFeedback,
+) -> tuple[str, QgsCoordinateReferenceSystem]:
+    """Draw a layer of ``rendering.drawable``; return a GeoTIFF that exists as long as QGIS runs, and its CRS.
+
+    ``ground``: extent to draw, and its CRS.
+
+    Raises:
+        ImageError: It cannot be drawn.
+        Canceled: The user canceled.
+    """
+    from ..layers.rendering import draw, plan_drawing
+
+    drawing = plan_drawing(layer, *ground, resolution_m, context)
+    height, width = drawing.frame.shape_hw
+    text = tr(
+        "Drawing “{layer}” with {width} × {height} pixels of {resolution:g} cm. Check that its provider permits "
+        "this use."
+    )
+    resolution_cm = 100 * resolution_m
+    feedback.pushInfo(text.format(layer=layer.name(), width=width, height=height, resolution=resolution_cm))
+    path = QgsProcessingUtils.generateTempFilename(f"{_stem(layer.name())}.tif")
+    follow(draw(drawing, path, context, feedback.isCanceled), feedback)
+    return path, drawing.crs
 
 
 def draw_for_model(

@@ -12,7 +12,8 @@ import pytest
 from made_inputs import NORTH, WEST, square, write_layer, write_raster, write_text
 from made_models import write_model
 from osgeo import gdal
-from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsVectorLayer
+from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsRasterLayer, QgsVectorLayer
+from tile_server import tile_server
 
 SETUP = "semref:setuparea"
 
@@ -205,6 +206,30 @@ def test_a_full_disk_is_one_sentence_and_the_run_goes_on(run_algorithm, small, f
     assert not files_in(small["FOLDER"]) & {"reference_database.gpkg", "report.html"}
     run_algorithm(SETUP, small, feedback)
     assert {"reference_database.gpkg", "report.html"} <= files_in(small["FOLDER"])
+
+
+def test_map_tiles_are_drawn_on_the_ground_of_the_database(run_algorithm, small, feedback, monkeypatch):
+    from semref.core.errors import ParameterError
+    from semref.processing.algorithms.train_model import TrainModel
+    from semref.processing.packages import training_environment
+
+    drawn = []
+
+    def train(algorithm, values, *_):
+        drawn.append(values.raster("IMAGE"))
+        drawn[0] = (drawn[0].extent(), drawn[0].crs().isValid())
+        raise ParameterError("Trained enough.")
+
+    monkeypatch.setattr(training_environment, "training_python", lambda *_: "python")
+    monkeypatch.setattr(TrainModel, "read_layers", lambda *_: None)
+    monkeypatch.setattr(TrainModel, "work", train)
+    with tile_server() as source:
+        tiles = QgsRasterLayer(source, "tiles", "wms")
+        with pytest.raises(QgsProcessingException, match="Trained enough"):
+            run_algorithm(SETUP, {**small, "MODEL": "", "IMAGERY": tiles, "MINUTES": 5}, feedback)
+    assert "Check that its provider permits this use." in feedback.textLog()
+    (extent, has_crs), ground = drawn[0], QgsVectorLayer(small["ANNOTATION"], "", "ogr").extent()
+    assert has_crs and abs(extent.width() - ground.width()) < 20 and abs(extent.height() - ground.height()) < 20
 
 
 class CancelInSecondStep(QgsProcessingFeedback):
