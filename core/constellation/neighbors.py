@@ -19,7 +19,6 @@ KD_TREE_SINGLE = 4
 LEAF_POINTS = 12
 """Points in a leaf of that tree; affects only the speed."""
 
-
 ROUNDING = 1e-6
 """Largest error of distances of points in 32 bits, as a share of their coordinates; several times the worst case."""
 

@@ -59,7 +59,7 @@ class AddModel(SemRefAlgorithm):
     NAME = "NAME"
     ARCHITECTURE = "ARCHITECTURE"
     ENCODER = "ENCODER"
-    PYTHON = "PYTHON"
+    PYTHON = parameters.PYTHON
     OUTPUT = "OUTPUT"
     CLASS_COUNT = "CLASS_COUNT"
 
@@ -166,16 +166,7 @@ class AddModel(SemRefAlgorithm):
                 tr("Name in segmentation_models_pytorch, for example resnet34. Not used for ONNX files."),
                 advanced=True,
             ),
-            with_help(
-                QgsProcessingParameterFile(
-                    self.PYTHON, tr("Python of the training environment"), fileFilter=tr("Programs (*)"), optional=True
-                ),
-                tr(
-                    "Python with torch. If not set, the Python of the SemRef options is used, or the training "
-                    "environment that SemRef installed."
-                ),
-                advanced=True,
-            ),
+            parameters.python_of_training(),
         )
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:

@@ -69,7 +69,7 @@ class TrainModel(AnnotationAlgorithm):
     RESOLUTION = parameters.RESOLUTION
     VALIDATION_FRACTION = parameters.VALIDATION_FRACTION
     RESUME = "RESUME"
-    PYTHON = "PYTHON"
+    PYTHON = parameters.PYTHON
     SEED = "SEED"
     OUTPUT = "OUTPUT"
     REPORT = "REPORT"
@@ -177,16 +177,7 @@ class TrainModel(AnnotationAlgorithm):
                 ),
                 advanced=True,
             ),
-            with_help(
-                QgsProcessingParameterFile(
-                    self.PYTHON, tr("Python of the training environment"), fileFilter=tr("Programs (*)"), optional=True
-                ),
-                tr(
-                    "Python with torch. If not set, the Python of the SemRef options is used, or the training "
-                    "environment that SemRef installed."
-                ),
-                advanced=True,
-            ),
+            parameters.python_of_training(),
             parameters.seed(default=1671),
         )
 

@@ -31,6 +31,7 @@ BACKGROUND, DISPLACED, SHIFTED, LEANING = "BACKGROUND", "DISPLACED", "SHIFTED", 
 LENS, TILT = "LENS", "TILT"
 OPEN_OUTPUT = "OPEN_OUTPUT"
 NETWORK = "NETWORK"
+PYTHON = "PYTHON"
 COMPARISON = "COMPARISON"
 
 
@@ -117,6 +118,19 @@ def resolution(text: str, advanced: bool = True) -> QgsProcessingParameterDefini
         ),
         text,
         advanced=advanced,
+    )
+
+
+def python_of_training() -> QgsProcessingParameterDefinition:
+    return with_help(
+        QgsProcessingParameterFile(
+            PYTHON, tr("Python of the training environment"), fileFilter=tr("Programs (*)"), optional=True
+        ),
+        tr(
+            "Python with torch. If not set, the Python of the SemRef options is used, or the training environment that "
+            "SemRef installed."
+        ),
+        advanced=True,
     )
 
 
