@@ -15,8 +15,7 @@ from ..named_files import named_file
 
 _VARINT, _EIGHT_BYTES, _LENGTH, _FOUR_BYTES = 0, 1, 2, 5
 GRAPH = 7
-_IR_VERSION, _OPSETS, _METADATA = 1, 8, 14
-_DOMAIN, _VERSION = 1, 2
+_METADATA = 14
 _NODE, _INITIALIZER, _EXTERNAL_DATA = 1, 5, 13
 _OPERATOR, _ATTRIBUTE, _NAME, _TEXT = 4, 5, 1, 4
 _ALIGNED = b"coordinate_transformation_mode", b"align_corners"
@@ -28,15 +27,11 @@ class OnnxHeader:
     """Header of a model file.
 
     Attributes:
-        ir_version: Of the format; 0 if not stated.
-        opset: Version of ONNX's own operators; 0 if not stated.
         weight_files: Names of other files with its weights.
         aligns_corners: Whether it enlarges anything with aligned corners, which moves results away from the middle of a
             tile outwards (docs/how-to/train_a_network.md).
     """
 
-    ir_version: int
-    opset: int
     weight_files: tuple[str, ...]
     aligns_corners: bool = False
 
@@ -58,21 +53,12 @@ def header_of(path: str) -> OnnxHeader | None:
 
 def read_header(data: bytes | mmap.mmap) -> OnnxHeader | None:
     """Return the header from the bytes of an ONNX file; None if they are not protobuf or have no graph."""
-    ir_version, opset, graph = 0, 0, None
+    graph = None
     try:
         for number, value in fields(memoryview(data)):
-            if number == _IR_VERSION and isinstance(value, int):
-                ir_version = value
-            elif number == GRAPH and isinstance(value, memoryview):
+            if number == GRAPH and isinstance(value, memoryview):
                 graph = value
-            elif number == _OPSETS and isinstance(value, memoryview):
-                stated = dict(fields(value))
-                version = stated.get(_VERSION, 0)
-                if not stated.get(_DOMAIN) and isinstance(version, int):
-                    opset = version
-        if graph is None:
-            return None
-        return OnnxHeader(ir_version, opset, tuple(_weight_files(graph)), _aligns_corners(graph))
+        return None if graph is None else OnnxHeader(tuple(_weight_files(graph)), _aligns_corners(graph))
     except ValueError:
         return None
 
@@ -133,19 +119,6 @@ def _varint_of(value: int) -> bytes:
     while value >= 0x80:
         found, value = found + bytes([value & 0x7F | 0x80]), value >> 7
     return found + bytes([value])
-
-
-def smallest_model(ir_version: int, opset: int) -> bytes:
-    """Return a model of one operator, to test which versions onnxruntime supports (each from 1 to 127)."""
-
-    def part(number: int, data: bytes) -> bytes:
-        return bytes([number << 3 | _LENGTH, len(data)]) + data
-
-    one_float = part(1, b"\x08\x01" + part(2, part(1, b"\x08\x01")))
-    node = part(1, b"x") + part(2, b"y") + part(4, b"Identity")
-    ends = part(11, part(1, b"x") + part(2, one_float)) + part(12, part(1, b"y") + part(2, one_float))
-    graph = part(1, node) + part(2, b"g") + ends
-    return bytes([_IR_VERSION << 3, ir_version]) + part(GRAPH, graph) + part(_OPSETS, bytes([_VERSION << 3, opset]))
 
 
 def _weight_files(graph: memoryview) -> list[str]:

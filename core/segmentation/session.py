@@ -7,20 +7,17 @@ import io
 import os
 import re
 from types import ModuleType
-from typing import TYPE_CHECKING, Callable
+from typing import TYPE_CHECKING
 
 import cv2
 
 from ..errors import ModelError
 from ..sentences import Sentence
 from .devices import CPU, CUDA, DIRECTML
-from .onnx_file import header_of, smallest_model
+from .onnx_file import header_of
 
 if TYPE_CHECKING:
     from onnxruntime import InferenceSession
-
-_IR_VERSION_OF_ALL, _OPSET_OF_ALL, _HIGHEST_ASKED = 4, 11, 100
-"""Versions that every onnxruntime supports, and one that none supports."""
 
 _LONGEST_MESSAGE = 1000
 """Characters of a message of onnxruntime that are processed; names inside a model may have any length."""
@@ -131,26 +128,6 @@ def _why_not_opened(path: str, error: BaseException, version: str) -> Sentence:
         return Sentence(
             "{path} is not an ONNX model, or it is damaged or incomplete; copy or export it again.", path=path
         )
-    known = _newest_known(header.ir_version, lambda ir_version: smallest_model(ir_version, _OPSET_OF_ALL))
-    if known < header.ir_version:
-        return Sentence(
-            "{path} is in ONNX format {found} (IR version), but onnxruntime {version} reads up to {known}; install a "
-            "newer onnxruntime or export the model with an older ir_version.",
-            path=path,
-            found=header.ir_version,
-            version=version,
-            known=known,
-        )
-    known = _newest_known(header.opset, lambda opset: smallest_model(_IR_VERSION_OF_ALL, opset))
-    if known < header.opset:
-        return Sentence(
-            "{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} supports up to {known}; "
-            "install a newer onnxruntime or export the model with an older opset.",
-            path=path,
-            found=header.opset,
-            version=version,
-            known=known,
-        )
     missing = header.missing_weights(path)
     if missing:
         return Sentence(
@@ -162,30 +139,6 @@ def _why_not_opened(path: str, error: BaseException, version: str) -> Sentence:
     return Sentence(
         "{path} can't be run by onnxruntime {version}: {reason}.", path=path, version=version, reason=reason_of(error)
     )
-
-
-def _newest_known(asked: int, model: Callable[[int], bytes]) -> int:
-    """Return the highest version up to ``asked`` that onnxruntime can open."""
-    for tried in range(min(asked, _HIGHEST_ASKED), 0, -1):
-        if _opens(model(tried)):
-            return asked if tried == min(asked, _HIGHEST_ASKED) < _HIGHEST_ASKED else tried
-    return 0
-
-
-def _opens(model: bytes) -> bool:
-    onnxruntime = _onnxruntime()
-    from onnxruntime.capi import onnxruntime_pybind11_state as state
-
-    options = onnxruntime.SessionOptions()
-    options.log_severity_level = 4
-    try:
-        onnxruntime.InferenceSession(model, options, providers=[CPU.provider])
-    except state.NotImplemented:
-        # The version is supported, but this build lacks the one operator.
-        return True
-    except _failures():
-        return False
-    return True
 
 
 def reason_of(error: object) -> str:

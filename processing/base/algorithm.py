@@ -34,7 +34,6 @@ from ..translation import tr
 from ..version import algorithm_help_url, plugin_version
 from .destinations import require_outputs_apart
 from .outputs import Outputs
-from .time_left import TimeLeftFeedback
 from .values import Values
 
 Declared = Union[QgsProcessingParameterDefinition, QgsProcessingOutputDefinition]
@@ -217,7 +216,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
             raise self._refusal
         values = Values(self, parameters, context)
         with Outputs(values, self._note) as outputs:
-            numbers = self.work(values, outputs, TimeLeftFeedback(feedback))
+            numbers = self.work(values, outputs, feedback)
             outputs.commit()
         return {**outputs.results, **(numbers or {})}
 

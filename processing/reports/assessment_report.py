@@ -189,9 +189,8 @@ def trust(results: Sequence[AssessedFootprint]) -> list[str]:
         right = r.model.successes > 0
         series.append(rate_series(r.title(), calibration(r.model.left_out, right)))
         scores.append(page.number(brier_score(r.model.left_out, right)))
-    chart = charts.reliability_diagram(
-        series, tr("Expected success"), tr("Correct positions"), tr("Expected and simulated success")
-    )
+    axes = charts.percent_axis(tr("Expected success")), charts.percent_axis(tr("Correct positions"))
+    chart = charts.line_chart(series, *axes, tr("Expected and simulated success"), diagonal=True)
     text = tr(
         "The success of each simulated image is predicted from all other images. On the diagonal, expected and "
         "simulated success are equal. Brier score (0 is best; a constant prediction of 50 % has 0.25): {scores}. This "

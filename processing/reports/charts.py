@@ -1,4 +1,4 @@
-"""Charts as inline SVG in the colors of the page: lines with bands, bars, heat maps, profiles.
+"""Charts as inline SVG in the colors of the page: lines with bands, bars, profiles.
 
 Series differ in color, dash and marker, so that they are distinct in black and white. A drawing is a list of elements,
 which the page's template writes and escapes.
@@ -27,18 +27,13 @@ _HALF_PX, _MARK_PX = (WIDTH - LEFT - RIGHT) / 2, 30
 PROFILE_WIDTH, PROFILE_RIGHT = 960, 56
 """Width of a chart with the full page width, and its margin for an axis on the right."""
 
-TITLE_ROW = 24
-CELL_WIDTH, CELL_HEIGHT = 54, 34
 CHARACTER = 8.0
-"""Width of a character; names are cut after NAME_LENGTH characters."""
+"""Width of a character."""
 
-NAME_LENGTH = 24
 SERIES = 4
 """Number of colors; further series repeat them with other dashes and markers."""
 
 DASHES = ("", "6,3", "2,3", "9,3,2,3")
-CIVIDIS = ("#00204d", "#31446b", "#666970", "#958f78", "#cbba69", "#ffea46")
-"""Perceptually uniform colors from dark to light, suitable for color-blind readers (Nuñez et al. 2018)."""
 
 
 @dataclass(frozen=True)
@@ -232,51 +227,6 @@ def profile(
     return frame.drawing(parts, name)
 
 
-def heat_map(
-    values: Sequence[Sequence[float | None]],
-    texts: Sequence[Sequence[str]],
-    row_names: Sequence[str],
-    column_names: Sequence[str],
-    y_title: str,
-    x_title: str,
-    name: str,
-) -> str:
-    """Return a table of cells with texts, colored from 0 (dark) to 1 (light); the first row is at the top.
-
-    Margins fit the names; very long names are cut.
-    """
-    rows, columns = ([_cut(text) for text in names] for names in (row_names, column_names))
-    left = TITLE_ROW + 10 + CHARACTER * max(map(_width_of, rows))
-    # Column names are rotated by 45°.
-    top = TITLE_ROW + 10 + 0.71 * CHARACTER * max(map(_width_of, columns))
-    bottom, right = top + CELL_HEIGHT * len(rows), left + CELL_WIDTH * len(columns)
-    parts = [lettering((left + right) / 2, 14, x_title), lettering(14, (top + bottom) / 2, y_title, turn=-90)]
-    for n, text in enumerate(columns):
-        parts.append(lettering(left + CELL_WIDTH * (n + 0.5), top - 8, text, "start", -45, soft=True))
-    for n, (line, line_texts) in enumerate(zip(values, texts)):
-        y = top + CELL_HEIGHT * n
-        parts.append(lettering(left - 8, y + CELL_HEIGHT / 2 + 4, rows[n], "end", soft=True))
-        for m, (value, text) in enumerate(zip(line, line_texts)):
-            parts += _cell(left + CELL_WIDTH * m, y, value, text)
-    width = right + 0.71 * CHARACTER * _width_of(columns[-1])
-    return drawing(parts, name, width, bottom + 6, f"max-width:{width:.0f}px;max-height:none")
-
-
-def reliability_diagram(series: Sequence[Series], x_title: str, y_title: str, name: str) -> str:
-    """Return a chart of the correct share against the stated confidence, with the diagonal."""
-    return line_chart(series, percent_axis(x_title), percent_axis(y_title), name, diagonal=True)
-
-
-def ramp(value: float) -> tuple[str, str]:
-    """Return (cell color, text color) for a value of 0…1."""
-    place = min(max(value, 0.0), 1.0) * (len(CIVIDIS) - 1)
-    first = min(int(place), len(CIVIDIS) - 2)
-    low, high = ([int(CIVIDIS[n][m : m + 2], 16) for m in (1, 3, 5)] for n in (first, first + 1))
-    mixed = [round(a + (b - a) * (place - first)) for a, b in zip(low, high)]
-    brightness = 0.299 * mixed[0] + 0.587 * mixed[1] + 0.114 * mixed[2]
-    return "#" + "".join(f"{channel:02x}" for channel in mixed), "#000000" if brightness > 130 else "#ffffff"
-
-
 class _Frame:
     """Layout of a chart with axes; ``names``: entries of the legend above it."""
 
@@ -372,18 +322,6 @@ def _marker(x: float, y: float, number: int) -> Element:
     return shape("path", fill, d=f"M{x:.1f} {y:.1f}m{corners[_dash(number)]}")
 
 
-def _cut(name: str) -> str:
-    return name if len(name) <= NAME_LENGTH else name[: NAME_LENGTH - 1] + "…"
-
-
 def _width_of(name: str) -> float:
     """Return the width of a name in characters; Chinese characters count twice."""
     return sum(2 if ord(character) > 0x2E80 else 1 for character in name)
-
-
-def _cell(x: float, y: float, value: float | None, text: str) -> list[Element]:
-    fill, ink = ("none", "var(--text)") if value is None else ramp(value)
-    return [
-        shape("rect", f"fill:{fill}", x=x + 1, y=y + 1, width=CELL_WIDTH - 2, height=CELL_HEIGHT - 2),
-        lettering(x + CELL_WIDTH / 2, y + CELL_HEIGHT / 2 + 4, text, style=f"fill:{ink}"),
-    ]

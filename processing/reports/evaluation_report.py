@@ -166,27 +166,17 @@ class EvaluationReport:
     def _noise_map(self) -> str:
         rates = noise_rates(self.trials)
         names = [f"{level:.0f} %" for level in NOISE_LEVELS]
-        shares = [[rate.share for rate in row] for row in rates]
-        texts = [[page.percent(rate.share, 0) for rate in row] for row in rates]
-        # The origin is without noise.
-        chart = charts.heat_map(
-            shares[::-1],
-            texts[::-1],
-            names[::-1],
-            names,
-            tr("Missed landmarks"),
-            tr("Spurious landmarks"),
-            tr("Success under noise"),
-        )
+        cells = [[page.Shaded(page.percent(rate.share, 0), rate.share) for rate in row] for row in rates]
+        header = [f"{tr('Missed landmarks')} ↓ {tr('Spurious landmarks')} →", *names]
+        matrix = page.table(header, [[name, *row] for name, row in zip(names, cells)], range(1, len(header)))
         caption = tr("Correct positions of {method} with {count} images per cell. Other noise as in the settings.")
         method = next(iter(self.methods.values()))
-        return page.figure(chart, caption.format(method=method, count=rates[0][0].trials))
+        return page.figure(matrix, caption.format(method=method, count=rates[0][0].trials))
 
     def _reliability_chart(self) -> str:
         series = [rate_series(title, reliability(self.trials, method)) for method, title in self.methods.items()]
-        chart = charts.reliability_diagram(
-            series, tr("Stated confidence"), tr("Correct positions"), tr("Reliability of the confidence")
-        )
+        axes = charts.percent_axis(tr("Stated confidence")), charts.percent_axis(tr("Correct positions"))
+        chart = charts.line_chart(series, *axes, tr("Reliability of the confidence"), diagonal=True)
         caption = tr(
             "On the diagonal, the confidence equals the share of correct positions. Below it, the confidence is too "
             "high."

@@ -107,6 +107,17 @@ class Marked(str):
         return made
 
 
+class Shaded(str):
+    """Text of a table cell with a background as dark as its share of 0…1; without one for None."""
+
+    style: str
+
+    def __new__(cls, text: str, share: float | None) -> Shaded:
+        made = super().__new__(cls, text)
+        made.style = "" if share is None else f"background:rgba(31,111,214,{0.7 * share:.2f})"
+        return made
+
+
 def table(header: Sequence[str], rows: Sequence[Sequence[str]], numbers: Sequence[int] = ()) -> str:
     """Return a table of texts; columns in ``numbers`` (from 0) are aligned to the right."""
     return macros().table(header, rows, numbers)

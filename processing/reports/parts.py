@@ -82,8 +82,8 @@ def confusion_figure(found: LabelComparison, name: Callable[[int], str], columns
     """Return the confusion matrix; ``columns``: predicted values."""
     rows = [value for value in found.values if found.annotated[value]]
     shares = [[float(found.counts[row, column] / found.annotated[row]) for column in columns] for row in rows]
-    texts = [[page.percent(share, 0) if share else "" for share in line] for line in shares]
-    names = ([name(value) for value in values] for values in (rows, columns))
-    chart = charts.heat_map(shares, texts, *names, tr("Annotated"), tr("Predicted"), tr("Confusion matrix"))
+    cells = [[page.Shaded(page.percent(share, 0) if share else "", share) for share in line] for line in shares]
+    header = [f"{tr('Annotated')} ↓ {tr('Predicted')} →", *map(name, columns)]
+    matrix = page.table(header, [[name(row), *line] for row, line in zip(rows, cells)], range(1, len(header)))
     caption = tr("Share of the annotated pixels of each class (row) by predicted class. The diagonal is correct.")
-    return page.figure(chart, caption)
+    return page.figure(matrix, caption)

@@ -75,5 +75,5 @@ def test_names_elsewhere_are_not_looked_at(folder, name, monkeypatch):
 def test_weights_of_a_model_outside_its_folder_count_as_missing(folder, name):
     name = name.format(folder=folder)
     model = str(folder / "chosen" / "model.onnx")
-    assert OnnxHeader(8, 17, (name,)).missing_weights(model) == name
-    assert OnnxHeader(8, 17, ("a.tif", "inner/b.tif")).missing_weights(model) == ""
+    assert OnnxHeader((name,)).missing_weights(model) == name
+    assert OnnxHeader(("a.tif", "inner/b.tif")).missing_weights(model) == ""

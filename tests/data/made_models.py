@@ -63,3 +63,15 @@ def painted(labels_hw: np.ndarray, names=(None, *NAMES)) -> np.ndarray:
     """Return a (H, W, 3) uint8 photo of labels 1, 2, 3; unlabeled pixels are gray."""
     palette = np.array([(90, 90, 90) if name is None else RGB[name] for name in names], np.uint8)
     return palette[labels_hw]
+
+
+def smallest_model() -> bytes:
+    """Return a model of one operator."""
+
+    def part(number: int, data: bytes) -> bytes:
+        return bytes([number << 3 | 2, len(data)]) + data
+
+    one_float = part(1, b"\x08\x01" + part(2, part(1, b"\x08\x01")))
+    node = part(1, b"x") + part(2, b"y") + part(4, b"Identity")
+    ends = part(11, part(1, b"x") + part(2, one_float)) + part(12, part(1, b"y") + part(2, one_float))
+    return b"\x08\x04" + part(7, part(1, node) + part(2, b"g") + ends) + part(8, b"\x10\x0b")

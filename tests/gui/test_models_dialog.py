@@ -22,16 +22,17 @@ CARD = {
 @pytest.fixture
 def folder(qgis_app, tmp_path):
     """A folder with a model that has a card, a model without one, and a file that is not a model."""
+    from made_models import smallest_model
     from qgis.core import QgsSettings
 
-    from semref.core.segmentation.onnx_file import smallest_model, with_metadata
+    from semref.core.segmentation.onnx_file import with_metadata
     from semref.processing.inspection.models import choose_models_folder
 
-    model = with_metadata(smallest_model(4, 11), "class_names", '{"0": "other", "1": "building"}')
+    model = with_metadata(smallest_model(), "class_names", '{"0": "other", "1": "building"}')
     model = with_metadata(with_metadata(model, "resolution", "25"), "model_card", json.dumps(CARD))
     (tmp_path / "houses").mkdir()
     (tmp_path / "houses" / "houses.onnx").write_bytes(model)
-    (tmp_path / "silent.onnx").write_bytes(smallest_model(4, 11))
+    (tmp_path / "silent.onnx").write_bytes(smallest_model())
     (tmp_path / "torn.onnx").write_bytes(b"torn")
     choose_models_folder(str(tmp_path))
     yield tmp_path
@@ -83,13 +84,15 @@ def test_a_folder_whose_name_no_system_takes_leaves_the_models_that_ship(dialog)
 
 
 def test_names_that_are_no_text_or_look_like_html_are_shown_as_they_are(dialog, folder):
-    from semref.core.segmentation.onnx_file import smallest_model, with_metadata
+    from made_models import smallest_model
+
+    from semref.core.segmentation.onnx_file import with_metadata
 
     image = f"<img src='{folder}/seen.png'>"
-    model = with_metadata(smallest_model(4, 11), "class_names", json.dumps([image, "b"]))
+    model = with_metadata(smallest_model(), "class_names", json.dumps([image, "b"]))
     (folder / "a.onnx").write_bytes(with_metadata(model, "model_card", json.dumps(dict.fromkeys(CARD, image))))
     with open(os.fsencode(folder) + b"/\xff.onnx", "wb") as file:
-        file.write(smallest_model(4, 11))
+        file.write(smallest_model())
     dialog.models.refresh()
     tree = dialog.models.list
     tips = [tree.topLevelItem(row).toolTip(1) for row in range(tree.topLevelItemCount())]

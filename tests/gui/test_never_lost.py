@@ -113,7 +113,7 @@ def test_a_reset_makes_the_dock_new_and_forgets_settings(dock, iface, area, tab,
 
 
 def test_a_run_shows_the_remaining_time(qgis_app):
-    from semref.processing.base.time_left import remaining_text
+    from semref.ui.widgets.progress import remaining_text
 
     assert remaining_text(1.0, 50) == "" and remaining_text(100, 1) == "" and remaining_text(100, 100) == ""
     assert remaining_text(10, 50) == "about 10 s left"

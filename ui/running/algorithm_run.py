@@ -191,7 +191,6 @@ class _Feedback(QgsProcessingFeedback):
 
     textChanged = pyqtSignal(str)
     logged = pyqtSignal(str)
-    shows_time_left = True  # The dock's progress bar shows the remaining time.
 
     def __init__(self) -> None:
         super().__init__(False)

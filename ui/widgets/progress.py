@@ -8,8 +8,14 @@ from qgis.PyQt.QtCore import QSize, Qt
 from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import QLabel, QProgressBar
 
-from ...processing.base.time_left import remaining_text
+from ...processing.translation import tr
 from .texts import plain_tip
+
+_AFTER_S, _AFTER_PERCENT = 3.0, 2.0
+"""Seconds and percent before which no estimate is shown."""
+
+_MINUTE_S, _HOUR_S = 60, 3600
+_ROUND_S = 5
 
 
 class StatusLine(QLabel):
@@ -67,3 +73,15 @@ class RemainingBar(QProgressBar):
         self.setValue(round(percent))
         left = remaining_text(time.monotonic() - self._began, percent)
         self.setFormat(f"%p% · {left}" if left else "%p%")
+
+
+def remaining_text(elapsed_s: float, percent: float) -> str:
+    """Return “about 2 min left” at the speed so far; empty while it is too early for an estimate, and at the end."""
+    if elapsed_s < _AFTER_S or not _AFTER_PERCENT <= percent < 100:
+        return ""
+    left = elapsed_s * (100 - percent) / percent
+    if left >= _HOUR_S:
+        return tr("about {hours:.1f} h left").format(hours=left / _HOUR_S)
+    if left >= _MINUTE_S:
+        return tr("about {minutes:.0f} min left").format(minutes=left / _MINUTE_S)
+    return tr("about {seconds:.0f} s left").format(seconds=max(_ROUND_S * round(left / _ROUND_S), _ROUND_S))

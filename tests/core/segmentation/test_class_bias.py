@@ -3,12 +3,13 @@
 import json
 
 import pytest
+from made_models import smallest_model
 
 from semref.core.errors import ModelError
 from semref.core.geometry.error_settings import NETWORK_SPREAD, ClassBias, SharedErrors
 from semref.core.labels.class_table import class_table_from_csv
 from semref.core.segmentation.class_bias import class_bias_text, known_biases, read_class_bias
-from semref.core.segmentation.onnx_file import read_metadata, smallest_model, with_metadata
+from semref.core.segmentation.onnx_file import read_metadata, with_metadata
 
 NAMES = ("background", "building", "water")
 TABLE = class_table_from_csv(
@@ -61,7 +62,7 @@ def test_a_bias_turns_with_the_sun_and_without_it_is_spread():
 def test_metadata_of_a_file_are_set_and_all_else_stays():
     onnx = pytest.importorskip("onnx")
     old = onnx.ModelProto()
-    old.ParseFromString(smallest_model(8, 13))
+    old.ParseFromString(smallest_model())
     onnx.helper.set_model_props(old, {"class_bias": "old", "class_names": "kept"})
     text = class_bias_text({"a" * 200: ClassBias(0, east=1.0)})
     data = with_metadata(old.SerializeToString(), "class_bias", text)

@@ -116,14 +116,10 @@ def test_missing_external_weights_are_reported(load):
         load(brightest_color(external="weights.bin"))
 
 
-def test_a_newer_format_is_refused_with_both_versions(load):
-    with pytest.raises(ModelError, match=r"ONNX format 99 \(IR version\), but onnxruntime .* reads up to \d+"):
-        load(ir_version=99)
-
-
-def test_newer_operators_are_refused_with_both_versions(load):
-    with pytest.raises(ModelError, match=r"operators of version 99 \(opset\), but onnxruntime .* supports up to \d+"):
-        load(opset=99)
+@pytest.mark.parametrize("version", [{"ir_version": 99}, {"opset": 99}])
+def test_a_newer_format_or_newer_operators_are_refused(load, version):
+    with pytest.raises(ModelError, match="can't be run by onnxruntime .*99"):
+        load(**version)
 
 
 @pytest.mark.parametrize(

@@ -7,9 +7,10 @@ import os
 from pathlib import Path
 
 import pytest
+from made_models import smallest_model
 
 from semref.core.segmentation.model_card import KEY, card_of_texts, read_card
-from semref.core.segmentation.onnx_file import smallest_model, with_metadata
+from semref.core.segmentation.onnx_file import with_metadata
 
 TOLD = {
     "name": "Houses of two towns",
@@ -78,7 +79,7 @@ def test_what_is_of_another_shape_is_left_out(said):
 
 def test_a_file_is_read_without_running_it(tmp_path):
     path = tmp_path / "model.onnx"
-    path.write_bytes(with_metadata(smallest_model(4, 11), KEY, json.dumps(TOLD)))
+    path.write_bytes(with_metadata(smallest_model(), KEY, json.dumps(TOLD)))
     assert read_card(str(path)).name == TOLD["name"]
 
 
@@ -120,7 +121,7 @@ def test_what_is_no_regular_file_is_not_waited_for(tmp_path):
 )
 def test_a_damaged_metadata_entry_is_skipped_and_leaves_the_others(entry, tmp_path):
     path = Path(tmp_path / "model.onnx")
-    path.write_bytes(smallest_model(4, 11) + bytes([14 << 3 | 2, len(entry)]) + entry)
+    path.write_bytes(smallest_model() + bytes([14 << 3 | 2, len(entry)]) + entry)
     assert read_card(str(path)).fault is None
     path.write_bytes(with_metadata(path.read_bytes(), KEY, json.dumps(TOLD)))
     assert read_card(str(path)).name == TOLD["name"]
