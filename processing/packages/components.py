@@ -14,7 +14,7 @@ import shutil
 import sys
 import sysconfig
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from importlib.machinery import PathFinder
 from pathlib import Path
 
@@ -118,16 +118,6 @@ ONNXRUNTIME = Package(
     limits=">=1.19,<1.32",
     other_names=("onnxruntime-gpu", "onnxruntime-directml", "onnxruntime-openvino"),
 )
-ONNXRUNTIME_VARIANTS = tuple(
-    replace(ONNXRUNTIME, title=title, pip_name=name, other_names=())
-    for name, title in (
-        ("onnxruntime-gpu", "ONNX Runtime, CUDA"),
-        ("onnxruntime-directml", "ONNX Runtime, DirectML"),
-        ("onnxruntime-openvino", "ONNX Runtime, OpenVINO"),
-    )
-)
-"""The same module with more devices (core/segmentation/devices.py)."""
-
 DASK = Package(
     title="Dask",
     module="distributed",

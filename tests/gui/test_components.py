@@ -165,29 +165,6 @@ def test_devices_that_onnxruntime_reports_can_be_chosen_and_the_choice_is_kept(
     assert again.devices.device.currentData() == "cuda" and "CUDA (onnxruntime-gpu)" in again.devices.missing.text()
 
 
-def test_a_package_that_brings_a_device_is_installed_from_the_index_or_a_folder(page, lacking, monkeypatch, tmp_path):
-    from qgis.PyQt.QtWidgets import QFileDialog
-
-    lacking.clear()
-    fake_providers(monkeypatch, "CPU")
-    page.devices.show_devices("auto")
-    asked = []
-    monkeypatch.setattr(page._installer, "start", lambda packages, wheels: asked.append((packages[0].pip_name, wheels)))
-    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
-    actions = page.devices.install.menu().actions()
-    assert [action.text() for action in actions] == [
-        "CUDA (onnxruntime-gpu)",
-        "OpenVINO (onnxruntime-openvino)",
-        "CUDA from a folder of wheels…",
-        "OpenVINO from a folder of wheels…",
-    ]
-    actions[0].trigger()
-    actions[3].trigger()
-    assert asked == [("onnxruntime-gpu", ""), ("onnxruntime-openvino", str(tmp_path))]
-    page._installer.installed.emit()
-    assert "Restart QGIS" in page.state.text()
-
-
 # --- diagnostics ---
 
 

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import sys
-
 import numpy as np
 import pytest
 from made_inputs import write_raster
 from made_models import metadata, painted, write_model
 from qgis.core import QgsSettings
 
-from semref.core.segmentation.devices import AUTO, CPU, CUDA, DIRECTML, OPENVINO
-from semref.processing.packages import components, devices
+from semref.core.segmentation.devices import AUTO, CPU, CUDA, OPENVINO
+from semref.processing.packages import devices
 
 SEGMENT = "semref:segmentimage"
 PHOTO = np.moveaxis(painted(np.random.default_rng(1).integers(1, 4, (100, 150))), 2, 0)
@@ -72,19 +70,3 @@ def test_what_can_be_chosen_is_what_onnxruntime_reports(monkeypatch):
     assert devices.available_devices() == [CPU, CUDA, OPENVINO]
     monkeypatch.setattr(devices, "is_missing", lambda package: True)
     assert devices.available_devices() == []
-
-
-@pytest.mark.parametrize(
-    ("system", "offered"),
-    [("linux", [CUDA, OPENVINO]), ("win32", [CUDA, DIRECTML]), ("darwin", [])],
-)
-def test_packages_are_offered_where_there_are_wheels_of_them(monkeypatch, system, offered):
-    monkeypatch.setattr(sys, "platform", system)
-    assert [device for device in devices.DEVICES if devices.package_of(device) is not None] == offered
-
-
-@pytest.mark.parametrize("numpy_version", ["1.24.2", "2.1.0"])
-def test_every_package_that_is_offered_is_pinned(numpy_version):
-    for package in components.ONNXRUNTIME_VARIANTS:
-        lines = package.pinned(numpy_version)
-        assert lines and all("--hash=sha256:" in line for line in lines)

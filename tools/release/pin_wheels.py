@@ -54,14 +54,6 @@ SHARED = (
     ("shapely", "2.0.7", OLD),
     ("shapely", "2.1.2", MIDDLE),
     ("onnxruntime", "1.19.2", OLD),
-    ("onnxruntime-gpu", "1.19.2", OLD),
-    ("onnxruntime-directml", "1.19.2", OLD),
-    ("onnxruntime-openvino", "1.19.0", OLD),
-    ("onnxruntime-gpu", "1.23.2", BEFORE_NEW),
-    ("onnxruntime-directml", "1.23.0", BEFORE_NEW),
-    ("onnxruntime-openvino", "1.23.0", BEFORE_NEW),
-    ("onnxruntime-gpu", "1.31.1", NEW),
-    ("onnxruntime-directml", "1.24.4", NEW),
 )
 PINS = {
     "wheels_numpy1.txt": (

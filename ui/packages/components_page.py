@@ -65,7 +65,6 @@ class ComponentsPage(QgsOptionsPageWidget):
         self._installer = installer
         self.training = None if training_installer is None else TrainingGroup(training_installer)
         self.devices = DeviceGroup()
-        self._is_variant = False
         headings = tr("Package"), tr("Purpose"), tr("State"), tr("Tested versions")
         self.list = PackageList(headings, wrapped=1)
         self.install = QPushButton(QgsApplication.getThemeIcon("/mActionAdd.svg"), tr("Install"))
@@ -150,7 +149,6 @@ class ComponentsPage(QgsOptionsPageWidget):
         self.cancel.clicked.connect(self._installer.cancel)
         self.models.clicked.connect(self._show_models)
         self.diagnostics.clicked.connect(self.diagnosticsAsked)
-        self.devices.installAsked.connect(self._install_variant)
         self._installer.began.connect(self.state.setText)
         self._installer.outputRead.connect(self._add_to_log)
         self._installer.installed.connect(self._show_installed)
@@ -186,7 +184,6 @@ class ComponentsPage(QgsOptionsPageWidget):
         for button in (self.install, self.install_wheels, self.copy):
             button.setEnabled(not running and bool(self._chosen_packages()))
         self.list.setEnabled(not running)
-        self.devices.install.setEnabled(not running)
         self.remove.setEnabled(not running and components_root().is_dir())
         self.progress.setVisible(running)
         self.cancel.setVisible(running)
@@ -202,11 +199,6 @@ class ComponentsPage(QgsOptionsPageWidget):
         if folder:
             self._start(self._chosen_packages(), folder)
 
-    def _install_variant(self, package: Package, from_folder: bool) -> None:
-        folder = self._ask_folder() if from_folder else ""
-        if folder or not from_folder:
-            self._start([package], folder, is_variant=True)
-
     def _ask_folder(self) -> str:
         """Ask for a folder of wheels; empty if the user cancels."""
         last = QgsSettings().value(_WHEELS_SETTING, "", type=str)
@@ -215,8 +207,7 @@ class ComponentsPage(QgsOptionsPageWidget):
             QgsSettings().setValue(_WHEELS_SETTING, folder)
         return folder
 
-    def _start(self, packages: list[Package], wheels: str, is_variant: bool = False) -> None:
-        self._is_variant = is_variant
+    def _start(self, packages: list[Package], wheels: str) -> None:
         self.log.clear()
         self._installer.start(packages, wheels)
         self._enable()
@@ -246,10 +237,7 @@ class ComponentsPage(QgsOptionsPageWidget):
         self._enable()
 
     def _show_installed(self) -> None:
-        if self._is_variant:
-            self._show_end(tr("Installed. Restart QGIS to use it."))
-        else:
-            self._show_end(tr("Installed. You do not need to restart QGIS."))
+        self._show_end(tr("Installed. You do not need to restart QGIS."))
 
     def _show_bug(self, report: str) -> None:
         self._add_to_log(report)

@@ -1,12 +1,9 @@
-"""Part of the options page: the device that runs models, and packages for further devices."""
+"""Part of the options page: the device that runs models."""
 
 from __future__ import annotations
 
-from functools import partial
-
-from qgis.core import QgsApplication
-from qgis.PyQt.QtCore import Qt, pyqtSignal
-from qgis.PyQt.QtWidgets import QComboBox, QGroupBox, QLabel, QMenu, QPushButton, QVBoxLayout
+from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtWidgets import QComboBox, QGroupBox, QLabel, QVBoxLayout
 
 from ...processing.packages.devices import (
     AUTO,
@@ -16,23 +13,18 @@ from ...processing.packages.devices import (
     choose_device,
     chosen_device,
     package_name,
-    package_of,
 )
 from ...processing.translation import tr
 from ..widgets.layouts import row_of
 
 
 class DeviceGroup(QGroupBox):
-    """installAsked: package for a device, and whether to install it from a folder of wheels."""
-
-    installAsked = pyqtSignal(object, bool)
+    """Choice of the device, and the packages that other devices need."""
 
     def __init__(self) -> None:
         super().__init__(tr("Device"))
         self.device = QComboBox()
         self.missing = QLabel()
-        self.install = QPushButton(QgsApplication.getThemeIcon("/mActionAdd.svg"), tr("Install a package for…"))
-        self.install.setMenu(QMenu(self.install))
         self._lay_out()
         self.show_devices(chosen_device())
 
@@ -53,12 +45,10 @@ class DeviceGroup(QGroupBox):
         label.setBuddy(self.device)
         layout = QVBoxLayout(self)
         layout.addWidget(explanation)
-        choice, offer = row_of(label, self.device), row_of(self.install)
+        choice = row_of(label, self.device)
+        choice.addStretch(1)
         layout.addLayout(choice)
         layout.addWidget(self.missing)
-        layout.addLayout(offer)
-        for row in (choice, offer):
-            row.addStretch(1)
 
     def show_devices(self, chosen: str) -> None:
         """List the devices, and select the one with this key."""
@@ -76,16 +66,6 @@ class DeviceGroup(QGroupBox):
         each = ", ".join(f"{device.title} ({package_name(device)})" for device in lacking)
         self.missing.setText(tr("Not available (required Python package in brackets): {devices}.").format(devices=each))
         self.missing.setVisible(bool(lacking))
-        self._offer([device for device in lacking if package_of(device) is not None])
-
-    def _offer(self, devices: list[Device]) -> None:
-        menu = self.install.menu()
-        menu.clear()
-        for text, from_folder in ((tr("{device} ({package})"), False), (tr("{device} from a folder of wheels…"), True)):
-            for device in devices:
-                named = text.format(device=device.title, package=device.package)
-                menu.addAction(named, partial(self.installAsked.emit, package_of(device), from_folder))
-        self.install.setVisible(bool(devices))
 
 
 def _where(device: Device) -> str:
