@@ -9,7 +9,8 @@ import stat
 from osgeo import gdal
 
 from ..core import limits
-from ..core.errors import LabelMapError, UnwritableError, reason_of
+from ..core.errors import LabelMapError, UnwritableError
+from ..core.labels import image_files as core_images
 from ..core.labels.image_files import require_kind_of_name
 from .gdal_errors import gdal_failure, gdal_failures
 
@@ -213,22 +214,5 @@ def require_whole_raster(path: str, target: str) -> None:
 
 
 def image_files(paths: list[str]) -> list[str]:
-    """Replace each folder by its images, sorted by name. Raises LabelMapError for a folder without images."""
-    found: list[str] = []
-    for path in paths:
-        if not os.path.isdir(path):
-            found.append(path)
-            continue
-        try:
-            inside = sorted(os.listdir(path))
-        except OSError as error:
-            raise LabelMapError("Image {path} can't be read: {reason}.", path=path, reason=reason_of(error)) from None
-        images = [os.path.join(path, name) for name in inside if name.lower().endswith(IMAGE_EXTENSIONS)]
-        if not images:
-            raise LabelMapError(
-                "The folder {path} holds no image ({endings}).",
-                path=path,
-                endings=IMAGE_EXTENSIONS,
-            )
-        found += images
-    return found
+    """Replace each folder by its images that GDAL reads, sorted. Raises LabelMapError for a folder without images."""
+    return core_images.image_files(paths, IMAGE_EXTENSIONS)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from ..core import limits
 from ..core.errors import ClassTableError, ParameterError
-from ..core.flight.table import bytes_of
 from ..core.labels.class_table import ClassTable, class_table_from_csv
 from ..core.labels.openstreetmap import Rules, rules_from_csv
+from ..core.tables import bytes_of
 
 CLASSES_FILE = "classes.csv"
 """Name of the class table in a folder of training tiles."""

@@ -19,7 +19,6 @@ from ..processing.translation import tr
 from ..processing.version import guide_url
 from .diagnostics import Diagnostics
 from .dock.dock import SemRefDock
-from .dock.preload import Preload
 from .packages.component_installer import ComponentInstaller
 from .running.localization_run import named_results
 
@@ -54,7 +53,6 @@ class DockEntry:
             self._dock.hide()
         self._dock.setToggleVisibilityAction(self._action)
         self._dock.let_open()
-        self._preload = Preload(self._dock)
         self._drop = DatabaseDrop()
         iface.registerCustomDropHandler(self._drop)
         self._sample = None
@@ -103,7 +101,6 @@ class DockEntry:
         return self._sample
 
     def remove(self) -> None:
-        self._preload.stop()
         for installer in (self._installer, self._training_installer):
             installer.cancel()
             installer.deleteLater()

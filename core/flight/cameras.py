@@ -17,7 +17,7 @@ from ..geometry.camera import Camera, Lens, above_ground
 from ..geometry.leveling import Attitude
 from ..labels.photo_camera import photo_camera
 from ..sentences import Sentence
-from .table import Columns, Row, image_of, rows_of, stem_of
+from ..tables import Columns, Row, image_of, rows_of, stem_of
 
 LENSES = ("focal_length_px", "focal_length_35mm", "field_of_view")
 COLUMNS = ("image", "roll", "pitch", *LENSES, "time", "height", "heading")

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 from .. import limits
 from ..errors import ParameterError, reason_of
-from .table import Check, Columns, Row
+from ..tables import Check, Columns, Row
 
 
 class GrowingTable:

@@ -11,8 +11,8 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from ..tables import Columns, Row, image_of, rows_of, stem_of
 from .motion import Link, LinkSource
-from .table import Columns, Row, image_of, rows_of, stem_of
 
 COLUMNS = ("image", "dx_m", "dy_m", "dheading_deg")
 

@@ -20,8 +20,8 @@ import cv2
 
 from .. import limits
 from ..errors import ParameterError, SemRefError, reason_of
+from ..tables import bytes_of, stem_of
 from .logs.files import read_log
-from .table import bytes_of, stem_of
 from .telemetry import Telemetry, log_cameras
 
 TABLE = "cameras.csv"

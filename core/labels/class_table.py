@@ -7,12 +7,14 @@ import hashlib
 import io
 import math
 import re
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from .. import limits
-from ..errors import ClassTableError
+from ..errors import ClassTableError, ParameterError
 from ..sentences import Sentence
+from ..tables import Row, rows_of_text
 from ..values import shown
 from .class_colors import chosen_colors, default_color
 
@@ -35,7 +37,8 @@ OTHER = "other"
 LIST_SEPARATOR = ";"
 """Separates the items of lists given as text (REFERENCE_CLASSES=building;water)."""
 
-_COLUMNS = ("value", "name", "color", "role", "draw_order", "hsv_min", "hsv_max")
+_NEEDED = ("value", "name")
+_COLUMNS = (*_NEEDED, "color", "role", "draw_order", "hsv_min", "hsv_max")
 
 Hsv = tuple[int, int, int]
 Rgb = tuple[int, int, int]
@@ -272,33 +275,14 @@ def class_table_from_csv(text: str, source: str = "the class table") -> ClassTab
     Raises:
         ClassTableError: The table is malformed; the message names ``source`` and the line.
     """
-    lines = [line for line in text.lstrip("\ufeff").splitlines() if line.strip()]
-    if len(lines) < 2:
+    try:
+        found = [_class_from_row(row) for row in rows_of_text(text, source, lambda columns: columns.need(_NEEDED))]
+    except ParameterError as error:
+        raise ClassTableError(error.sentence) from None
+    if not found:
         raise ClassTableError(
             "{source} has no classes. It needs a header value,name,color,role and one line per class.", source=source
         )
-    separator = max(",;\t", key=lines[0].count)
-    if max(map(len, lines)) > limits.LINE_CHARACTERS:
-        raise ClassTableError(
-            "{source} is not a class table: a line has more than {most} characters. Choose another file.",
-            source=source,
-            most=limits.LINE_CHARACTERS,
-        )
-    reader = csv.DictReader(lines, delimiter=separator, skipinitialspace=True)
-    header = [(name or "").strip().lower() for name in reader.fieldnames or []]
-    missing = [name for name in ("value", "name") if name not in header]
-    if missing:
-        raise ClassTableError(
-            "{source} has no column {missing}; its header is “{header}”.",
-            source=source,
-            missing=missing,
-            header=lines[0].strip(),
-        )
-    reader.fieldnames = header
-    found = [
-        _class_from_row(row, Sentence("{source}, line {line}", source=source, line=n))
-        for n, row in enumerate(reader, start=2)
-    ]
     colorless = [one for one, has_color in found if not has_color]
     chosen = dict(zip(map(id, colorless), chosen_colors((one.value, one.name) for one in colorless)))
     return ClassTable(tuple(replace(one, color=chosen.get(id(one), one.color)) for one, _ in found))
@@ -346,11 +330,9 @@ def shortened(items: Sequence[str], most: int = 12) -> tuple[str, ...] | Sentenc
     return Sentence("{shown} and {count} more", shown=items[:most], count=len(items) - most)
 
 
-def _class_from_row(row: dict[str, str | None], where: Sentence) -> tuple[LandCoverClass, bool]:
+def _class_from_row(row: Row) -> tuple[LandCoverClass, bool]:
     """Return a class, and whether its row states a color."""
-    cell = {
-        key: (value or "").strip() for key, value in row.items() if isinstance(key, str) and not isinstance(value, list)
-    }
+    cell, where = defaultdict(str, row.texts), row.place
     try:
         value = int(cell["value"])
     except ValueError:
@@ -367,7 +349,7 @@ def _class_from_row(row: dict[str, str | None], where: Sentence) -> tuple[LandCo
             where=where,
             text=cell["draw_order"],
         ) from None
-    hsv_min, hsv_max = (_hsv(cell.get(name, ""), where) for name in ("hsv_min", "hsv_max"))
+    hsv_min, hsv_max = (_hsv(cell[name], where) for name in ("hsv_min", "hsv_max"))
     try:
         made = LandCoverClass(
             value=value,

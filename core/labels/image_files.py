@@ -139,7 +139,7 @@ def _has_16_bits(raw_mode: str, tags: Tags) -> bool:
     return "16" in raw_mode or max(tags.get(_BITS) or (8,)) == 16
 
 
-def image_files(paths: list[str]) -> list[str]:
+def image_files(paths: list[str], endings: tuple[str, ...] = IMAGE_EXTENSIONS) -> list[str]:
     """Return the files, with each folder replaced by its images, sorted. Raises LabelMapError for an empty folder."""
     found: list[str] = []
     for path in paths:
@@ -150,16 +150,16 @@ def image_files(paths: list[str]) -> list[str]:
             names = sorted(os.listdir(path))
         except OSError as error:
             raise LabelMapError("Image {path} can't be read: {reason}.", path=path, reason=reason_of(error)) from None
-        images = [os.path.join(path, name) for name in names if is_image_name(name)]
+        images = [os.path.join(path, name) for name in names if is_image_name(name, endings)]
         if not images:
-            raise LabelMapError("The folder {path} contains no image ({endings}).", path=path, endings=IMAGE_EXTENSIONS)
+            raise LabelMapError("The folder {path} contains no image ({endings}).", path=path, endings=endings)
         found += images
     return found
 
 
-def is_image_name(name: str) -> bool:
+def is_image_name(name: str, endings: tuple[str, ...] = IMAGE_EXTENSIONS) -> bool:
     """Return whether a file of a folder counts as an image; hidden files do not."""
-    return name.lower().endswith(IMAGE_EXTENSIONS) and not name.startswith(".")
+    return name.lower().endswith(endings) and not name.startswith(".")
 
 
 def require_kind_of_name(path: str, start: bytes, kind: type[SemRefError]) -> None:

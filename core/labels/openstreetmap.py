@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import csv
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from .. import limits
 from ..errors import ParameterError
-from ..sentences import Sentence
+from ..tables import Row, rows_of_text
 from ..values import read_json
 
 ANY = "*"
@@ -111,28 +110,14 @@ def rules_from_csv(text: str, source: str) -> Rules:
     Raises:
         ParameterError: The table is malformed; the message names ``source`` and the line.
     """
-    lines = [line for line in text.lstrip("\ufeff").splitlines() if line.strip()]
-    if not 1 < len(lines) <= limits.RULES + 1 or max(map(len, lines)) > limits.LINE_CHARACTERS:
+    found = [_rule(row) for row in rows_of_text(text, source, lambda columns: columns.need(_COLUMNS))]
+    if not 1 <= len(found) <= limits.RULES:
         raise ParameterError(
-            "{source} is not a table of rules. It needs a header key,value,class,priority, then 1 to {most} lines of "
-            "at most {longest} characters.",
+            "{source} is not a table of rules. It needs a header key,value,class,priority, then 1 to {most} lines.",
             source=source,
             most=limits.RULES,
-            longest=limits.LINE_CHARACTERS,
         )
-    reader = csv.DictReader(lines, delimiter=max(",;\t", key=lines[0].count), skipinitialspace=True)
-    reader.fieldnames = [(name or "").strip().lower() for name in reader.fieldnames or []]
-    missing = [name for name in _COLUMNS if name not in reader.fieldnames]
-    if missing:
-        raise ParameterError(
-            "{source} has no column {missing}; its header is “{header}”.",
-            source=source,
-            missing=missing,
-            header=lines[0].strip(),
-        )
-    return Rules(
-        _rule(row, Sentence("{source}, line {line}", source=source, line=n)) for n, row in enumerate(reader, start=2)
-    )
+    return Rules(found)
 
 
 def tags_of(columns: Mapping[str, object]) -> dict[str, str]:
@@ -180,8 +165,9 @@ def _packed(text: object) -> dict[str, str]:
     }
 
 
-def _rule(row: Mapping[str, object], where: Sentence) -> Rule:
-    key, value, name, priority, width = (str(row.get(column) or "").strip() for column in (*_COLUMNS, "width"))
+def _rule(row: Row) -> Rule:
+    where = row.place
+    key, value, name, priority, width = (row.texts.get(column, "") for column in (*_COLUMNS, "width"))
     if not key or not value:
         raise ParameterError("{where}: a rule needs a key and a value; use * for any value.", where=where)
     if len(name) > limits.NAME_CHARACTERS:

@@ -10,10 +10,10 @@ from ..errors import ParameterError
 from ..flight.cameras import check_cameras, complete_camera, merge_camera, row_camera
 from ..flight.logs.files import read_log
 from ..flight.motion import Link
-from ..flight.table import stem_of
 from ..flight.telemetry import Telemetry, log_cameras, log_links
 from ..geometry.camera import Camera
 from ..labels.photo_camera import photo_camera
+from ..tables import stem_of
 from .log import log_event
 from .logs import GrowingLog, is_growing_log
 from .tables import TableOfImages

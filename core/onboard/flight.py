@@ -24,9 +24,9 @@ from ..flight.motion import Link
 from ..flight.pixel_features import Features, features_of
 from ..flight.pixel_motion import motion_between
 from ..flight.settings import FLIGHT, FlightSettings
-from ..flight.table import stem_of
 from ..flight.tracker import FlightTracker
 from ..pipeline import ImageResult
+from ..tables import stem_of
 from ..values import checked, read_json
 from .format import export_date
 from .image_records import ImageFinder, time_of

@@ -13,9 +13,9 @@ from dataclasses import replace
 from .. import limits
 from ..errors import reason_of
 from ..flight.logs.mavlink import TlogReader, is_tlog
-from ..flight.table import bytes_of
 from ..flight.telemetry import MOST_GAP_S, Telemetry
 from ..labels.image_files import open_at_once
+from ..tables import bytes_of
 from .log import log_event
 from .tables import LOOK_EVERY_S, ROW_WITHIN_S
 

@@ -14,7 +14,7 @@ from ..errors import ParameterError
 from ..flight.growing import GrowingTable
 from ..flight.motion import Link
 from ..flight.odometry import OdometryRow, check_odometry, link_over, step_of
-from ..flight.table import Check, Row, image_of
+from ..tables import Check, Row, image_of
 from .log import log_event
 
 ROW_WITHIN_S, LOOK_EVERY_S = 0.5, 0.05

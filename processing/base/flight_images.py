@@ -80,9 +80,9 @@ def with_log(
         ParameterError: The log contains nothing about these images.
     """
     from ...core.flight.cameras import complete_camera
-    from ...core.flight.table import stem_of
     from ...core.flight.telemetry import log_cameras, log_links
     from ...core.geometry.camera import Camera as NoCamera
+    from ...core.tables import stem_of
 
     if log is None:
         return list(cameras)
@@ -155,8 +155,8 @@ class FlightReader:
     def links_with(self, steps: Sequence[OdometryRow], log: Telemetry | None) -> list[Link]:
         """Return all links: of the odometry table, otherwise of pixels, otherwise of the log."""
         from ...core.flight.odometry import odometry_links
-        from ...core.flight.table import stem_of
         from ...core.flight.telemetry import log_links
+        from ...core.tables import stem_of
 
         names = [image.name for image in self.flown]
         links = {(link.first, link.second): link for link in odometry_links(steps, names)}

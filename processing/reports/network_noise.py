@@ -10,7 +10,7 @@ from html import unescape
 
 from ...core import limits
 from ...core.errors import ParameterError
-from ...core.flight.table import bytes_of
+from ...core.tables import bytes_of
 
 NAME = "semref-network"
 """Name of the line. Its content is JSON: numbers by the parameter keys of assessments, and LANDMARKS."""

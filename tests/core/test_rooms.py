@@ -54,7 +54,7 @@ PARTS = {
 NEVER = {"processing": ("qgis.gui", "qgis.PyQt.QtWidgets")}
 """Algorithms run without windows."""
 
-FOR_ALL = {"errors", "limits", "named_files", "sentences", "values"}
+FOR_ALL = {"errors", "limits", "named_files", "sentences", "tables", "values"}
 """Rooms of core that every room may import."""
 
 ABOVE_THE_IMAGE = {"geometry", "labels", "landmarks", "database", "localization", "localizer", "simulation"}
@@ -66,6 +66,7 @@ MAY_IMPORT = {
         "limits": set(),
         "values": set(),
         "named_files": set(),
+        "tables": set(),
         "area_plan": set(),
         "geometry": set(),
         "cache": set(),

@@ -9,7 +9,7 @@ import numpy as np
 
 from ... import limits
 from ...errors import ParameterError
-from ..table import bytes_of
+from ...tables import bytes_of
 from ..telemetry import Telemetry
 from .dataflash import MAGIC as DATAFLASH
 from .dataflash import read_dataflash

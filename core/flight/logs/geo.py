@@ -8,7 +8,7 @@ from typing import Callable
 
 import numpy as np
 
-from ..table import stem_of
+from ...tables import stem_of
 from ..telemetry import FIELDS, Telemetry, telemetry
 from .entries import Pace, never
 

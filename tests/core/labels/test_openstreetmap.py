@@ -60,9 +60,9 @@ def test_own_rules_may_use_semicolons_and_any_value():
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("", "not a table of rules"),
+        ("", "its header needs the columns key, value, class, priority"),
         (HEADER, "not a table of rules"),
-        ("key,value,class\na,b,c\n", "has no column priority"),
+        ("key,value,class\na,b,c\n", "needs the columns key, value, class, priority"),
         (HEADER + "building,,house,1\n", "line 2: a rule needs a key and a value"),
         (HEADER + "building,*,house,high\n", "“high” is not a whole number"),
         (HEADER + f"building,*,{'h' * 500},1\n", "characters"),
@@ -70,7 +70,7 @@ def test_own_rules_may_use_semicolons_and_any_value():
         (WIDE_HEADER + "highway,*,road,1,wide\n", "“wide” is not a width of lines"),
         (WIDE_HEADER + "highway,*,road,1,0\n", "“0” is not a width of lines"),
         (WIDE_HEADER + "highway,*,road,1,500\n", "“500” is not a width of lines"),
-        (HEADER + "x" * 20_000, "not a table of rules"),
+        (HEADER + "x" * 200_000, "has a line of more than"),
     ],
 )
 def test_an_invalid_table_is_refused_with_its_line(text, said):

@@ -5,8 +5,8 @@ import tracemalloc
 import pytest
 
 from semref.core.errors import ParameterError
-from semref.core.flight.table import Row, bytes_of, rows_of, stem_of
 from semref.core.sentences import Sentence, english
+from semref.core.tables import Row, bytes_of, rows_of, stem_of
 
 
 def write(tmp_path, data):

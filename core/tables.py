@@ -1,4 +1,4 @@
-"""Text tables of flights: lines with a header, of limited size; errors name the line."""
+"""Text tables: lines with a header, of limited size; errors name the line."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from math import isfinite
 from typing import Callable
 
-from .. import limits
-from ..errors import ParameterError, reason_of
-from ..sentences import Sentence
+from . import limits
+from .errors import ParameterError, reason_of
+from .sentences import Sentence
 
 
 def bytes_of(path: str, most: int, count: int | None = None) -> bytes:
@@ -172,8 +172,14 @@ def rows_of(path: str, check: Check) -> Iterator[Row]:
         text = bytes_of(path, limits.TABLE_BYTES).decode("utf-8-sig")
     except UnicodeDecodeError:
         raise ParameterError("{path} is not text in UTF-8. Save it as CSV in UTF-8.", path=path) from None
-    numbered = [(n, line) for n, line in enumerate(text.splitlines(), start=1) if line.strip()]
-    columns = Columns.of(path, numbered[0][1] if numbered else "")
+    yield from rows_of_text(text, path, check)
+
+
+def rows_of_text(text: str, source: str, check: Check) -> Iterator[Row]:
+    """Yield the rows of the content of a CSV, as ``rows_of`` does; ``source``: the file, for messages."""
+    lines = text.lstrip("\ufeff").splitlines()
+    numbered = [(n, line) for n, line in enumerate(lines, start=1) if line.strip()]
+    columns = Columns.of(source, numbered[0][1] if numbered else "")
     check(columns)
     for number, line in numbered[1:]:
         yield columns.row(line, number)
