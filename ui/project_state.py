@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass, field
 
 from qgis.core import QgsProject, QgsSettings
@@ -102,6 +103,10 @@ def _prior_of(entries: list[str]) -> Prior | None:
     return x, y, edge_x, edge_y, authid
 
 
-def remembered_database() -> str:
-    """Return the path of the database that was chosen last in any session; may be empty."""
-    return QgsSettings().value(DATABASE_SETTING, "", type=str)
+def remembered_file(setting: str) -> str:
+    """Return the file that the dock uses or used last in any session; empty if it does not exist.
+
+    ``setting``: DATABASE_SETTING or MODEL_SETTING.
+    """
+    path = QgsSettings().value(setting, "", type=str)
+    return path if os.path.isfile(path) else ""

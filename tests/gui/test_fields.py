@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 
@@ -31,53 +29,10 @@ def wrapper_in(plugin):
     kept.clear()
 
 
-def offered(wrapper) -> list[str]:
-    wrapper.known.list_files()
-    return [action.text() for action in wrapper.known.files.actions()]
-
-
 def test_a_dialog_begins_with_the_docks_database_and_a_batch_does_not(wrapper_in, dock, area):
     dock.content.database.file.setFilePath(area.database)
     assert wrapper_in("AlgorithmDialog", "semref:assessdatabase", "DATABASE").parameterValue() == area.database
     assert wrapper_in("BatchAlgorithmDialog", "semref:assessdatabase", "DATABASE").parameterValue() in ("", None)
-
-
-def test_databases_of_the_project_the_dock_and_those_used_last_are_offered_once(wrapper_in, dock, area, tmp_path):
-    from qgis.core import QgsProject
-
-    from semref.processing.layers.database_layers import add_database_to_map
-
-    for name in ("older", "newer"):
-        (tmp_path / f"{name}.gpkg").write_bytes(Path(area.database).read_bytes())
-        dock.content.database.file.setFilePath(str(tmp_path / f"{name}.gpkg"))
-    add_database_to_map(area.database, QgsProject.instance())
-    wrapper = wrapper_in("AlgorithmDialog", "semref:assessdatabase", "DATABASE")
-    assert offered(wrapper) == ["In the project", "area", "Chosen in the dock", "newer", "Used recently", "older"]
-    entry = wrapper.known.files.actions()[1]
-    entry.trigger()
-    assert wrapper.parameterValue() == area.database
-    (tmp_path / "older.gpkg").unlink()
-    assert "older" not in offered(wrapper)
-
-
-def test_models_of_the_models_folder_are_offered(wrapper_in, tmp_path):
-    from semref.processing.inspection.models import choose_models_folder
-
-    (tmp_path / "a & b.onnx").write_bytes(b"a model")
-    choose_models_folder(str(tmp_path))
-    wrapper = wrapper_in("BatchAlgorithmDialog", "semref:localizeimages", "MODEL")
-    assert offered(wrapper) == ["Models folder", "a && b", "buildings", "sample_area"]
-    wrapper.known.files.actions()[1].trigger()
-    assert wrapper.parameterValue() == str(tmp_path / "a & b.onnx")
-    choose_models_folder("")
-
-
-def test_any_other_file_goes_into_the_box_and_the_dialog_hears_of_it(wrapper_in, tmp_path):
-    wrapper = wrapper_in("AlgorithmDialog", "semref:assessdatabase", "DATABASE")
-    emitted = []
-    wrapper.widgetValueHasChanged.connect(lambda *_: emitted.append(wrapper.parameterValue()))
-    wrapper.wrappedWidget().lineEdit().setText(str(tmp_path / "other.gpkg"))
-    assert emitted[-1] == str(tmp_path / "other.gpkg")
 
 
 @pytest.mark.parametrize(("dialog", "ticked"), [("AlgorithmDialog", True), ("BatchAlgorithmDialog", False)])
@@ -99,10 +54,12 @@ def test_a_database_that_was_opened_is_the_docks_choice_also_in_a_dock_that_was_
 
 
 def test_a_class_table_can_be_edited_where_it_is_asked_for(wrapper_in, plugin):
+    from semref.ui.class_table import EditButton
+
     for dialog in ("AlgorithmDialog", "BatchAlgorithmDialog"):
         wrapper = wrapper_in(dialog, "semref:rasterizeannotation", "CLASS_TABLE")
-        assert wrapper.known.objectName() == "SemRefEditClassTable"
-        assert wrapper.known.accessibleName() == "Edit class table"
+        (button,) = wrapper.wrappedWidget().findChildren(EditButton)
+        assert button.accessibleName() == "Edit class table"
 
 
 WITH_A_CLASS = ["rasterizeannotation", "checkannotation", "repairannotation", "classtable", "trainmodel"]

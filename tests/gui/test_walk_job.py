@@ -62,10 +62,6 @@ def test_a_database_built_in_the_toolbox_is_on_the_map_and_in_the_dock(walks):
     assert built["in_the_dock"] and built["in_a_dialog"]
 
 
-def test_batch_and_model_designer_offer_the_databases_at_hand(walks):
-    assert walks["forms"] == {"in_batch": 1, "in_designer": 1}
-
-
 def test_a_check_is_gone_through_and_ends_in_the_updated_database(walks):
     walked = walks["corrected"]
     assert walked["is_chosen"] and walked["places"] and walked["has_undo"] and walked["left"] == 0

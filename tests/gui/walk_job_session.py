@@ -12,8 +12,6 @@ import processing
 import qgis.utils
 from dock_area import CRS, label_map, write_raster
 from processing.gui.BatchAlgorithmDialog import BatchAlgorithmDialog
-from processing.modeler.ModelerDialog import ModelerDialog
-from processing.modeler.ModelerParametersDialog import ModelerParametersDialog
 from qgis.core import QgsApplication, QgsFeature, QgsGeometry, QgsProject, QgsVectorLayer
 from qgis.PyQt.QtCore import QPoint, Qt, QTimer
 from qgis.PyQt.QtTest import QTest
@@ -274,24 +272,6 @@ def built_by_keys(folder: Path) -> dict:
     return {"groups": groups(), "in_the_dock": in_the_dock, "in_a_dialog": offered == database}
 
 
-def forms(folder: Path) -> dict:
-    """What the same parameters look like in a batch and in the model designer."""
-    from semref.ui.fields.recent_files import KnownButton
-
-    registry = QgsApplication.processingRegistry()
-    table = BatchAlgorithmDialog(registry.createAlgorithmById("semref:assessdatabase"), qgis.utils.iface.mainWindow())
-    designer = ModelerDialog()
-    designer.loadModel(str(PLUGIN / "models" / "annotation_to_database.model3"))
-    child = ModelerParametersDialog(registry.createAlgorithmById("semref:assessdatabase"), designer.model())
-    for form in (table, child):
-        form.show()
-    settle()
-    counts = {"in_batch": len(table.findChildren(KnownButton)), "in_designer": len(child.findChildren(KnownButton))}
-    for form in (table, child, designer):
-        form.close()
-    return counts
-
-
 def corrected(folder: Path) -> dict:
     """Check, correct and update a layer of 144 houses and a pond that overlaps one of them."""
     QgsProject.instance().clear()
@@ -328,7 +308,7 @@ def corrected(folder: Path) -> dict:
     return {**seen, "has_undo": has_undo, "state": state, "left": tab.places.rowCount()}
 
 
-WAYS = (sample, own_photos, inspected, own_area, planned, flown, batch, built_by_keys, forms, corrected)
+WAYS = (sample, own_photos, inspected, own_area, planned, flown, batch, built_by_keys, corrected)
 
 
 def session() -> dict:

@@ -29,10 +29,10 @@ from ...processing.base import parameters
 from ...processing.layers.guess_fields import class_field_of, class_of_all
 from ..class_table import EditButton
 from ..layer_files import photo_layer
+from ..project_state import DATABASE_SETTING, MODEL_SETTING, remembered_file
 from ..widgets.layouts import narrow
 from .class_name_box import ClassNameBox
 from .epochs import TRAINING_VALUES, epochs_text
-from .recent_files import DATABASE, MODEL, KnownButton, dock_file
 
 _BATCH, _MODELER = "BatchAlgorithmDialog", "ModelerParametersDialog"
 """Class names of Processing's dialogs, which Processing itself uses to distinguish them."""
@@ -67,16 +67,12 @@ class _Widget(QgsAbstractProcessingParameterWidgetWrapper):
 class ClassTableWidget(_Widget):
     """File box with a button that opens the class table in an editor."""
 
-    def button(self, box: QgsFileWidget) -> QWidget:
-        """Return the button beside the box."""
-        return EditButton(box)
-
     def createWidget(self):
         box = QgsFileWidget()
         box.setDialogTitle(self.parameterDefinition().description())
         box.setFilter(self.parameterDefinition().createFileFilter())
         box.fileChanged.connect(self._report)
-        self.known = self.button(box)
+        EditButton(box)
         return self._prepare(box)
 
     def setWidgetValue(self, value, context):
@@ -86,41 +82,47 @@ class ClassTableWidget(_Widget):
         return self.wrappedWidget().filePath()
 
 
-class DatabaseWidget(ClassTableWidget):
-    """File box that lists known databases; a dialog starts with the database of the dock."""
-
-    KIND = DATABASE
-
-    def __new__(cls, parameter: QgsProcessingParameterDefinition, dialog, row: int = 0, column: int = 0):
-        is_optional = parameter.flags() & QgsProcessingParameterDefinition.FlagOptional
-        if type(dialog).__name__ not in (_BATCH, _MODELER) and not is_optional:
-            parameter.setGuiDefaultValueOverride(dock_file(cls.KIND))
-        wrapper = super().__new__(cls, parameter, dialog)
-        if not isinstance(wrapper, cls):
-            wrapper.known = [KnownButton(box, cls.KIND) for box in wrapper.findChildren(QgsFileWidget)]
-        return wrapper
-
-    def button(self, box: QgsFileWidget) -> QWidget:
-        return KnownButton(box, self.KIND)
-
-
-class ModelWidget(DatabaseWidget):
-    """File box that lists known models."""
-
-    KIND = MODEL
-
-
-class OpenWidget(_Widget):
-    """QGIS's check box, checked in the dialog of a single run, where the user sees the opened result."""
+class _OwnWidget(_Widget):
+    """QGIS's own widget, which starts with a value of SemRef in the dialog of a single run."""
 
     def __new__(cls, parameter: QgsProcessingParameterDefinition, dialog, row: int = 0, column: int = 0):
         if type(dialog).__name__ == _MODELER:
             return super().__new__(cls, parameter, dialog)
         if type(dialog).__name__ != _BATCH:
-            parameter.setGuiDefaultValueOverride(True)
+            parameter.setGuiDefaultValueOverride(cls.first(parameter))
         wrapper = QgsGui.processingGuiRegistry().createParameterWidgetWrapper(parameter, _type_of(dialog))
         wrapper.setDialog(dialog)
         return wrapper
+
+    @classmethod
+    def first(cls, parameter: QgsProcessingParameterDefinition):
+        """Return the value at the start."""
+        raise NotImplementedError
+
+
+class DatabaseWidget(_OwnWidget):
+    """File box that starts with the database of the dock, unless it is optional."""
+
+    SETTING = DATABASE_SETTING
+
+    @classmethod
+    def first(cls, parameter):
+        is_optional = parameter.flags() & QgsProcessingParameterDefinition.FlagOptional
+        return None if is_optional else remembered_file(cls.SETTING)
+
+
+class ModelWidget(DatabaseWidget):
+    """File box that starts with the model of the dock, unless it is optional."""
+
+    SETTING = MODEL_SETTING
+
+
+class OpenWidget(_OwnWidget):
+    """Check box that is checked, because the user sees the opened result."""
+
+    @classmethod
+    def first(cls, parameter):
+        return True
 
 
 class _LayerWidget(_Widget):

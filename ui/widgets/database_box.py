@@ -13,9 +13,8 @@ from qgis.PyQt.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
 from ...processing.inspection.chosen import require_database
 from ...processing.translation import tr
-from ..fields.recent_files import DATABASE, note_used
 from ..layer_files import dropped_files, project_databases
-from ..project_state import DATABASE_SETTING, remembered_database
+from ..project_state import DATABASE_SETTING
 from ..proposals import annotation_at_hand
 from ..running.background import Reader
 from .controls import ChoiceBox, tool_button
@@ -54,7 +53,7 @@ class DatabaseBox(FoldingBox):
         self.file.setDialogTitle(tr("Choose a reference database"))
         self.file.lineEdit().setPlaceholderText(tr("Choose a reference database"))
         self.file.lineEdit().setAccessibleName(tr("Reference database"))
-        self.file.setFilePath(remembered_database())
+        self.file.setFilePath(QgsSettings().value(DATABASE_SETTING, "", type=str))
         self.in_project = ChoiceBox()
         self.in_project.setToolTip(tr("Databases with layers in the project"))
         self.in_project.setAccessibleName(tr("Databases with layers in the project"))
@@ -153,7 +152,6 @@ class DatabaseBox(FoldingBox):
         if path:
             # Clearing a project clears the database, but the next session starts with it.
             QgsSettings().setValue(DATABASE_SETTING, path)
-            note_used(DATABASE, path)
         self._check()
         self._show_in_project()
         if not path:

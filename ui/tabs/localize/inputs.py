@@ -26,7 +26,6 @@ from ....processing.inspection.chosen import ChosenImages, count_images
 from ....processing.inspection.models import PHOTO_MODEL
 from ....processing.messages.sentences import worded
 from ....processing.translation import tr
-from ...fields.recent_files import MODEL, note_used
 from ...layer_files import drawn_layers, layer_file, raster_layers
 from ...model_list import ModelsDialog
 from ...project_state import MODEL_SETTING
@@ -192,7 +191,6 @@ class ImageBox(FoldingBox):
 
     def _remember_model(self) -> None:
         QgsSettings().setValue(MODEL_SETTING, self.model_path())
-        note_used(MODEL, self.model_path())
         self.changed.emit()
 
     def _enable_remove(self) -> None:
