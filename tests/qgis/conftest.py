@@ -36,3 +36,13 @@ def build_area(run_algorithm, tmp_path_factory):
         return built[key]
 
     return build
+
+
+@pytest.fixture
+def short_wait(monkeypatch):
+    """Another program that locks a database is waited for only a moment."""
+    from semref.storage import replaceable, vector_files
+    from semref.storage.database import connection, undo
+
+    for module in (replaceable, vector_files, connection, undo):
+        monkeypatch.setattr(module, "WAIT_S", 0.1)

@@ -276,7 +276,7 @@ def likely(localize, tmp_path, feedback):
     return found, results
 
 
-def test_a_likely_position_has_place_radius_probability_and_a_reason(likely):
+def test_a_likely_position_is_shown_with_a_reason_and_counted_apart(likely, run_algorithm, tmp_path, feedback):
     (found, fix, _), results = likely
     assert found["point"] == pytest.approx((WEST + 210, NORTH - 180), abs=2)
     assert (found["x"], found["y"]) == found["point"] and found["longitude"] is not None
@@ -288,17 +288,10 @@ def test_a_likely_position_has_place_radius_probability_and_a_reason(likely):
     assert ground["area"] == pytest.approx(60**2, rel=0.1)
     assert {row["image"] for row in rows_of(results["MATCHES"])} == {found["image"], fix["image"]}
     assert rows_of(results["ALTERNATIVES"]) == []
-
-
-def test_likely_positions_are_counted_apart(likely, feedback):
-    _, results = likely
     assert results["FIX_COUNT"] == 1
     log = feedback.textLog()
     assert "1 of 3 images have a position. Likely positions: 1." in log
     assert "a.png: Likely position. " in log and "b.png: Likely position" not in log
-
-
-def test_likely_positions_are_left_out_of_georeferencing(likely, run_algorithm, tmp_path, feedback):
     given = {"POSITIONS": str(tmp_path / "positions.gpkg"), "OUTPUT": str(tmp_path / "placed"), "IMAGES": str(tmp_path)}
     assert run_algorithm("semref:georeferenceimages", given, feedback)["IMAGE_COUNT"] == 1
     assert [path.name for path in (tmp_path / "placed").iterdir()] == ["b.tif"]

@@ -14,6 +14,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.slow
+
 TIMEOUT_S = 600
 
 
@@ -89,7 +91,6 @@ def annotation(tmp_path) -> Path:
     return path
 
 
-@pytest.mark.slow
 def test_the_zip_has_one_folder_with_what_the_plugin_repository_asks_for(package):
     names = zipfile.ZipFile(package).namelist()
     assert {name.partition("/")[0] for name in names} == {"semref"}
@@ -130,12 +131,10 @@ def test_metadata_names_all_that_the_plugin_repository_requires(package):
     assert "supportsQt6" not in general
 
 
-@pytest.mark.slow
 def test_qgis_process_lists_the_provider_of_the_installed_zip(qgis_process):
     assert "semref:rasterizeannotation" in qgis_process("list", json_output=False)
 
 
-@pytest.mark.slow
 def test_qgis_process_runs_an_algorithm_of_the_installed_zip(qgis_process, annotation, tmp_path):
     from osgeo import gdal
 

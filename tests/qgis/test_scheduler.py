@@ -40,6 +40,7 @@ def test_workers_build_the_database_that_qgis_builds(run_algorithm, label_map, f
     assert "processing.run" in line
 
 
+@pytest.mark.slow
 @needs_dask
 def test_errors_of_the_process_are_errors_of_the_algorithm(run_algorithm, label_map, tmp_path):
     asked = {"LABELS": str(label_map), **SETTINGS, "DATABASE": str(tmp_path / "none.gpkg")}

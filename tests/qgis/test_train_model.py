@@ -414,6 +414,7 @@ def test_ps_gives_the_same_as_proc(monkeypatch):
     assert os.getpid() in ours & event_process._descendants(os.getppid())
 
 
+@pytest.mark.slow
 def test_the_time_limit_counts_from_the_start_and_so_does_the_time_left(train, tmp_path):
     """Starting Python takes 3 of 12 s; the training gets the rest, and its shares are of that."""
     kept, said = tmp_path / "kept", Said()

@@ -216,7 +216,7 @@ def test_an_undo_that_ends_before_the_last_step_leaves_both_files(path, tmp_path
     assert content(path) == before
 
 
-def test_a_file_that_another_program_locks_is_not_replaced(path, tmp_path):
+def test_a_file_that_another_program_locks_is_not_replaced(path, tmp_path, short_wait):
     replace_keeping(path, larger(path, tmp_path, 5))
     before = content(path)
     with contextlib.closing(sqlite3.connect(path, isolation_level=None)) as other:

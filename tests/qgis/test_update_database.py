@@ -249,9 +249,9 @@ def test_an_update_in_place_after_a_kept_one_is_not_undone_with_it(update, old, 
     assert [Path(path).read_bytes() for path in (place, file_before(place))] == before
 
 
-@pytest.mark.parametrize("begin", ["BEGIN IMMEDIATE", "BEGIN EXCLUSIVE"])
+@pytest.mark.parametrize("begin", ["BEGIN IMMEDIATE", pytest.param("BEGIN EXCLUSIVE", marks=pytest.mark.slow)])
 def test_a_database_that_another_program_locks_before_the_end_is_not_replaced(
-    update, old, tmp_path, monkeypatch, begin
+    update, old, tmp_path, monkeypatch, short_wait, begin
 ):
     """Otherwise the other program would commit into a file that is no longer in use."""
     from semref.storage.database.editor import DatabaseEditor
