@@ -144,11 +144,11 @@ class Localizer:
             LabelMapError: The image has no pixels.
         """
         self.check(Method.TOPOLOGY_VECTOR)
-        count, nearest = self._nearest_windows(labels_hw, 1)
-        if not nearest:
+        count, nearest = self._nearest_window(labels_hw)
+        if nearest is None:
             reason = too_few_landmarks(count, MINIMUM_REFERENCES - count)
             return Localization(Status.TOO_FEW_REFERENCES, Method.TOPOLOGY_VECTOR, count, reason)
-        distance, index, count = nearest[0]
+        distance, index, count = nearest
         if distance > DISTANCE_THRESHOLD:
             reason = Sentence(
                 "The most similar window has the distance {distance:.3f}; at most {threshold:g} is accepted.",
@@ -170,32 +170,20 @@ class Localizer:
             footprint=image_corners(center, 0.0, float(windows.sizes[index]), 1, 1),
         )
 
-    def nearest_windows(self, labels_hw: np.ndarray, count: int) -> list[tuple[int, float]]:
-        """Return (index, distance) of the windows with the vectors nearest to the image's, nearest first.
-
-        Args:
-            labels_hw: (H, W) uint8 labels of the database's class table.
-            count: Largest number of windows.
-
-        Returns:
-            Empty if the image shows too few landmarks.
-        """
-        return [(index, distance) for distance, index, _ in self._nearest_windows(labels_hw, count)[1]]
-
-    def _nearest_windows(self, labels_hw: np.ndarray, count: int) -> tuple[int, list[tuple[float, int, int]]]:
-        """Return the largest landmark count at any level, and (distance, index, landmarks) of the nearest windows."""
-        most, found = 0, []
+    def _nearest_window(self, labels_hw: np.ndarray) -> tuple[int, tuple[float, int, int] | None]:
+        """Return the largest landmark count at any level, and (distance, index, landmarks) of the nearest window."""
+        most, nearest = 0, None
         for size, index, vectors in self._levels:
             described = self.describe(labels_hw, size)
             most = max(most, len(described.objects))
             if described.vector is None:
                 continue
             distances = vector_distances(described.vector, vectors)
-            # Sorting takes a hundred times as long; both prefer the first of equal ones.
-            nearest = [distances.argmin()] if count == 1 else np.argsort(distances, kind="stable")[:count]
-            found += [(float(distances[n]), int(index[n]), len(described.objects)) for n in nearest]
-        # By distance only: of equal ones the first level's first window comes first.
-        return most, sorted(found, key=lambda window: window[0])[:count]
+            n = distances.argmin()
+            # Of equal ones the first level's first window is the nearest.
+            if nearest is None or distances[n] < nearest[0]:
+                nearest = float(distances[n]), int(index[n]), len(described.objects)
+        return most, nearest
 
     @property
     def index(self) -> ConstellationIndex:

@@ -7,17 +7,12 @@ from typing import TYPE_CHECKING
 
 from qgis.core import QgsProcessingFeedback
 
-from .window import LookAlike, look_alike
-
 if TYPE_CHECKING:
     import numpy as np
 
     from ...core.database.model import ReferenceDatabase
     from ...core.landmarks.landmarks import Landmarks
     from ..base.photo_labels import PhotoLabelReader
-
-RUNNERS_UP = 4
-"""Number of windows after the best one of the published method."""
 
 
 @dataclass(frozen=True)
@@ -29,14 +24,12 @@ class ImageQuery:
         labels: Path of the label image of a photo; empty without one.
         model: Path of the network for photos; empty if ``image`` is a label image.
         pixel_size_m: Ground sampling distance; None if unknown.
-        by_vector: Whether the published method matched the image with a window.
     """
 
     image: str
     labels: str = ""
     model: str = ""
     pixel_size_m: float | None = None
-    by_vector: bool = False
 
 
 @dataclass(frozen=True)
@@ -49,7 +42,6 @@ class InspectedImage:
         star_xy: (K, 2) float64, landmarks of the topology vector, in the vector's order.
         square: (column, row, edge) of the part that the vector describes.
         vector: (3·X,) float32; None with fewer than three landmarks.
-        runners_up: Next windows of the published method, nearest vector first; otherwise empty.
     """
 
     labels_hw: np.ndarray
@@ -57,7 +49,6 @@ class InspectedImage:
     star_xy: np.ndarray
     square: tuple[int, int, int]
     vector: np.ndarray | None
-    runners_up: tuple[LookAlike, ...] = ()
 
 
 class ImageInspector:
@@ -93,7 +84,6 @@ class ImageInspector:
             inside.centers_xy[kept] + described.first_xy,
             (*described.first_xy, described.size),
             described.vector,
-            _runners_up(labels_hw, database) if query.by_vector else (),
         )
 
     def _labels(self, query: ImageQuery, database: ReferenceDatabase) -> np.ndarray:
@@ -120,13 +110,6 @@ def _smallest_px2(query: ImageQuery, database: ReferenceDatabase, size: int) -> 
     if query.pixel_size_m is None:
         return parameters.minimum_area / parameters.window_size**2 * size**2
     return max(parameters.minimum_area / query.pixel_size_m**2, SMALLEST_OBJECT_PX)
-
-
-def _runners_up(labels_hw: np.ndarray, database: ReferenceDatabase) -> tuple[LookAlike, ...]:
-    from ...core.localizer.localizer import Localizer
-
-    found = Localizer(database).nearest_windows(labels_hw, RUNNERS_UP + 1)[1:]
-    return tuple(look_alike(database, n, distance) for n, distance in found)
 
 
 def photo_rgba(path: str, longest_px: int) -> np.ndarray:

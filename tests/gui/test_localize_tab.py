@@ -330,24 +330,6 @@ def test_the_places_where_an_ambiguous_image_may_lie_are_outlined(dock, iface, r
     assert iface.canvas.extent().contains(places.boundingBox())
 
 
-@pytest.mark.slow
-def test_the_published_methods_runners_up_are_outlined_paler(dock, iface, area, tab):
-    localize(dock, area.database, [area.image])
-    wait_until(lambda: "next most similar" in tab.results.details.toPlainText(), "the runners-up")
-    bands = [band for name, band in tab.hit.highlight._bands.items() if "runner" in name]
-    extents = [band.asGeometry().boundingBox() for band in bands]
-    assert len(extents) == 4
-    assert all(extent.width() == pytest.approx(WINDOW) for extent in extents)
-    assert all((extent.xMinimum() - ORIGIN[0]) % STRIDE == pytest.approx(0) for extent in extents)
-    assert corners(cut_extent()) not in [corners(extent) for extent in extents]
-    opacities = [band.strokeColor().alpha() for band in bands]
-    assert opacities == sorted(opacities, reverse=True) and opacities[0] < 255
-    choose_method(dock, CONSTELLATION)
-    tab.localize_button.click()
-    wait_until(lambda: not tab.run.running, "the end of the run")
-    assert all(not band.numberOfVertices() for band in bands)
-
-
 def test_a_key_goes_from_image_to_image(dock, iface, area, tab):
     from qgis.PyQt.QtCore import Qt
     from qgis.PyQt.QtTest import QTest

@@ -92,26 +92,6 @@ def test_a_plugin_that_is_loaded_again_restores_the_dock_of_the_open_project(plu
     assert not QgsProject.instance().isDirty()
 
 
-def test_a_reset_makes_the_dock_new_and_forgets_settings(dock, iface, area, tab, monkeypatch):
-    from qgis.core import QgsSettings
-    from qgis.PyQt.QtWidgets import QMessageBox
-
-    localize(dock, area.database, [area.image])
-    tab.results.image.opacity.setValue(11)
-    answers = [QMessageBox.StandardButton.Cancel, QMessageBox.StandardButton.Reset]
-    monkeypatch.setattr(QMessageBox, "question", lambda *_: answers.pop(0))
-    dock.content.reset.click()
-    settle()
-    assert table(dock) != []
-    dock.content.reset.click()
-    settle()
-    state = dock.content.localize.state_now()
-    assert (table(dock), state.database, state.images, state.method, state.opacity) == ([], "", [], 0, 60)
-    assert QgsSettings().value("semref/dock/database") in (None, "")
-    localize(dock, area.database, [area.image])
-    assert len(table(dock)) == 1
-
-
 def test_a_run_shows_the_remaining_time(qgis_app):
     from semref.ui.widgets.progress import remaining_text
 

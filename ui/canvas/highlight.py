@@ -2,21 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from math import cos, radians, sin, sqrt
 
 from qgis.core import QgsGeometry, QgsPointXY
 from qgis.gui import QgsMapCanvas, QgsVertexMarker
 
 from ...processing.compat import LINE_GEOMETRY, POLYGON_GEOMETRY
-from ...processing.inspection.image import RUNNERS_UP
-from ...processing.inspection.window import LookAlike
 from ...processing.layers.reference_systems import transformed_point
 from ..findings import Finding
-from .marks import ORANGE, POINTS_A_SIDE, RED, RIM, Marks, band, square, to_canvas, with_opacity
-
-_PALEST, _PALE = 90, 180
-"""Opacity (0–255) of the outlines of the last and the first similar window."""
+from .marks import ORANGE, POINTS_A_SIDE, RED, RIM, Marks, band, to_canvas
 
 _ZOOM_MARGIN = 2.0
 """Factor by which the visible extent exceeds the footprint."""
@@ -39,7 +33,6 @@ class HitHighlight(Marks):
                 "heading": band(canvas, LINE_GEOMETRY, RED),
                 "error": band(canvas, POLYGON_GEOMETRY, RED),
                 "possible": band(canvas, POLYGON_GEOMETRY, ORANGE),
-                **{_runner_up(rank): _pale_band(canvas, rank) for rank in range(RUNNERS_UP)},
             },
         )
         self._hit: Finding | None = None
@@ -57,12 +50,6 @@ class HitHighlight(Marks):
             self._bands[name].setStrokeColor(color)
         self._center.setFillColor(color)
         return self.draw(_shapes(self._hit), self._hit.crs)
-
-    def show_runners_up(self, windows: Sequence[LookAlike]) -> None:
-        """Outline the next most similar windows, paler with each rank."""
-        if self._hit is not None:
-            squares = {_runner_up(rank): square(*window.center_xy, window.size) for rank, window in enumerate(windows)}
-            self.draw({**self._shapes, **squares}, self._hit.crs)
 
     def zoom(self) -> None:
         """Move the canvas to the shown position or places, if any."""
@@ -88,10 +75,6 @@ class HitHighlight(Marks):
         return transformed_point(to_canvas(self._canvas, self._hit.crs), self._hit.center)
 
 
-def _runner_up(rank: int) -> str:
-    return f"runner-up {rank}"
-
-
 def _center_marker(canvas: QgsMapCanvas) -> QgsVertexMarker:
     marker = QgsVertexMarker(canvas)
     marker.setIconType(QgsVertexMarker.IconType.ICON_CIRCLE)
@@ -101,13 +84,6 @@ def _center_marker(canvas: QgsMapCanvas) -> QgsVertexMarker:
     marker.setFillColor(RED)
     marker.hide()
     return marker
-
-
-def _pale_band(canvas: QgsMapCanvas, rank: int):
-    pale = band(canvas, POLYGON_GEOMETRY, with_opacity(RED, _PALE - (_PALE - _PALEST) * rank // max(RUNNERS_UP - 1, 1)))
-    # Below the matched window.
-    pale.setZValue(pale.zValue() - 1)
-    return pale
 
 
 def _shapes(hit: Finding) -> dict[str, QgsGeometry]:

@@ -6,7 +6,7 @@ from functools import partial
 
 from qgis.core import QgsProject, QgsSettings
 from qgis.gui import QgsMapCanvas
-from qgis.PyQt.QtCore import QSize, Qt, QUrl, pyqtSignal
+from qgis.PyQt.QtCore import QSize, Qt, QUrl
 from qgis.PyQt.QtGui import QDesktopServices
 from qgis.PyQt.QtWidgets import QFrame, QScrollArea, QTabWidget, QVBoxLayout, QWidget
 
@@ -22,7 +22,7 @@ from ..tabs.inspect.tab import InspectTab
 from ..tabs.localize.tab import LocalizeTab
 from ..widgets.controls import tool_button
 from ..widgets.database_box import DatabaseBox
-from ..widgets.layouts import narrow, row_of
+from ..widgets.layouts import narrow
 from ..widgets.messages import Messages
 
 LOCALIZE, INSPECT, CORRECT = range(3)
@@ -36,8 +36,6 @@ _LEAST_WIDTH_PX = 300
 
 class DockContent(QWidget):
     """Connects the tabs with the database and with each other. Call ``shut_down`` before deleting it."""
-
-    resetAsked = pyqtSignal()
 
     def __init__(self, canvas: QgsMapCanvas, messages: Messages, shelf: DatabaseShelf) -> None:
         super().__init__()
@@ -65,11 +63,7 @@ class DockContent(QWidget):
             self.tabs.setTabToolTip(self.tabs.addTab(_scrolling(page), title), title)
         self.help = tool_button("/mActionHelpContents.svg", tr("User guide"))
         self.help.setAutoRaise(True)
-        self.reset = tool_button("/mActionRefresh.svg", tr("Reset SemRef: clear the dock and delete its settings…"))
-        self.reset.setAutoRaise(True)
-        corner = QWidget()
-        corner.setLayout(narrow(row_of(self.reset, self.help), 0))
-        self.tabs.setCornerWidget(corner)
+        self.tabs.setCornerWidget(self.help)
         self.tabs.setCurrentIndex(QgsSettings().value(_TAB_SETTING, LOCALIZE, type=int))
         layout = narrow(QVBoxLayout(self))
         layout.addWidget(self.database)
@@ -80,7 +74,6 @@ class DockContent(QWidget):
         self.database.addToMapAsked.connect(self._add_database_to_map)
         self.tabs.currentChanged.connect(self._remember_tab)
         self.help.clicked.connect(lambda: QDesktopServices.openUrl(QUrl(guide_url())))
-        self.reset.clicked.connect(self.resetAsked)
         self.localize.hit.described.connect(self.inspect.compare_with)
         self.inspect.databaseWanted.connect(self._read_database)
         self.correct.updated.connect(self._show_updated)

@@ -10,7 +10,7 @@ from qgis.core import QgsProject, QgsSettings
 from qgis.gui import QgsDockWidget, QgsMapCanvas, QgsMessageBar
 from qgis.PyQt.QtCore import Qt, QTimer
 from qgis.PyQt.QtGui import QShowEvent
-from qgis.PyQt.QtWidgets import QMainWindow, QMessageBox, QVBoxLayout, QWidget
+from qgis.PyQt.QtWidgets import QMainWindow, QVBoxLayout, QWidget
 
 from ...core.localization import Method
 from ...processing.layers.database_layers import OPENED, reload_raster
@@ -19,21 +19,17 @@ from ..packages.missing_notice import MissingNotice
 from ..project_state import DATABASE_SETTING, DockState, read_state, write_state
 from ..running.background import DatabaseShelf
 from ..widgets.layouts import narrow
-from ..widgets.messages import TAG, Messages, open_file
+from ..widgets.messages import Messages, open_file
 
 if TYPE_CHECKING:
     from ..set_up_area import SetUpAreaDialog
     from .content import DockContent
 
 
-SETTINGS = "semref"
-"""Group of all settings of SemRef."""
-
-
 FIRST_WIDTH_PX, LEAST_WINDOW_PX = 400, 1200
 """Width of the dock when it opens for the first time, in windows of at least this width. Later QGIS restores it."""
 
-_SIZED_SETTING = f"{SETTINGS}/dock/sized"
+_SIZED_SETTING = "semref/dock/sized"
 
 
 class SemRefDock(QgsDockWidget):
@@ -89,7 +85,6 @@ class SemRefDock(QgsDockWidget):
         from .content import DockContent
 
         content = DockContent(self._canvas, self.messages, self._shelf)
-        content.resetAsked.connect(self._ask_to_reset)
         content.localize.found.connect(self._show_found)
         content.database.setUpAsked.connect(self.set_up_area)
         content.localize.modelChosen.connect(self.notice.use_model)
@@ -98,16 +93,6 @@ class SemRefDock(QgsDockWidget):
         if self._wanted_state is not None:
             content.localize.show_state(self._wanted_state)
         return content
-
-    def reset(self) -> None:
-        """Delete all settings of SemRef and replace the content with a new one."""
-        QgsSettings().remove(SETTINGS)
-        self._wanted_state = None
-        if self._content is not None:
-            before, self._content = self._content, None
-            before.shut_down()
-            before.deleteLater()
-            self.content.show()
 
     def shut_down(self) -> None:
         """Cancel runs and clear the canvas."""
@@ -230,15 +215,6 @@ class SemRefDock(QgsDockWidget):
         # A dock behind the tab of another dock is not hidden: its marks stay.
         if self._content is not None:
             self._content.localize.hit.set_visible(not self.isHidden())
-
-    def _ask_to_reset(self) -> None:
-        text = tr(
-            "Clear the dock and delete all settings of SemRef? Files, layers and installed packages do not change."
-        )
-        buttons = QMessageBox.StandardButton
-        if QMessageBox.question(self, TAG, text, buttons.Reset | buttons.Cancel) == buttons.Reset:
-            # Later: the click comes from a button that the reset deletes.
-            QTimer.singleShot(0, self.reset)
 
     def _show_found(self, sentence: str) -> None:
         # An open dock shows the sentence itself.

@@ -213,10 +213,3 @@ def test_a_database_without_any_vector_is_refused():
     ):
         localizer, _ = localizer_of(with_blocks((60, 60), (5, 5, 9, 2), (25, 25, 9, 5)))
         localizer.check("topology vector")
-
-
-def test_the_nearest_windows_begin_with_the_match_and_grow_more_distant(localizer, windows):
-    found = localizer.nearest_windows(cut(MAP, "40_20"), 4)
-    assert (str(windows.names[found[0][0]]), found[0][1]) == ("40_20", 0)
-    distances = [distance for _, distance in found]
-    assert len(found) == 4 and distances == sorted(distances) and distances[1] > 0

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from html import escape
 
 from qgis.core import QgsProject
@@ -10,11 +9,9 @@ from qgis.PyQt.QtCore import QSize
 from qgis.PyQt.QtGui import QTextOption
 from qgis.PyQt.QtWidgets import QFrame, QTextEdit
 
-from ....processing.inspection.window import LookAlike
 from ....processing.messages.numbers import LocalTemplate
 from ....processing.translation import tr
 from ...findings import Finding, error_text, status_text
-from ...widgets.texts import number_text
 from .position_formats import DATABASE, DEGREES, position_text
 
 _LINES, _LEAST_LINES = 5, 2
@@ -33,16 +30,10 @@ class Details(QTextEdit):
         self.setTabChangesFocus(True)
         self.setAccessibleName(tr("Details of the selected result"))
         self.setPlaceholderText(tr("Select a result to show its position on the map."))
-        self._lines: list[str] = []
 
     def show_finding(self, finding: Finding | None) -> None:
         """Show all data of a finding; nothing for None."""
-        self._lines = [] if finding is None else _lines(finding)
-        self.setHtml("<br>".join(self._lines))
-
-    def add_lines(self, lines: list[str]) -> None:
-        """Append lines of HTML."""
-        self.setHtml("<br>".join([*self._lines, *lines]))
+        self.setHtml("<br>".join([] if finding is None else _lines(finding)))
 
     def sizeHint(self) -> QSize:
         return QSize(200, self._height_of(_LINES))
@@ -95,9 +86,3 @@ def _measures(finding: Finding) -> list[str]:
 def _joined(*measures: tuple[object | None, str]) -> str:
     """Join the texts of known values."""
     return ", ".join(LocalTemplate(text).format(value=value) for value, text in measures if value is not None)
-
-
-def runners_up_line(windows: Sequence[LookAlike]) -> str:
-    """Return HTML with the next most similar windows and the distances of their vectors."""
-    texts = [f"{window.name} ({number_text(window.distance, 3)})" for window in windows]
-    return escape(tr("next most similar windows: {windows}").format(windows=", ".join(texts)))

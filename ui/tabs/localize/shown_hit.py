@@ -22,7 +22,6 @@ from ...canvas.track_marks import TrackMarks
 from ...findings import Finding
 from ...running.background import DatabaseShelf, Reader
 from ...widgets.messages import Messages
-from .details import runners_up_line
 from .picture import ImagePicture, PictureShelf
 from .results import ResultsBox
 
@@ -105,7 +104,7 @@ class ShownHit(QObject):
             self._results.image.clear(_not_chosen())
             return
         pixel_size = None if finding.corners is None else finding.pixel_size
-        query = ImageQuery(image, finding.labels, self._model, pixel_size, finding.is_by_vector)
+        query = ImageQuery(image, finding.labels, self._model, pixel_size)
         self._picture_reader.read(tr("Reading an image"), self._pictures.read, query, self._database)
 
     def _show_picture(self, picture: ImagePicture) -> None:
@@ -113,9 +112,6 @@ class ShownHit(QObject):
         self._results.image.show_picture(picture, () if finding.matches is None else finding.matches.pixels)
         self._results.share_room()
         self.described.emit(os.path.basename(picture.path), picture.seen.vector)
-        if picture.seen.runners_up:
-            self.highlight.show_runners_up(picture.seen.runners_up)
-            self._results.details.add_lines([runners_up_line(picture.seen.runners_up)])
 
     def _zoom_if_asked(self) -> None:
         if self._results.zoom.isChecked():
