@@ -62,23 +62,6 @@ def run_desktop(
     return {**seen, "exit_status": status, "output": said}
 
 
-def walk(repository: Path, home: Path, display: str, script: Path, variables: dict[str, str], kept: str = "") -> dict:
-    """As run_desktop, in a profile that has the plugin; SEMREF_PICTURES names a folder to keep what was seen in.
-
-    Args:
-        kept: Name of the file there, else that of the script.
-    """
-    profile = home / "profiles" / "default"
-    install_package(repository, profile / "python" / "plugins")
-    (profile / "QGIS").mkdir()
-    (profile / "QGIS" / "QGIS3.ini").write_text("[PythonPlugins]\nsemref=true\n", encoding="utf-8")
-    seen = run_desktop(home, display, script, variables)
-    if "SEMREF_PICTURES" in os.environ:
-        name = kept or script.stem.replace("_session", ".json")
-        (Path(os.environ["SEMREF_PICTURES"]) / name).write_text(json.dumps(seen, indent=1), encoding="utf-8")
-    return seen
-
-
 def install_package(repository: Path, plugins: Path) -> None:
     """Unzip the packaged plugin into a new folder of plugins."""
     plugins.mkdir(parents=True)

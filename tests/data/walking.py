@@ -13,7 +13,7 @@ from pathlib import Path
 import qgis.utils
 from qgis.core import QgsApplication, QgsProject, QgsSettings
 from qgis.PyQt.QtCore import QCoreApplication, QTimer
-from qgis.PyQt.QtWidgets import QDialogButtonBox, QDockWidget
+from qgis.PyQt.QtWidgets import QDockWidget
 
 LIMIT_S = 600
 """Time limit of one step; making the sample took more than 300 s on a busy machine."""
@@ -49,11 +49,6 @@ def _what_stands_still() -> str:
 
 def dock():
     return qgis.utils.iface.mainWindow().findChild(QDockWidget, "SemRefDock")
-
-
-def run_button(dialog):
-    buttons = dialog.buttonBox()
-    return buttons.button(QDialogButtonBox.StandardButton.Ok) or dialog.runButton()
 
 
 def start(session) -> None:
