@@ -9,7 +9,7 @@ from osgeo import gdal
 
 from ..core.labels.class_table import ClassTable
 from .gdal_errors import close, require_written
-from .raster_writer import WrittenRaster
+from .pictures import WrittenRaster
 
 CLASS_TABLE_ITEM = "SEMREF_CLASS_TABLE"
 """Metadata item of a label map with its class table as CSV."""

@@ -27,7 +27,7 @@ from ..translation import tr
 if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
 
-    from ...storage.georeferences import ControlPoint
+    from ...storage.georeferencing import ControlPoint
     from ..base.outputs import Outputs
     from ..base.values import Values
     from ..layers.positions import PositionRow
@@ -192,8 +192,7 @@ class _Writer:
         self._kind, self._crs_wkt, self._feedback = kind, crs_wkt, feedback
 
     def __call__(self, file: str, image: PositionRow, target: str, points: list[ControlPoint]) -> None:
-        from ...storage.georeferenced_vrt import write_geotiff
-        from ...storage.georeferences import corner_points, write_points, write_world_file
+        from ...storage.georeferencing import corner_points, write_geotiff, write_points, write_world_file
         from ...storage.rasters import open_raster, require_whole_raster
 
         if not os.path.isfile(file):

@@ -14,7 +14,7 @@ from ...core.errors import ParameterError
 from ...core.geometry.footprint import image_corners
 from ...core.localization import Method
 from ...core.named_files import named_file
-from ...storage.georeferences import ControlPoint
+from ...storage.georeferencing import ControlPoint
 from ..compat import is_null
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ import numpy as np
 from osgeo import gdal
 
 from ...core.labels.overview import HeldOverview
-from ..raster_writer import WrittenRaster
+from ..pictures import WrittenRaster
 
 HELD_PIXELS = 256 << 20
 """Largest overview in memory, in pixels."""

@@ -7,7 +7,7 @@ from osgeo import gdal, osr
 from semref.core.errors import LabelMapError
 from semref.core.geometry.footprint import image_corners, on_ground
 from semref.core.geometry.leveling import Attitude, leveling
-from semref.storage.georeferenced_vrt import write_draped
+from semref.storage.georeferencing import write_draped
 
 SHAPE_HW = (300, 400)
 MIDDLE = np.array([400_000.0, 5_400_000.0])

@@ -21,7 +21,7 @@ sys.path.append("tools")
 from plugin_package import load_plugin_package
 load_plugin_package()
 import torch
-from semref.training.encoder_weights import load_encoder_weights, packaged_weights
+from semref.training.network import load_encoder_weights, packaged_weights
 from semref.training.network import pyramid_attention_network
 from semref.core.errors import TrainingError
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingUtils, QgsProject, QgsRasterLayer
 
 from ...core.errors import LabelMapError
-from ...processing.layers.layer_tree import place_on_top
+from ...processing.layers.database_layers import place_on_top
 
 OPACITY = 0.6
 
@@ -24,7 +24,7 @@ def place_image(image: str, corners: tuple, crs_wkt: str) -> str:
         LabelMapError: The image can't be read.
     """
     # Imported here because the dock must open without OpenCV.
-    from ...storage.georeferenced_vrt import write_draped
+    from ...storage.georeferencing import write_draped
 
     target = QgsProcessingUtils.generateTempFilename("image.vrt")
     write_draped(image, target, crs_wkt, corners)

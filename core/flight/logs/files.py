@@ -14,9 +14,8 @@ from ..telemetry import Telemetry
 from .dataflash import MAGIC as DATAFLASH
 from .dataflash import read_dataflash
 from .entries import never
-from .geo import is_geo, read_geo
 from .mavlink import is_tlog, read_tlog
-from .srt import is_srt, read_srt
+from .texts import is_geo, is_srt, read_geo, read_srt
 from .ulog import MAGIC as ULOG
 from .ulog import read_ulog
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from semref.core.segmentation.certainty import NO_DATA, percents
-from semref.core.segmentation.score_shares import ScoreShares
+from semref.core.segmentation.photo_labels import ScoreShares
 from semref.core.segmentation.tiling import SegmentedRows
 
 VALUES = (3, 0, 7, 3)

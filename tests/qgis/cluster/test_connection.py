@@ -43,10 +43,10 @@ def server():
 
 @pytest.fixture
 def connection(monkeypatch):
-    from semref.cluster import connection
+    from semref.cluster import engine
 
-    monkeypatch.setattr(connection, "_REFUSED_FOR_S", 0.3)
-    return connection
+    monkeypatch.setattr(engine, "_REFUSED_FOR_S", 0.3)
+    return engine
 
 
 @pytest.fixture

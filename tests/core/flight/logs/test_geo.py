@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from semref.core.flight.logs.geo import is_geo, read_geo
+from semref.core.flight.logs.texts import is_geo, read_geo
 
 TEXT = "EPSG:4326\na.jpg 7.1 46.2 400 35.5 0 0 1 1\nb.jpg 7.2 46.3 401\n# no\nc.jpg 7.2 46.3 401 x\n"
 

@@ -12,9 +12,8 @@ from semref.core.errors import ParameterError
 from semref.core.flight.logs import ulog
 from semref.core.flight.logs.dataflash import read_dataflash
 from semref.core.flight.logs.files import read_log
-from semref.core.flight.logs.geo import read_geo
 from semref.core.flight.logs.mavlink import read_tlog
-from semref.core.flight.logs.srt import read_srt
+from semref.core.flight.logs.texts import read_geo, read_srt
 from semref.core.flight.logs.ulog import read_ulog
 from semref.core.labels.openstreetmap import tags_of
 from semref.core.labels.photo_tags import PhotoTags

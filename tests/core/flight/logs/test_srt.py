@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from semref.core.flight.logs.srt import is_srt, read_srt
+from semref.core.flight.logs.texts import is_srt, read_srt
 
 NEW = """1
 00:00:00,000 --> 00:00:00,033
