@@ -1,19 +1,23 @@
 """Read an onboard file from an untrusted source.
 
 The reader never executes content and never allocates more memory than the file's size justifies. It checks sizes in the
-zip's directory, and shapes and types in the arrays' headers, before unpacking.
+zip's directory before unpacking, and shapes and types in the arrays' headers.
 """
 
 from __future__ import annotations
 
+import io
 import math
 import os
+import struct
 import zipfile
+import zlib
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from numpy.lib import format as npy_format
 
 from .. import limits
 from ..database.checks import require_sound
@@ -23,7 +27,6 @@ from ..errors import ClassTableError, DatabaseError, reason_of
 from ..geometry.lon_lat import HIGHEST_DEGREE, LonLatPolynomial, term_count
 from ..labels.class_table import ClassTable, class_table_from_csv
 from ..values import checked, number, read_json
-from .arrays import UNREADABLE, npy_header, require_honest
 from .format import (
     FORMAT,
     HASH,
@@ -38,6 +41,12 @@ from .format import (
     export_date,
 )
 from .signature import is_signed_with, read_key
+
+_UNREADABLE = (zipfile.BadZipFile, zlib.error, EOFError, OSError, RuntimeError, ValueError, struct.error)
+"""Errors of a damaged or malicious zip."""
+
+_DEFLATE_RATIO = 1032
+"""Largest compression ratio of deflate; a member with a larger one is damaged or malicious."""
 
 _ALWAYS_ALLOWED_BYTES, _BYTES_A_FILE_BYTE = 1 << 26, 200
 """Memory that all members together may need, and more for each byte of the file."""
@@ -64,12 +73,12 @@ def read_onboard(path: str, with_overview: bool = True, key_file: str | None = N
     try:
         with zipfile.ZipFile(path) as archive:
             files = _unpack(archive, path)
-    except UNREADABLE as error:
+        members = {name: _array(name, data) for name, data in files.items()}
+    except _UNREADABLE as error:
         if isinstance(error, OSError) and error.errno is not None:
             raise DatabaseError("{path} can't be read: {reason}.", path=path, reason=reason_of(error)) from None
         raise _damaged(path, error) from None
     try:
-        members = {name: _array(name, data) for name, data in files.items()}
         if members[HASH].tobytes() != digest(files):
             raise ValueError("its content hash is wrong")
         if key is not None:
@@ -135,16 +144,11 @@ def _unpack(archive: zipfile.ZipFile, path: str) -> dict[str, bytes]:
         raise zipfile.BadZipFile(f"it states {total} bytes, more than a file of its size may contain")
     for filename, info in infos.items():
         name = filename[: -len(".npy")]
-        require_honest(info, _largest_bytes(name))
-        with archive.open(info) as file:
-            # Before the rest is unpacked, the size in the header must be that in the directory.
-            start = file.read(min(info.file_size, limits.NPY_HEADER_BYTES))
-            shape, first = _kind_header(name, start)
-            if first + math.prod(shape) * _item_bytes(name) != info.file_size:
-                raise zipfile.BadZipFile(f"{name} has another size than its shape {shape}")
-            found[name] = start + file.read(info.file_size - len(start))
-        if len(found[name]) != info.file_size:
-            raise zipfile.BadZipFile(f"{name} ends early")
+        if info.flag_bits & 1 or info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
+            raise zipfile.BadZipFile(f"{filename} is encrypted or compressed in an unknown way")
+        if info.file_size > min(_largest_bytes(name), _DEFLATE_RATIO * info.compress_size + 64):
+            raise zipfile.BadZipFile(f"{filename} states {info.file_size} bytes, more than possible")
+        found[name] = archive.read(info)
     return found
 
 
@@ -161,24 +165,23 @@ def _item_bytes(name: str) -> int:
     return int(KINDS[name][0][-1])
 
 
-def _kind_header(name: str, start: bytes) -> tuple[tuple[int, ...], int]:
-    """Return (shape, first byte of the data) of a .npy file.
-
-    Raises:
-        zipfile.BadZipFile: The array is not of the kind that its name requires.
-    """
-    shape, dtype, is_fortran, first = npy_header(name, start)
+def _array(name: str, data: bytes) -> np.ndarray:
+    """Return the array of a .npy file; raises BadZipFile unless it is of the kind that its name requires."""
+    file = io.BytesIO(data)
+    try:
+        version = npy_format.read_magic(file)
+        shape, is_fortran, dtype = npy_format.read_array_header_1_0(file)
+    # numpy evaluates the header as a Python literal: the errors depend on its version.
+    except Exception:
+        raise zipfile.BadZipFile(f"{name} is not a plain array") from None
     kind, axes = KINDS[name]
-    if is_fortran:
-        raise zipfile.BadZipFile(f"{name} is not a plain array of whole numbers")
+    if version != (1, 0) or is_fortran or min(shape, default=0) < 0:
+        raise zipfile.BadZipFile(f"{name} is not a plain array")
     if dtype.str != kind or len(shape) != axes:
         raise zipfile.BadZipFile(f"{name} has the type {dtype.str} and the shape {shape}")
-    return shape, first
-
-
-def _array(name: str, data: bytes) -> np.ndarray:
-    shape, first = _kind_header(name, data[: limits.NPY_HEADER_BYTES])
-    return np.frombuffer(data, np.dtype(KINDS[name][0]), offset=first).reshape(shape)
+    if file.tell() + math.prod(shape) * dtype.itemsize != len(data):
+        raise zipfile.BadZipFile(f"{name} has another size than its shape {shape}")
+    return np.frombuffer(data, dtype, offset=file.tell()).reshape(shape)
 
 
 def _check_version(header: Mapping[str, Any], path: str) -> None:

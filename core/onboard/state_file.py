@@ -13,6 +13,7 @@ import io
 import os
 import stat
 import tempfile
+import zipfile
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -21,7 +22,6 @@ from .. import limits
 from ..cache import user_secret
 from ..errors import ParameterError
 from ..labels.image_files import open_at_once
-from .arrays import UNREADABLE, number_arrays
 from .signature import read_key
 
 _PURPOSE = b"semref flight state 2\0"
@@ -131,8 +131,9 @@ class StateFile:
                 path=self.path,
             )
         try:
-            return number_arrays(io.BytesIO(data), limits.STATE_BYTES)
-        except UNREADABLE as error:
+            with np.load(io.BytesIO(data), allow_pickle=False) as arrays:
+                return dict(arrays)
+        except (OSError, ValueError, MemoryError, zipfile.BadZipFile) as error:
             raise self.not_ours() from error
 
     def not_ours(self) -> ParameterError:

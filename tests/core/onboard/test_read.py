@@ -95,7 +95,7 @@ def test_a_pickle_is_never_opened(written, tmp_path):
     file = io.BytesIO()
     np.save(file, np.array([Bomb()], object), allow_pickle=True)
     path = zipped(tmp_path / "bomb.npz", {**members(written), "references_classes.npy": file.getvalue()})
-    assert "not a plain array" in refusal(path)
+    assert "has the type |O" in refusal(path)
 
 
 def test_a_changed_array_is_refused_although_its_checksum_fits(written, tmp_path):
