@@ -56,19 +56,18 @@ def digest(columns: Iterable[np.ndarray | bytes]) -> str:
     return found.hexdigest()
 
 
-def load_or_build(kind: str, key: str, build: Callable[[], Arrays], fits: Callable[[Arrays], bool]) -> Arrays:
+def load_or_build(kind: str, key: str, build: Callable[[], Arrays]) -> Arrays:
     """Return arrays from the cache; if they are missing, build and store them.
 
     Args:
         kind: Kind of the arrays: the first part of the file name.
         key: ``digest`` of everything that the arrays are built from, and of the version of the code that builds them.
         build: Builds the arrays.
-        fits: Returns whether loaded arrays have the types and shapes that the caller expects.
     """
     name = f"{kind}-{key}{_SUFFIX}"
     secret = user_secret()
     arrays = None if secret is None else _load(name, secret)
-    if arrays is None or not fits(arrays):
+    if arrays is None:
         arrays = build()
         try:
             if secret is None:

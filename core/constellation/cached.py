@@ -9,7 +9,7 @@ import numpy as np
 
 from ..cache import digest, load_or_build
 from ..database.model import MapLandmarks
-from .index import ConstellationIndex, IndexParts, build_index, index_of_parts, index_parts, part_shapes
+from .index import ConstellationIndex, build_index, index_of_parts, index_parts
 from .settings import ConstellationSettings
 
 VERSION = 1
@@ -39,18 +39,5 @@ def cached_index(references: MapLandmarks, pixel_size_m: float, settings: Conste
         return build_index(references, pixel_size_m, settings)
     key = key_of(references, pixel_size_m, settings)
     make = partial(index_parts, references, pixel_size_m, settings)
-    fit = partial(_fit, references=references, settings=settings)
-    parts = load_or_build("index", key, make, fit)
+    parts = load_or_build("index", key, make)
     return index_of_parts(references, pixel_size_m, settings, parts)
-
-
-def _fit(parts: IndexParts, references: MapLandmarks, settings: ConstellationSettings) -> bool:
-    """Return whether the arrays have the shapes and types of an index of these landmarks."""
-    expected = part_shapes(len(references), settings)
-    if set(parts) != set(expected):
-        return False
-    triangles = len(parts["keys"])
-    return all(
-        array.dtype.str == kind and array.shape == tuple(triangles if n is None else n for n in shape)
-        for array, (kind, shape) in ((parts[name], expected[name]) for name in expected)
-    )

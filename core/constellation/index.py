@@ -148,7 +148,7 @@ def build_index(
 
 
 def index_parts(references: MapLandmarks, pixel_size_m: float, settings: ConstellationSettings) -> IndexParts:
-    """Return the parts of an index that take time to compute, by name; ``part_shapes`` describes them.
+    """Return the parts of an index that take time to compute, by name.
 
     Args:
         pixel_size_m: Pixel size of the label map.
@@ -164,18 +164,6 @@ def index_parts(references: MapLandmarks, pixel_size_m: float, settings: Constel
         "fine": fine[order],
         "densities": local_density(bare.positions, bare.ranks),
         "by_easting": np.argsort(bare.points.real, kind="stable").astype(np.int64, copy=False),
-    }
-
-
-def part_shapes(count: int, settings: ConstellationSettings) -> dict[str, tuple[str, tuple[int | None, ...]]]:
-    """Return type and shape of each part of an index of ``count`` landmarks; None is the number of triangles."""
-    return {
-        "neighbors": ("<i4", (count, settings.limits.neighbors)),
-        "keys": ("<u4", (None,)),
-        "triangles": (_kind_of_codes(count, settings), (None,)),
-        "fine": ("|u1", (None, len(CELLS))),
-        "densities": ("<f8", (count,)),
-        "by_easting": ("<i8", (count,)),
     }
 
 

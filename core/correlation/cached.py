@@ -13,8 +13,6 @@ from .class_pyramid import (
     MAXIMUM_CHANNELS,
     STORED_REDUCTION,
     MapPyramid,
-    PyramidParts,
-    part_shapes,
     pyramid_parts,
 )
 from .settings import CorrelationSettings
@@ -45,16 +43,5 @@ def cached_pyramid(overview_hw: np.ndarray, frame: MapFrame, settings: Correlati
         return MapPyramid(overview_hw, frame, settings)
     overview_hw = np.ascontiguousarray(overview_hw)
     make = partial(pyramid_parts, overview_hw, settings.rarity_exponent)
-    fit = partial(_fit, shape_hw=(overview_hw.shape[0], overview_hw.shape[1]))
-    parts = load_or_build("pyramid", key_of(overview_hw, settings), make, fit)
+    parts = load_or_build("pyramid", key_of(overview_hw, settings), make)
     return MapPyramid(overview_hw, frame, settings, parts)
-
-
-def _fit(parts: PyramidParts, shape_hw: tuple[int, int]) -> bool:
-    """Return whether the arrays have the shapes and types of a pyramid for an overview of that shape."""
-    projection = parts.get("projection")
-    if projection is None or projection.ndim != 2 or len(projection) > MAXIMUM_CHANNELS:
-        return False
-    channels, classes = projection.shape
-    expected = part_shapes(shape_hw, classes, channels)
-    return {name: (array.dtype.str, array.shape) for name, array in parts.items()} == expected

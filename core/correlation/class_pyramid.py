@@ -166,7 +166,7 @@ PyramidParts = dict[str, np.ndarray]
 
 
 def pyramid_parts(labels_hw: np.ndarray, rarity_exponent: float) -> PyramidParts:
-    """Return the arrays of a pyramid that take time to compute, by name; see ``part_shapes`` for their types.
+    """Return the arrays of a pyramid that take time to compute, by name.
 
     Args:
         labels_hw: (H, W) uint8, a map's overview.
@@ -199,25 +199,6 @@ def _mean_energy(evidence: np.ndarray, known: np.ndarray) -> float:
     """Return the mean, over the labeled map, of the squared evidence, summed over channels."""
     labeled = known > 0.5
     return float((evidence[labeled] ** 2).sum(axis=1).mean()) if labeled.any() else 0.0
-
-
-def part_shapes(shape_hw: tuple[int, int], classes: int, channels: int) -> dict[str, tuple[str, tuple[int, ...]]]:
-    """Return type and shape of each array of the pyramid of an overview of that shape."""
-    shapes: dict[str, tuple[str, tuple[int, ...]]] = {
-        "values": ("|u1", (classes,)),
-        "usual": ("<f8", (classes,)),
-        "projection": ("<f4", (channels, classes)),
-        "energy": ("<f8", (1,)),
-    }
-    height, width = (-(-edge // STORED_REDUCTION) for edge in shape_hw)
-    number = 0
-    while channels and min(height, width) >= 1:
-        shapes[f"evidence_{number}"] = ("<f4", (height, width, channels))
-        shapes[f"known_{number}"] = ("<f4", (height, width))
-        if min(height, width) < 2:
-            break
-        height, width, number = -(-height // 2), -(-width // 2), number + 1
-    return shapes
 
 
 class MapPyramid:

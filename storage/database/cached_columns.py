@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
-from functools import partial
 
 from ...core.cache import Arrays, digest, load_or_build
 from ...core.database.model import MapLandmarks, Windows
@@ -20,12 +19,11 @@ FEWEST = 100_000
 Columns = tuple[Windows, MapLandmarks]
 
 
-def cached_columns(connection: Snapshot, vector_length: int, read: Callable[[], Columns]) -> Columns:
+def cached_columns(connection: Snapshot, read: Callable[[], Columns]) -> Columns:
     """Return windows and landmarks, of a large database from the cache.
 
     Args:
         connection: The database.
-        vector_length: Length of a topology vector.
         read: Reads and checks the rows. Its errors are passed on.
     """
     key = _key(connection)
@@ -40,7 +38,7 @@ def cached_columns(connection: Snapshot, vector_length: int, read: Callable[[], 
             if getattr(of_table, name) is not None
         }
 
-    arrays = load_or_build("columns", key, make, partial(_fit, vector_length=vector_length))
+    arrays = load_or_build("columns", key, make)
     windows, landmarks = (
         {name: arrays.get(f"{table}_{name}") for name in columns} for table, columns in _COLUMNS.items()
     )
@@ -61,39 +59,8 @@ def _key(connection: Snapshot) -> str | None:
     return digest([json.dumps([VERSION, connection.state]).encode(), repr(content).encode("utf-8")])
 
 
-_VECTOR = -1
-"""Placeholder for the length of a topology vector."""
-
 _COLUMNS = {
-    "windows": {
-        "first_pixels": ("<i8", 2),
-        "levels": ("<i8",),
-        "sizes": ("<f8",),
-        "centers": ("<f8", 2),
-        "counts": ("<i8",),
-        "vectors": ("<f4", _VECTOR),
-        "described": ("|b1",),
-        "distinctiveness": ("<f8",),
-    },
-    "landmarks": {
-        "positions": ("<f8", 2),
-        "classes": ("|u1",),
-        "areas_m2": ("<f8",),
-        "touches_edge": ("|b1",),
-    },
+    "windows": ("first_pixels", "levels", "sizes", "centers", "counts", "vectors", "described", "distinctiveness"),
+    "landmarks": ("positions", "classes", "areas_m2", "touches_edge"),
 }
-"""Data type and, for two dimensions, row length of each column."""
-
-
-def _fit(arrays: Arrays, vector_length: int) -> bool:
-    """Whether the arrays have the names, shapes and data types of columns."""
-    expected = {}
-    for table, columns in _COLUMNS.items():
-        first = arrays.get(f"{table}_{next(iter(columns))}")
-        count = 0 if first is None else len(first)
-        for name, (kind, *row) in columns.items():
-            lengths = [vector_length if length == _VECTOR else length for length in row]
-            expected[f"{table}_{name}"] = kind, (count, *lengths)
-    if set(arrays) != set(expected):
-        return False
-    return all((array.dtype.str, array.shape) == expected[name] for name, array in arrays.items())
+"""Cached columns by table."""

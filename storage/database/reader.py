@@ -95,8 +95,7 @@ def _read(connection: Snapshot, path: str, is_checked: bool = True, is_cached: b
                 require_unchanged(connection, shown_checksums(connection))
         return windows, landmarks
 
-    length = 3 * parameters.references_per_vector
-    windows, landmarks = cached_columns(connection, length, read) if is_cached else read()
+    windows, landmarks = cached_columns(connection, read) if is_cached else read()
     return ReferenceDatabase(windows, landmarks, table, parameters, path)
 
 

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from semref.core.constellation.index import (
+    _kind_of_codes,
     build_index,
     expand_ranges,
     key_ranges,
-    part_shapes,
     similar_triangles,
 )
 from semref.core.constellation.settings import CONSTELLATION
@@ -58,7 +58,7 @@ def test_objects_cut_by_the_edge_make_no_triangles(catalogue):
 
 @pytest.mark.parametrize("count", [10_000, 23_000_000, 24_000_000, 60_000_000])
 def test_the_code_of_the_last_triangle_fits_its_kind_whatever_the_number_of_landmarks(count):
-    kind = np.dtype(part_shapes(count, CONSTELLATION)["triangles"][0])
+    kind = np.dtype(_kind_of_codes(count, CONSTELLATION))
     last = count * len(neighbor_pairs(CONSTELLATION.limits.neighbors)) * len(ORDERS) - 1
     assert last <= np.iinfo(kind).max
     # Smaller codes use half the memory.

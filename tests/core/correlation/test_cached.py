@@ -9,7 +9,7 @@ import pytest
 
 from semref.core.correlation import cached
 from semref.core.correlation.cached import cached_pyramid
-from semref.core.correlation.class_pyramid import MapPyramid, part_shapes, pyramid_parts
+from semref.core.correlation.class_pyramid import MapPyramid
 from semref.core.correlation.settings import CORRELATION
 from semref.core.geometry.frame import MapFrame
 
@@ -92,12 +92,3 @@ def test_search_settings_do_not_change_the_pyramid(monkeypatch):
     loaded(overview())
     never_made(monkeypatch)
     assert loaded(overview(), replace(CORRELATION, candidates=7)).settings.candidates == 7
-
-
-@pytest.mark.parametrize("shape_hw", [(1, 1), (4, 4), (5, 3), (17, 64), (203, 310)])
-@pytest.mark.parametrize("classes", [0, 1, 4, 7])
-def test_the_kinds_of_its_parts_are_those_that_are_expected(shape_hw, classes):
-    labels = np.random.default_rng(1).integers(0, classes + 1, shape_hw).astype(np.uint8)
-    parts = pyramid_parts(labels, CORRELATION.rarity_exponent)
-    channels, found = parts["projection"].shape
-    assert {n: (a.dtype.str, a.shape) for n, a in parts.items()} == part_shapes(shape_hw, found, channels)
