@@ -63,7 +63,6 @@ LENGTH = 1e9  # Map units of a window or a stride; no map is larger.
 HEADER_BYTES = 1 << 20  # Of an onboard file's JSON header: 255 classes with names of 255 characters have 0.1 MB.
 NPY_HEADER_BYTES = 1024  # Of an array's header in NumPy's format; plain arrays have 128.
 STATE_BYTES = 256_000_000  # The state of a flight has some ten images of a few hundred pixels an edge.
-STATE_NUMBER = 1e12  # Every number of a state is smaller: meters, their squares, logarithms, pixels.
 LINK_LOG_SCALE = 10.0  # Pixel sizes of two images of a flight differ by at most 1 : 22,000.
 HELD_ROWS = 50_000  # Of a growing table: some 30 MB. The oldest rows above it are dropped.
 CACHE_BYTES = 16 << 30  # A database of 10⁷ landmarks and 10⁵ km² needs 5 GB. The least recently used files are removed.

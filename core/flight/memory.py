@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .. import limits
 from ..correlation.class_pyramid import EvidenceLevel, mirror_level
 from ..localization import Prior
 from .evidence import SeenImage
@@ -66,61 +65,23 @@ def pack(past: Past) -> dict[str, np.ndarray]:
     return arrays
 
 
-def checked_array(
-    arrays: Mapping[str, np.ndarray], name: str, *shape: int | None, above: float = -limits.STATE_NUMBER
-) -> np.ndarray:
-    """Return one of several arrays as float64, whatever its type of number.
-
-    Args:
-        arrays: By name.
-        *shape: Expected shape; None for an axis of any length.
-        above: Lower limit of the numbers, excluded.
-
-    Raises:
-        KeyError: The array is missing.
-        ValueError: It has another shape, or a number is not finite, too large or too small.
-    """
-    found = np.array(arrays[name])
-    fits = found.ndim == len(shape) and all(wanted in (None, n) for wanted, n in zip(shape, found.shape))
-    if not fits or found.dtype.kind not in "biuf" or not ((found > above) & (found <= limits.STATE_NUMBER)).all():
-        raise ValueError(f"{name} is invalid")
-    return found.astype(np.float64)
-
-
-def unpack(arrays: Mapping[str, np.ndarray], channels: int) -> Past:
-    """Return an image of the window from its arrays.
-
-    Args:
-        arrays: As of ``pack``.
-        channels: Channels of evidence.
-
-    Raises:
-        KeyError: An array is missing.
-        ParameterError: The link is invalid.
-        ValueError: An array is invalid.
-    """
-    edge_px, mean, spread, own_odds, weight = checked_array(arrays, "numbers", 5).tolist()
-    first, second, right, down, turn, log_scale, in_meters = checked_array(arrays, "link", 7).tolist()
-    source = list(LinkSource)[int(checked_array(arrays, "link_source", above=-1))]
-    known = as_rows(checked_array(arrays, "link_covariance", 4, 4))
+def unpack(arrays: Mapping[str, np.ndarray]) -> Past:
+    """Return an image of the window from its arrays, as of ``pack``."""
+    edge_px, mean, spread, own_odds, weight = arrays["numbers"].tolist()
+    first, second, right, down, turn, log_scale, in_meters = arrays["link"].tolist()
+    source, known = list(LinkSource)[int(arrays["link_source"])], as_rows(arrays["link_covariance"])
     link = Link(int(first), int(second), (right, down), turn, log_scale, known, source, bool(in_meters))
     evidence = None
     if "evidence" in arrays:
-        levels = checked_array(arrays, "evidence", None, None, channels).astype(np.float32)
-        labeled = checked_array(arrays, "known", *levels.shape[:2]).astype(np.float32)
-        pixel = checked_array(arrays, "pixel", 2, above=0).tolist()
-        evidence = EvidenceLevel(levels, labeled, (pixel[0], pixel[1]))
-    sizes = checked_array(arrays, "sizes", None, above=0).tolist()
-    heading = checked_array(arrays, "heading", None).tolist()
-    own = checked_array(arrays, "own", None)
-    place = checked_array(arrays, "position", 3).tolist() if "position" in arrays else None
-    if len(sizes) not in (0, 2) or len(own) not in (0, 4) or not (edge_px > 0 and spread > 0):
-        raise ValueError("an image is invalid")
+        evidence = EvidenceLevel(arrays["evidence"], arrays["known"], tuple(arrays["pixel"].tolist()))
+    place = arrays["position"].tolist() if "position" in arrays else None
+    heading, sizes = arrays["heading"].tolist(), arrays["sizes"].tolist()
     prior = Prior(
         None if place is None else (place[0], place[1]),
         None if place is None else place[2],
         heading[0] if heading else None,
-        float(checked_array(arrays, "heading_range", 1)[0]),
+        float(arrays["heading_range"][0]),
         (sizes[0], sizes[1]) if sizes else None,
     )
-    return Past(SeenImage(evidence, edge_px, (mean, spread), prior, own if len(own) else None, own_odds), link, weight)
+    own = arrays["own"] if len(arrays["own"]) else None
+    return Past(SeenImage(evidence, edge_px, (mean, spread), prior, own, own_odds), link, weight)

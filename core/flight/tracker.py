@@ -11,20 +11,19 @@ from typing import cast
 
 import numpy as np
 
-from .. import limits
 from ..errors import ParameterError
 from ..localization import Method, Prior, Status, log_odds_of, risk_of
 from ..localizer.localizer import Localizer, default_scales
 from ..sentences import Sentence
 from .evidence import SeenImage, best_poses, prepare_image
 from .measurement import Measurement, measure_near, shared_after, shared_variance
-from .memory import NOWHERE, Past, checked_array, pack, unpack
+from .memory import NOWHERE, Past, pack, unpack
 from .model import FlightImage, FlightPose
 from .motion import Link, LinkSource, as_rows
 from .pool import OWN_MOST, Pool, look_noise, new_pool, predict, prune, rival_of, same_place, update, with_past
 from .reported_pose import predicted, report_pose, unplaced
 from .settings import FLIGHT, FlightSettings
-from .smoothing import SIZE, Estimate, drift_of, first_estimate, soften, step_over, with_measurement
+from .smoothing import Estimate, drift_of, first_estimate, soften, step_over, with_measurement
 
 OVERLAP_SHARE = 0.35
 """Least weight of an image with hardly any new ground."""
@@ -140,31 +139,28 @@ class FlightTracker:
             state: Result of ``state``.
 
         Raises:
-            ParameterError: The state is invalid or of another version.
+            ParameterError: The state is of another version or of other settings.
         """
         tracker = cls(localizer, settings)
-        try:
-            counts = checked_array(state, "counts", 4, above=-2)
-            version, tracker._number, tracker.track, count = (int(value) for value in counts)
-            if version != STATE_VERSION:
-                raise ParameterError(
-                    "The saved state of the flight has version {version}; this SemRef reads version {known}.",
-                    version=version,
-                    known=STATE_VERSION,
-                )
-            tracker.risk, tracker._shared_m2 = checked_array(state, "numbers", 2, above=-1e-9).tolist()
-            tracker._pool, tracker._mirror, tracker._rival = (
-                _saved_pool(state, name, settings) for name in ("pool", "mirror", "rival")
+        version, tracker._number, tracker.track, count = (int(value) for value in state["counts"])
+        if version != STATE_VERSION or count >= settings.window:
+            raise ParameterError(
+                "The saved state of the flight has version {version}; this SemRef reads version {known}.",
+                version=version,
+                known=STATE_VERSION,
             )
-            tracker._held, tracker._lost = (_saved_estimate(state, name) for name in ("held", "lost"))
-            if tracker._number >= 0:
-                if not 0 <= count < settings.window:
-                    raise ValueError("the window has another size")
-                channels = localizer.pyramid.space.channels
-                remembered = [_part(state, f"past{number}_") for number in range(count + 1)]
-                *tracker._past, tracker._latest = [unpack(arrays, channels) for arrays in remembered]
-        except (KeyError, ValueError, IndexError, OverflowError) as error:
-            raise ParameterError("The saved state of the flight can't be read.") from error
+        tracker.risk, tracker._shared_m2 = state["numbers"].tolist()
+        tracker._pool, tracker._mirror, tracker._rival = (
+            Pool(*(state[f"{name}_{part}"] for part in ("states", "variances", "evidence")))
+            for name in ("pool", "mirror", "rival")
+        )
+        tracker._held, tracker._lost = (
+            Estimate(state[f"{name}_mean"], state[f"{name}_covariance"]) if f"{name}_mean" in state else None
+            for name in ("held", "lost")
+        )
+        if tracker._number >= 0:
+            remembered = [_part(state, f"past{number}_") for number in range(count + 1)]
+            *tracker._past, tracker._latest = map(unpack, remembered)
         return tracker
 
     def _begin(self) -> None:
@@ -387,29 +383,3 @@ class FlightTracker:
 def _part(state: Mapping[str, np.ndarray], prefix: str) -> dict[str, np.ndarray]:
     """Return the arrays with a prefix, by the rest of their names."""
     return {name[len(prefix) :]: np.array(value) for name, value in state.items() if name.startswith(prefix)}
-
-
-def _require_sizes(states: np.ndarray) -> None:
-    """Raise ValueError for states (n, 4 or more) with an impossible pixel size."""
-    if (np.abs(states[:, 3]) > limits.LINK_LOG_SCALE).any():
-        raise ValueError("a pixel size is invalid")
-
-
-def _saved_estimate(state: Mapping[str, np.ndarray], name: str) -> Estimate | None:
-    """Return an estimate of a saved state; raises KeyError or ValueError for an invalid one."""
-    if f"{name}_mean" not in state:
-        return None
-    mean = checked_array(state, f"{name}_mean", SIZE)
-    _require_sizes(mean[None])
-    return Estimate(mean, checked_array(state, f"{name}_covariance", SIZE, SIZE))
-
-
-def _saved_pool(state: Mapping[str, np.ndarray], name: str, settings: FlightSettings) -> Pool:
-    """Return the hypotheses of a saved state; raises KeyError or ValueError for invalid ones."""
-    states = checked_array(state, f"{name}_states", None, 4)
-    _require_sizes(states)
-    count = len(states)
-    if count > settings.hypotheses:
-        raise ValueError("there are too many hypotheses")
-    variances = checked_array(state, f"{name}_variances", count, 3, above=-1e-9)
-    return Pool(states, variances, checked_array(state, f"{name}_evidence", count, settings.window))

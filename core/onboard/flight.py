@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import json
 import logging
-import math
 import os
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, field
@@ -18,7 +17,6 @@ import numpy as np
 
 from .. import limits
 from ..errors import ParameterError, reason_of
-from ..flight.memory import checked_array
 from ..flight.model import FlightImage, PoseSource
 from ..flight.motion import Link
 from ..flight.pixel_features import Features, features_of
@@ -27,7 +25,7 @@ from ..flight.settings import FLIGHT, FlightSettings
 from ..flight.tracker import FlightTracker
 from ..pipeline import ImageResult
 from ..tables import stem_of
-from ..values import checked, read_json
+from ..values import read_json
 from .format import export_date
 from .image_records import ImageFinder, time_of
 from .log import log_event
@@ -176,26 +174,19 @@ class FlightFinder(ImageFinder):
             ParameterError: The file is not a state, or belongs to another database.
         """
         arrays = state.read()
-        try:
-            header = read_json(arrays["header"].tobytes().decode("utf-8"), limits.HEADER_BYTES)
-            is_ours = header["format"] == FORMAT and header["version"] == VERSION
-            known_hash, after = header["content_hash"], header["after"]
-            if after is not None:
-                after = checked(after[0], int, "a time"), checked(after[1], str, "a name")
-            first_s, taken_s = (_time(value) for value in header["times_s"])
-            newest = None if header["newest"] is None else export_date(header["newest"])
-        except (KeyError, TypeError, ValueError, IndexError, RecursionError, AttributeError) as error:
-            raise state.not_ours() from error
-        if not is_ours:
+        header = read_json(arrays["header"].tobytes().decode("utf-8"), limits.HEADER_BYTES)
+        if header["format"] != FORMAT or header["version"] != VERSION:
             raise state.not_ours()
+        known_hash, after = header["content_hash"], header["after"]
+        newest = None if header["newest"] is None else export_date(header["newest"])
         self._compare_dates(newest)
         if known_hash != self.onboard.content_hash:
             raise ParameterError("{path} is the state of a flight with another database.", path=state.path)
         prefix = "tracker_"
         saved = {name[len(prefix) :]: value for name, value in arrays.items() if name.startswith(prefix)}
         self.tracker = tracker = FlightTracker.from_state(self.pipeline.localizer, saved, self.settings)
-        self.features, self.after = _features(arrays), after
-        self.cameras.first_s, self.taken_s = first_s, taken_s
+        self.features, self.after = _features(arrays), None if after is None else (after[0], after[1])
+        self.cameras.first_s, self.taken_s = header["times_s"]
         return tracker
 
     def _compare_dates(self, newest: datetime | None) -> None:
@@ -213,24 +204,9 @@ class FlightFinder(ImageFinder):
         )
 
 
-def _time(value: object) -> float | None:
-    """Return seconds or None; raises ValueError for anything else."""
-    if value is None:
-        return None
-    seconds = float(checked(value, (int, float), "a time"))
-    if not math.isfinite(seconds):
-        raise ValueError(seconds)
-    return seconds
-
-
 def _features(arrays: dict[str, np.ndarray]) -> Features | None:
-    """Return the features of the latest image; None if they are invalid: then pixels do not link the next image."""
-    try:
-        picture = checked_array(arrays, "features_picture", None, None).astype(np.uint8)
-        points = checked_array(arrays, "features_points", None, 2)
-        described = checked_array(arrays, "features_descriptors", len(points), 32).astype(np.uint8)
-        known = checked_array(arrays, "features_known", *picture.shape) if "features_known" in arrays else None
-        scale = float(checked_array(arrays, "features_scale", above=0))
-        return Features(picture, points, described, None if known is None else known > 0, scale)
-    except (KeyError, ValueError):
+    """Return the features of the latest image; None without any."""
+    if "features_picture" not in arrays:
         return None
+    picture, points, described = (arrays[f"features_{name}"] for name in ("picture", "points", "descriptors"))
+    return Features(picture, points, described, arrays.get("features_known"), float(arrays["features_scale"]))

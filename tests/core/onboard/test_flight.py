@@ -7,7 +7,6 @@ import io
 import json
 import math
 import os
-import pickle
 import shutil
 import subprocess
 import sys
@@ -19,7 +18,6 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-from numpy.lib.format import write_array_header_1_0
 from onboard_area import MAP, SIZE, write_area
 
 from semref.core.geometry.camera import Camera, Lens
@@ -243,51 +241,14 @@ def write_arrays(state, arrays):
     file.write(file.pack(arrays))
 
 
-def npy(shape, kind="|u1", data=b"x"):
-    file = io.BytesIO()
-    write_array_header_1_0(file, {"descr": kind, "fortran_order": False, "shape": shape})
-    return file.getvalue() + data
-
-
 def header(**values):
     known = {"format": FORMAT, "version": VERSION, "content_hash": "", "after": [1, "a"]}
     text = json.dumps({**known, "times_s": [None, None], "newest": None, **values}).encode()
-    return npy((len(text),), data=text)
+    return np.frombuffer(text, np.uint8)
 
 
-@pytest.mark.parametrize(
-    ("method", "data"),
-    [
-        (zipfile.ZIP_STORED, npy((10**12,))),
-        (zipfile.ZIP_DEFLATED, npy((10**9,), data=bytes(10**5))),
-        (zipfile.ZIP_LZMA, npy((1,))),
-        (zipfile.ZIP_STORED, npy((1,), "|O", pickle.dumps(1))),
-        (zipfile.ZIP_STORED, npy((2, -1))),
-        (zipfile.ZIP_STORED, npy((5,), data=b"[" * 5)),
-        (zipfile.ZIP_STORED, npy((50_000,), data=b"[" * 50_000)),
-        (zipfile.ZIP_STORED, header(after=[math.inf, "a"])),
-        (zipfile.ZIP_STORED, header(after=["a"])),
-        (zipfile.ZIP_STORED, header(version=VERSION - 1)),
-        (zipfile.ZIP_STORED, header(newest="2026-01-01")),
-        (zipfile.ZIP_STORED, npy((2,), data=b"[]")),
-    ],
-    ids=[
-        "1 TB",
-        "deflated",
-        "LZMA",
-        "pickle",
-        "negative",
-        "no JSON",
-        "deep JSON",
-        "endless",
-        "after",
-        "version",
-        "date",
-        "list",
-    ],
-)
-def test_a_hostile_state_is_reported(watch, tmp_path, method, data, capsys):
-    zipped(tmp_path / "flight.npz", method, header=data)
+def test_a_state_of_another_version_is_not_used(watch, tmp_path, capsys):
+    write_arrays(tmp_path / "flight.npz", {"header": header(version=VERSION - 1)})
     assert watch("--state", str(tmp_path / "flight.npz"))[1] == []
     told = json.loads(capsys.readouterr().err.splitlines()[0])
     assert told["event"] == "flight_state_not_used" and "not the state of a flight" in told["reason"]
@@ -387,18 +348,6 @@ def test_the_secret_of_a_user_is_private_and_another_user_s_state_is_not_used(wa
     watch("--state", str(flown))
     (told,) = events(capsys)
     assert told["event"] == "flight_state_not_used" and "secret of this user" in told["reason"]
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("kind", ["g", ">i8", "?"])
-def test_other_types_of_numbers_in_a_state_are_numbers(watch, flown, capsys, kind):
-    """Long doubles made every later image an error, because linear algebra refuses them."""
-    arrays = arrays_of(flown)
-    header = arrays.pop("header")
-    write_arrays(flown, {"header": header, **{name: np.clip(a, 0, 9999).astype(kind) for name, a in arrays.items()}})
-    _, records = watch("--state", str(flown))
-    assert records and "error" not in [record["status"] for record in records]
-    assert "traceback" not in capsys.readouterr().err
 
 
 @pytest.mark.slow
