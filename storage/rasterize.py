@@ -21,7 +21,6 @@ from .label_map_file import TILE_ROWS, LabelMapFile
 
 if TYPE_CHECKING:
     from ..core.annotation.check import DrawnRegion
-    from ..core.geometry.frame import MapFrame
 
 STRIP_PIXELS = 16_000_000
 """Pixels per strip."""

@@ -7,6 +7,7 @@ QGIS shows it under Properties ▸ Metadata and Information. It is stored in ``g
 from __future__ import annotations
 
 import contextlib
+import os
 import sqlite3
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
@@ -25,7 +26,6 @@ from qgis.core import (
     QgsProviderRegistry,
     QgsVectorLayer,
 )
-from qgis.PyQt.QtXml import QDomDocument
 
 from ...core import limits
 from ...storage.replaceable import MARK_OF_NOTE
@@ -34,9 +34,6 @@ from ..translation import tr
 
 _QGIS_STANDARD = "http://mrcc.com/qgis.dtd"
 """Standard of QGIS's metadata in a GeoPackage."""
-
-_STEPS_TO_READ = 200_000
-"""Limit of SQLite's steps; reading metadata takes some hundred, unless a file was made to be slow."""
 
 _LONGEST_COMMAND = 20_000
 """Characters of a command; the command of a run may name thousands of images."""
@@ -133,7 +130,8 @@ def _inputs(
             layer = one if isinstance(one, QgsMapLayer) else None
             if isinstance(one, str) and one and definition.type() != "file":
                 layer = QgsProcessingUtils.mapLayerFromString(one, context, False)
-            known = _of_layer(layer) if layer is not None else _of_file(one) if isinstance(one, str) else None
+            source = f"{one}|layername={WINDOWS}" if definition.type() == "file" else one
+            known = _of_layer(layer) if layer is not None else _of_file(source) if isinstance(one, str) else None
             if known is not None:
                 # The metadata of a database belong to one of its layers, so use the name of the file.
                 title = "" if definition.type() == "file" else known.title()
@@ -147,45 +145,18 @@ def _of_layer(layer: QgsMapLayer) -> QgsLayerMetadata:
 
 
 def _of_file(source: str) -> QgsLayerMetadata | None:
-    """Return the metadata that QGIS stored for a file, or None."""
-    text = _metadata_text(source)
-    document, known = QDomDocument(), QgsLayerMetadata()
-    # Qt 6.5 and later return another type, which is also false for invalid XML.
-    if not text or not document.setContent(text) or not known.readMetadataXml(document.documentElement()):
+    """Return the metadata of a layer in a GeoPackage, or in the .qmd file beside another file; None without any."""
+    path = source.partition("|")[0]
+    if path.lower().endswith(".gpkg"):
+        options = QgsVectorLayer.LayerOptions(loadDefaultStyle=False)
+        layer = QgsVectorLayer(source, "", "ogr", options) if os.path.isfile(path) else None
+        return layer.metadata() if layer is not None and layer.isValid() else None
+    beside = os.path.splitext(path)[0] + ".qmd"
+    # A layer in memory reads the file as any other layer does.
+    layer = QgsVectorLayer("Point", "", "memory")
+    if not os.path.isfile(beside) or os.path.getsize(beside) > limits.METADATA_BYTES:
         return None
-    return known
-
-
-def _metadata_text(source: str) -> str:
-    """Return QGIS's metadata XML of a file, from its .qmd file or its GeoPackage; empty without one.
-
-    Args:
-        source: Path of the file, for a layer of a GeoPackage with ``|layername=NAME``; otherwise the first metadata
-            count.
-    """
-    path, _, rest = source.partition("|")
-    with contextlib.suppress(OSError, ValueError, sqlite3.Error):
-        if path.lower().endswith(".gpkg") and Path(path).is_file():
-            return _note_in_geopackage(path, rest.partition("layername=")[2].partition("|")[0])
-        beside = Path(path).with_suffix(".qmd")
-        if beside.is_file() and beside.stat().st_size <= limits.METADATA_BYTES:
-            return beside.read_text(encoding="utf-8")
-    return ""
-
-
-def _note_in_geopackage(path: str, table: str) -> str:
-    """Return the metadata XML of a table, or the first one without a name. Raises sqlite3.Error, ValueError."""
-    uri = f"{Path(path).resolve().as_uri()}?mode=ro&immutable=1"
-    with contextlib.closing(sqlite3.connect(uri, uri=True)) as connection:
-        connection.execute("PRAGMA trusted_schema=OFF")
-        connection.set_progress_handler(lambda: 1, _STEPS_TO_READ)
-        row = connection.execute(
-            "SELECT m.metadata FROM gpkg_metadata m JOIN gpkg_metadata_reference r ON r.md_file_id = m.id "
-            "WHERE m.md_standard_uri = ? AND length(m.metadata) <= ? AND (? = '' OR r.table_name = ?) "
-            "ORDER BY m.id LIMIT 1",
-            (_QGIS_STANDARD, limits.METADATA_BYTES, table, table),
-        ).fetchone()
-    return str(row[0]) if row else ""
+    return layer.metadata() if layer.loadNamedMetadata(beside)[1] else None
 
 
 def save_in_file(destination: str, layer: QgsMapLayer, note: Note) -> bool:
