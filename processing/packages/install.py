@@ -272,25 +272,14 @@ def proxy_url(proxy: QNetworkProxy) -> str:
     return bytes(url.toEncoded()).decode("ascii")
 
 
-_NETWORK_TROUBLE = re.compile("NewConnectionError|ConnectTimeout|ReadTimeout|NameResolutionError|Retrying \\(Retry")
+_NETWORK_TROUBLE = re.compile(
+    "NewConnectionError|ConnectTimeout|ReadTimeout|NameResolutionError|Retrying \\(Retry|Proxy|SOCKS|CERTIFICATE_VERIFY"
+)
 
 
 def why_pip_failed(requirement: str, output: str, wheels: str) -> Sentence:
     """Return one sentence about pip's output."""
     python = f"{sys.version_info[0]}.{sys.version_info[1]}"
-    if "SOCKS support" in output:
-        return Sentence(
-            "pip cannot use the SOCKS proxy of QGIS. Set an HTTP proxy or no proxy under Settings ▸ Options ▸ Network."
-        )
-    if "ProxyError" in output or "Proxy Authentication Required" in output:
-        return Sentence(
-            "The proxy cannot be used. Check it under Settings ▸ Options ▸ Network, or install from a folder of wheels."
-        )
-    if "CERTIFICATE_VERIFY_FAILED" in output:
-        return Sentence(
-            "The certificate of the package index is not trusted. Ask your network administrator how pip is set up, "
-            "or install from a folder of wheels."
-        )
     if "DO NOT MATCH THE HASHES" in output or "--require-hashes mode" in output:
         return Sentence(
             "The package index sent a different file for {package} than the one tested with SemRef. Nothing was "
@@ -301,8 +290,9 @@ def why_pip_failed(requirement: str, output: str, wheels: str) -> Sentence:
         return Sentence("The disk is full: {folder} needs about 500 MB. Free some space.", folder=components_folder())
     if _NETWORK_TROUBLE.search(output):
         return Sentence(
-            "The package index cannot be reached. Check the network and Settings ▸ Options ▸ Network, or install from "
-            "a folder of wheels."
+            "The package index cannot be reached ({reason}). Check network, proxy and certificates under Settings ▸ "
+            "Options ▸ Network, or install from a folder of wheels.",
+            reason=last_error(output),
         )
     if "No matching distribution" in output and wheels:
         return Sentence(

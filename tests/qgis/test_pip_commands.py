@@ -92,9 +92,9 @@ def test_the_proxy_is_that_of_qgis(proxy, url):
     [
         ("", "pip could not install a<2"),
         ("WARNING: Retrying (Retry(total=4 …))\nERROR: No matching distribution found for a<2", "cannot be reached"),
-        ("ProxyError('Cannot connect to proxy.')", "proxy cannot be used"),
-        ("CERTIFICATE_VERIFY_FAILED", "is not trusted"),
-        ("ERROR: Missing dependencies for SOCKS support.", "SOCKS proxy"),
+        ("ProxyError('Cannot connect to proxy.')", "cannot be reached"),
+        ("CERTIFICATE_VERIFY_FAILED", "cannot be reached"),
+        ("ERROR: Missing dependencies for SOCKS support.", "cannot be reached"),
         ("OSError: [Errno 28] No space left on device", "disk is full"),
         ("ERROR: No matching distribution found for a<2", "The package index contains no a<2"),
         (
