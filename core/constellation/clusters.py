@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .index import expand_ranges
+from .index import ascending_order, expand_ranges
 
 CELL_OF_IMAGE = 0.04
 """Cell size for positions, as a share of the image's diagonal on the ground. Set by hand."""
@@ -142,8 +142,9 @@ def _cell_means(
     poses, key = _in_full_cells(portions, lattice, count)
     if not len(poses):
         return *(np.empty(0, complex),) * 3, np.empty(0, np.int64)
-    order = np.argsort(key, kind="stable")
-    starts = np.flatnonzero(np.concatenate([[True], np.diff(key[order]) != 0]))
+    order = ascending_order(key)
+    ordered = key[order]
+    starts = np.flatnonzero(np.concatenate([[True], ordered[1:] != ordered[:-1]]))
     votes = np.diff(np.append(starts, len(order)))
     best = _fullest(votes, count)
     starts, votes = starts[best], votes[best]

@@ -108,9 +108,9 @@ class ConstellationIndex:
 
     def within(self, low: complex, high: complex) -> np.ndarray:
         """Return (M,) landmarks in the box between two corners."""
-        first, last = np.searchsorted(self.eastings, (low.real, high.real))
+        first, last = self.eastings.searchsorted((low.real, high.real))
         found = self.by_easting[first:last]
-        northings = self.points.imag[found]
+        northings = self.points.imag.take(found)
         return found[(northings >= low.imag) & (northings <= high.imag)]
 
     def rank_of(self, classes: np.ndarray) -> np.ndarray:
@@ -261,22 +261,31 @@ def key_ranges(
         (R,) given triangle, (R,) first and (R,) last + 1 triangle of the index; no range is empty.
     """
     low, high = quantize(numbers - tolerances), quantize(numbers + tolerances)
-    spans = high - low + 1
+    spans = (high - low + 1).astype(np.int32)
     # Cells of the last number are adjacent in the index; all combinations of the others are counted up like digits.
     each = spans[:, :-1].prod(axis=1)
     which = np.repeat(np.arange(len(numbers)), each)
-    counted = np.arange(len(which)) - np.repeat(np.cumsum(each) - each, each)
+    counted = (np.arange(len(which)) - np.repeat(np.cumsum(each) - each, each)).astype(np.int32)
     first_key = cell_keys(ranks, len(index.class_values), low)[which]
     for column in reversed(range(len(CELLS) - 1)):
         counted, step = np.divmod(counted, spans[which, column])
-        first_key += (step * int(CELLS[column + 1 :].prod())).astype(np.uint32)
+        first_key += step.view(np.uint32) * np.uint32(CELLS[column + 1 :].prod())
     last_key = first_key + (spans[which, -1] - 1).astype(np.uint32)
     # Ascending keys are found several times faster, because successive searches use the same cached memory.
-    order = np.argsort(first_key)
+    order = ascending_order(first_key)
     first = np.searchsorted(index.keys, first_key[order], side="left")
     last = np.searchsorted(index.keys, last_key[order], side="right")
     some = last > first
     return which[order][some], first[some], last[some]
+
+
+def ascending_order(keys: np.ndarray) -> np.ndarray:
+    """Return (H,) the stable order of integers (H,), none negative. NumPy sorts 16 bits at a time much faster."""
+    order = np.argsort(keys.astype(np.uint16), kind="stable")
+    for shift in range(16, int(keys.max(initial=0)).bit_length(), 16):
+        digits = (keys >> keys.dtype.type(shift)).astype(np.uint16)
+        order = order[np.argsort(digits[order], kind="stable")]
+    return order
 
 
 def expand_ranges(first: np.ndarray, last: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,6 +9,7 @@ import numpy as np
 from ..geometry.pose import Pose
 from .hypotheses import SeenLandmarks
 from .index import ConstellationIndex
+from .neighbors import SteppedMatcher
 from .settings import NoiseModel
 
 NOISE_FACTORS = (0.5, 3.0)
@@ -51,17 +51,35 @@ def center_noise(log_areas_px: np.ndarray, pixel_size: np.ndarray | float, noise
     return pixel_size * np.hypot(noise.center_noise_px, noise.center_noise_in_sizes * np.exp(log_areas_px / 2))
 
 
-def places_on_map(query: SeenLandmarks, poses: Sequence[Pose]) -> np.ndarray:
-    """Return (S, n) complex: map positions of the image's landmarks at each of S poses."""
-    return np.array([pose.on_map(query.points) for pose in poses])
+class PoseMatcher:
+    """Matches an image's landmarks at S poses that move step by step, with the assumed deviations."""
 
+    def __init__(self, index: ConstellationIndex, query: SeenLandmarks, count: int) -> None:
+        """Match nothing yet.
 
-def nearest_objects(index: ConstellationIndex, query: SeenLandmarks, poses: Sequence[Pose]) -> Nearest:
-    """Return what is nearest to the image's landmarks at each of S poses, (S, n), with the assumed deviations."""
-    distances, objects = index.matcher.match(places_on_map(query, poses), query.ranks)
-    sizes = np.array([abs(pose.turn) for pose in poses])
-    noise = center_noise(query.log_areas, sizes[:, None], index.settings.noise)
-    return Nearest(distances.astype(np.float64), objects, noise)
+        Args:
+            count: Number of poses.
+        """
+        self._query, self._noise = query, index.settings.noise
+        self._matcher = SteppedMatcher(index.matcher, query.ranks, count)
+
+    def match(
+        self, poses: Pose, factors: np.ndarray, beyond: float = 0.0, which: np.ndarray | None = None
+    ) -> tuple[Nearest, np.ndarray]:
+        """Return the nearest landmarks, exact for distances up to the ends of matches, and these ends (S, n).
+
+        Args:
+            poses: Stack of S poses.
+            factors: (S, 1) ratio of the noise to the assumed one.
+            beyond: Largest residual beyond the noise, pixels.
+            which: (S,) numbers of the poses among all of the matcher; None for all.
+        """
+        sizes = poses.pixel_size
+        deviations = center_noise(self._query.log_areas, sizes, self._noise)
+        ends = beyond * sizes + self._noise.gate_in_noise * factors * deviations
+        reach = ends.max(axis=1, keepdims=True)
+        distances, objects = self._matcher.match(poses.on_map(self._query.points), reach, which)
+        return Nearest(distances.astype(np.float64), objects, deviations), ends
 
 
 def matched_within(nearest: Nearest, ends: np.ndarray) -> np.ndarray:
@@ -73,10 +91,11 @@ def matched_within(nearest: Nearest, ends: np.ndarray) -> np.ndarray:
     near = nearest.distances <= ends.max(axis=1, keepdims=True)
     rows, columns = np.nonzero(near & (nearest.objects >= 0))
     distances, objects = nearest.distances[rows, columns], nearest.objects[rows, columns]
-    order = np.lexsort((distances, objects, rows))
-    rows, columns, objects = rows[order], columns[order], objects[order]
+    pairs = rows * (int(objects.max(initial=0)) + 1) + objects
+    order = np.lexsort((distances, pairs))
+    rows, columns, pairs = rows[order], columns[order], pairs[order]
     first = np.ones(len(order), bool)
-    first[1:] = (objects[1:] != objects[:-1]) | (rows[1:] != rows[:-1])
+    first[1:] = pairs[1:] != pairs[:-1]
     best = np.zeros(nearest.objects.shape, bool)
     best[rows[first], columns[first]] = True
     return best & (nearest.distances <= ends)
@@ -99,9 +118,8 @@ def noise_factor(residuals: np.ndarray, fitted: int) -> np.ndarray:
     """
     count = np.isfinite(residuals).sum(axis=-1)
     ordered = np.sort(residuals, axis=-1)
-    low, high = (
-        np.take_along_axis(ordered, place[..., None], axis=-1)[..., 0] for place in ((count - 1) // 2, count // 2)
-    )
+    first = np.arange(count.size).reshape(count.shape) * residuals.shape[-1]
+    low, high = (ordered.take(first + place) for place in ((count - 1) // 2, count // 2))
     measured = ((low + high) / 2 / MEDIAN_OF_RAYLEIGH) ** 2 * 2 * count / np.maximum(2 * count - fitted, 1)
     assumed = ASSUMED_MATCHES
     return np.clip(np.sqrt((count * measured + assumed) / (count + assumed)), *NOISE_FACTORS)

@@ -54,9 +54,11 @@ class ClassMatcher:
         objects = np.full(places.shape, -1, np.int64)
         for rank in np.flatnonzero(np.bincount(ranks + 1)[1:]).tolist():
             members, tree = self._tree(rank)
-            chosen = np.flatnonzero(np.broadcast_to(wanted & (ranks == rank), places.shape))
-            if not len(members) or not len(chosen):
+            columns = np.flatnonzero(ranks == rank)
+            rows, of_columns = np.nonzero(np.broadcast_to(wanted, places.shape)[:, columns])
+            if not len(members) or not len(rows):
                 continue
+            chosen = rows * len(ranks) + columns[of_columns]
             found, squared = tree.knnSearch(as_float32(places.take(chosen)), 1, params={"checks": -1})
             distances.put(chosen, np.sqrt(squared))
             objects.put(chosen, members[found])
@@ -73,33 +75,38 @@ class ClassMatcher:
 class SteppedMatcher:
     """Matches points that move step by step: a point that is still too far from everything is not matched again."""
 
-    def __init__(self, matcher: ClassMatcher, ranks: np.ndarray) -> None:
+    def __init__(self, matcher: ClassMatcher, ranks: np.ndarray, count: int) -> None:
         """Match nothing yet.
 
         Args:
             matcher: Of the landmarks.
             ranks: (n,) int, −1 for unknown classes.
+            count: Number of sets of points.
         """
         self._matcher, self._ranks = matcher, ranks
-        self._places: np.ndarray | complex = 0j
-        self._least: np.ndarray | float = -np.inf
+        self._places = np.zeros((count, len(ranks)), complex)
+        self._least = np.full((count, len(ranks)), -np.inf)
 
-    def match(self, places: np.ndarray, reach: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def match(
+        self, places: np.ndarray, reach: np.ndarray, which: np.ndarray | None = None
+    ) -> tuple[np.ndarray, np.ndarray]:
         """Return the nearest landmark of the same class for each point, exact where it is within a distance.
 
         Args:
             places: (S, n) complex, the same points as before after a step.
             reach: Largest distance of interest, broadcastable to (S, n).
+            which: (S,) numbers of these sets of points; None for all.
 
         Returns:
             (S, n) float32 distances and (S, n) int64 landmarks. Of points without a landmark within ``reach`` some have
             inf and −1, the others their nearest one.
         """
         # No landmark is nearer than before by more than the step; rounding to 32 bits adds a little.
-        least = self._least - np.abs(places - self._places)
+        rows = slice(None) if which is None else which
+        least = self._least[rows] - np.abs(places - self._places[rows])
         wanted = least <= reach + ROUNDING * np.abs(places).max(initial=0)
         distances, objects = self._matcher.match(places, self._ranks, wanted)
-        self._places, self._least = places, np.where(wanted, distances, least)
+        self._places[rows], self._least[rows] = places, np.where(wanted, distances, least)
         return distances, objects
 
 

@@ -126,7 +126,7 @@ def _worth_a_trial(
     best = 0.0
     for number in np.argsort(-scores, kind="stable").tolist():
         on_map = centers[number] + turns[number] * query.points
-        if tried and (_distances(on_map, tried) < 2.0 * abs(turns[number])).any():
+        if tried and (_distances(on_map, np.array(tried)) < 2.0 * abs(turns[number])).any():
             continue
         if tried and scores[number] < limits.rough_share * best:
             break
@@ -151,14 +151,15 @@ def tilted_poses(
     found = Found(query, settings.decision, level)
     if strongest.log_odds > 0:
         focus = complex(telling.points[strongest.matched].mean()) if len(strongest.matched) else 0j
-        tilted = verify_tilted(verifier, telling, strongest.pose, focus)
+        (tilted,) = verify_tilted(verifier, telling, [strongest.pose], [focus])
         found.add(tilted)
         if _is_as_good(tilted, strongest, settings.decision):
             return found.best_first
     if not _agrees(strongest, settings.decision):
-        for number in range(min(settings.limits.tilted_verified, len(seeds.centers))):
-            pose = Pose(complex(seeds.centers[number]), complex(seeds.turns[number]))
-            found.add(verify_tilted(verifier, telling, pose, complex(seeds.focuses[number])))
+        some = slice(settings.limits.tilted_verified)
+        poses = [Pose(*numbers) for numbers in zip(seeds.centers[some].tolist(), seeds.turns[some].tolist())]
+        for evidence in verify_tilted(verifier, telling, poses, seeds.focuses[some].tolist()):
+            found.add(evidence)
     return found.best_first
 
 
@@ -172,7 +173,9 @@ class Found:
     def __init__(self, query: SeenLandmarks, decision: Decision, poses: Sequence[PoseEvidence] = ()) -> None:
         self._query, self._decision = query, decision
         self.poses = list(poses)
-        self._on_map = [evidence.pose.on_map(query.points) for evidence in poses]
+        self._on_map = np.array([evidence.pose.on_map(query.points) for evidence in poses])
+        self._noise = np.array([evidence.noise for evidence in poses])
+        self._is_level = np.array([evidence.pose.is_level for evidence in poses], bool)
 
     @property
     def best_first(self) -> list[PoseEvidence]:
@@ -189,26 +192,28 @@ class Found:
         same = self._at_its_place(evidence, on_map)
         better = evidence.log_odds - (0 if evidence.pose.is_level else self._decision.tilted_margin)
         if all(better > self.poses[number].log_odds for number in np.flatnonzero(same)):
-            others = np.flatnonzero(~same)
-            self.poses = [*(self.poses[number] for number in others), evidence]
-            self._on_map = [*(self._on_map[number] for number in others), on_map]
+            others = ~same
+            self.poses = [*(other for other, is_other in zip(self.poses, others) if is_other), evidence]
+            self._on_map = np.concatenate([self._on_map[others], on_map[None]]) if len(same) else on_map[None]
+            self._noise = np.append(self._noise[others], evidence.noise)
+            self._is_level = np.append(self._is_level[others], evidence.pose.is_level)
 
     def _at_its_place(self, evidence: PoseEvidence, on_map: np.ndarray) -> np.ndarray:
         """Return (k,) bool: poses that map the image's landmarks to the same points, within their noise."""
         if not self.poses:
             return np.zeros(0, bool)
-        noise = np.maximum([other.noise for other in self.poses], evidence.noise)
+        noise = np.maximum(self._noise, evidence.noise)
         size = abs(evidence.pose.turn)
         reach = np.maximum(SAME_PLACE_IN_NOISE * noise, 2.0 * size)
         of_tilt = SAME_TILTED_PLACE * self._query.diagonal * size
-        is_tilted = [not (evidence.pose.is_level and other.pose.is_level) for other in self.poses]
-        reach = np.where(is_tilted, np.maximum(reach, of_tilt), reach)
+        is_level = self._is_level & evidence.pose.is_level
+        reach = np.where(is_level, reach, np.maximum(reach, of_tilt))
         return _distances(on_map, self._on_map) < reach
 
 
-def _distances(on_map: np.ndarray, others: list[np.ndarray]) -> np.ndarray:
-    """Return (k,) median distance on the map between an image's landmarks (n,) and those at each of k other poses."""
-    ordered = np.sort(np.abs(np.array(others) - on_map), axis=1)
+def _distances(on_map: np.ndarray, others: np.ndarray) -> np.ndarray:
+    """Return (k,) median distance on the map between an image's landmarks (n,) and those at k other poses (k, n)."""
+    ordered = np.sort(np.abs(others - on_map), axis=1)
     count = ordered.shape[1]
     return (ordered[:, (count - 1) // 2] + ordered[:, count // 2]) / 2
 

@@ -102,7 +102,7 @@ def matches_at(
     (evidence,) = verify(verifier, telling, [pose])
     if len(evidence.matched):
         focus = complex(telling.points[evidence.matched].mean())
-        tilted = verify_tilted(verifier, telling, pose, focus)
+        (tilted,) = verify_tilted(verifier, telling, [pose], [focus])
         evidence = tilted if tilted.log_odds > evidence.log_odds + settings.decision.tilted_margin else evidence
     return _matches(objects, query, index, evidence) if evidence.log_odds > 0 else None
 

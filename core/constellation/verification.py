@@ -11,19 +11,18 @@ from functools import cached_property
 
 import numpy as np
 
-from ..geometry.pose import Pose, fit_similarity, fit_tilted, huber
+from ..geometry.pose import Pose, fit_similarity, fit_tilted, huber, numbers_of, stack_of
 from .hypotheses import SeenLandmarks
 from .index import AREA_BIN, AREA_BINS, ConstellationIndex
 from .matching import (
     NOISE_FACTORS,
     Nearest,
+    PoseMatcher,
     biweight,
     center_noise,
     matched_within,
     median,
-    nearest_objects,
     noise_factor,
-    places_on_map,
 )
 from .neighbors import SteppedMatcher
 from .parts import Side
@@ -182,7 +181,7 @@ def rough_scores(
     Returns:
         (S,) centers, turns and scores.
     """
-    noise, matcher = index.settings.noise, SteppedMatcher(index.matcher, query.ranks)
+    noise, matcher = index.settings.noise, SteppedMatcher(index.matcher, query.ranks, len(centers))
     for gate in gates:
         size = np.abs(turns)[:, None]
         distances, objects = matcher.match(centers[:, None] + turns[:, None] * query.points, gate * size)
@@ -215,33 +214,40 @@ def verify(verifier: Verifier, query: SeenLandmarks, poses: Sequence[Pose]) -> l
         query: The image's ``telling_objects``.
         poses: Initial poses.
     """
-    return _refined(verifier, query, poses, tilted=False)
+    return _refined(verifier, query, poses, PoseMatcher(verifier.index, query, len(poses)), tilted=False)
 
 
-def verify_tilted(verifier: Verifier, query: SeenLandmarks, pose: Pose, focus: complex) -> PoseEvidence:
-    """Verify a pose of a camera that may be tilted.
+def verify_tilted(
+    verifier: Verifier, query: SeenLandmarks, poses: Sequence[Pose], focuses: Sequence[complex]
+) -> list[PoseEvidence]:
+    """Verify poses of a camera that may be tilted, independently but all at once.
 
     Args:
         query: The image's ``telling_objects``.
-        pose: Initial pose.
-        focus: Point of the image where it is valid; matches spread from there over the image.
+        poses: Initial poses.
+        focuses: Point of the image where each is valid; matches spread from there over the image.
     """
-    sigmas = verifier.index.settings.noise.gate_in_noise
-    gate = GROWING_GATE * query.diagonal
+    poses, matcher = list(poses), PoseMatcher(verifier.index, query, len(poses))
+    away = np.abs(query.points - np.reshape(focuses, (-1, 1)))
+    growing = np.arange(len(poses))
     for reach in GROWING_REACH:
-        nearest = nearest_objects(verifier.index, query, [pose])
-        ends = gate * abs(pose.turn) + sigmas * nearest.deviations
-        (matched,), (distances,), (ends,) = matched_within(nearest, ends), nearest.distances, ends
-        (objects,), (deviations,) = nearest.objects, nearest.deviations
-        kept = np.flatnonzero(matched & (np.abs(query.points - focus) <= reach * query.diagonal))
-        if len(kept) < MINIMUM_MATCHES:
+        if not len(growing):
             break
-        loose = deviations[kept] / np.maximum(biweight(distances[kept], ends[kept]), 0.05) ** 0.5
-        fitted = fit_tilted(query.points[kept], verifier.index.points[objects[kept]], loose, pose, query.diagonal)
-        if not 0.7 < abs(fitted.turn / pose.turn) < 1.4:
-            break
-        pose = fitted
-    return _refined(verifier, query, [pose], tilted=True)[0]
+        before = [poses[k] for k in growing]
+        ones = np.ones((len(growing), 1))
+        nearest, ends = matcher.match(stack_of(numbers_of(before)), ones, GROWING_GATE * query.diagonal, growing)
+        matched = matched_within(nearest, ends) & (away[growing] <= reach * query.diagonal)
+        loose = nearest.deviations / np.maximum(biweight(nearest.distances, ends), 0.05) ** 0.5
+        enough = matched.sum(axis=1) >= MINIMUM_MATCHES
+        for row in np.flatnonzero(enough):
+            kept, pose = np.flatnonzero(matched[row]), before[row]
+            on_map = verifier.index.points[nearest.objects[row, kept]]
+            fitted = fit_tilted(query.points[kept], on_map, loose[row, kept], pose, query.diagonal)
+            enough[row] = 0.7 < abs(fitted.turn / pose.turn) < 1.4
+            if enough[row]:
+                poses[growing[row]] = fitted
+        growing = growing[enough]
+    return _refined(verifier, query, poses, matcher, tilted=True)
 
 
 def gained_by_tilt(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) -> float:
@@ -266,67 +272,63 @@ def _surprise(variance: float, least: float) -> float:
     return float(np.log(noise) + variance / noise)
 
 
-def _refined(verifier: Verifier, query: SeenLandmarks, poses: Sequence[Pose], tilted: bool) -> list[PoseEvidence]:
+def _refined(
+    verifier: Verifier, query: SeenLandmarks, poses: Sequence[Pose], matcher: PoseMatcher, tilted: bool
+) -> list[PoseEvidence]:
     """Match and fit until both agree, then weigh. A pose that loses its matches stays unchanged."""
-    index, settings = verifier.index, verifier.index.settings
+    index = verifier.index
     if not poses:
         return []
-    poses, factors = list(poses), np.full(len(poses), FIRST_NOISE_FACTOR)
+    numbers, factors = numbers_of(poses), np.full(len(poses), FIRST_NOISE_FACTOR)
     moving = np.arange(len(poses))
     for number in range(REFINEMENTS):
-        nearest = nearest_objects(index, query, [poses[k] for k in moving])
-        factor = factors[moving, None]
-        ends = settings.noise.gate_in_noise * factor * nearest.deviations
+        before, factor = numbers[:, moving], factors[moving, None]
+        nearest, ends = matcher.match(stack_of(before), factor, which=moving)
         kept = matched_within(nearest, ends)
-        enough = kept.sum(axis=1) >= MINIMUM_MATCHES
-        moving, kept, ends, factor, nearest = (
-            moving[enough],
-            kept[enough],
-            ends[enough],
-            factor[enough],
-            nearest[enough],
-        )
-        if not len(moving):
-            break
         weights = 1 / nearest.deviations**2
         if number < ROBUST_REFINEMENTS:
             weights *= np.maximum(biweight(nearest.distances, ends), 1e-6)
         else:
             weights *= huber(nearest.distances, factor * nearest.deviations)
         on_map = index.points[nearest.objects]
-        before = [poses[k] for k in moving]
+        good = np.flatnonzero(kept.sum(axis=1) >= MINIMUM_MATCHES)
         fit = _fitted_tilted if tilted else _fitted
-        fitted = fit(query, on_map, np.where(kept, weights, 0.0), before)
-        ratios = np.array([abs(after.turn / pose.turn) for after, pose in zip(fitted, before)])
+        fitted = fit(query, on_map[good], np.where(kept, weights, 0.0)[good], before[:, good])
+        ratios = np.abs(fitted[1] / before[1, good])
         alike = (ratios > 0.7) & (ratios < 1.4)
-        moving, kept, nearest, on_map = moving[alike], kept[alike], nearest[alike], on_map[alike]
-        if not len(moving):
+        good, fitted = good[alike], fitted[:, alike]
+        if not len(good):
             break
-        fitted = [fitted[k] for k in np.flatnonzero(alike)]
-        for k, pose in zip(moving, fitted):
-            poses[k] = pose
-        residuals = np.abs(places_on_map(query, fitted) - on_map) / nearest.deviations
-        factors[moving] = noise_factor(np.where(kept, residuals, np.inf), 8 if tilted else 4)
-    return weigh_all(verifier, query, poses, factors)
+        moving = moving[good]
+        numbers[:, moving] = fitted
+        residuals = np.abs(stack_of(fitted).on_map(query.points) - on_map[good]) / nearest.deviations[good]
+        factors[moving] = noise_factor(np.where(kept[good], residuals, np.inf), 8 if tilted else 4)
+    return weigh_all(verifier, query, [Pose(*of) for of in numbers.T.tolist()], factors, matcher)
 
 
-def _fitted(query: SeenLandmarks, on_map: np.ndarray, weights: np.ndarray, poses: list[Pose]) -> list[Pose]:
-    """Return poses of level cameras by least squares, on matches (S, n) with weights, 0 for no match."""
-    fitted = fit_similarity(query.points[None], on_map, weights)
-    return [Pose(complex(center), complex(turn)) for center, turn in zip(*fitted)]
+def _fitted(query: SeenLandmarks, on_map: np.ndarray, weights: np.ndarray, before: np.ndarray) -> np.ndarray:
+    """Return (4, S) numbers of level poses by least squares, on matches (S, n) with weights, 0 for no match."""
+    fitted = np.zeros_like(before)
+    fitted[:2] = fit_similarity(query.points[None], on_map, weights)
+    return fitted
 
 
-def _fitted_tilted(query: SeenLandmarks, on_map: np.ndarray, weights: np.ndarray, poses: list[Pose]) -> list[Pose]:
-    """Return poses of cameras that may be tilted, starting at ``poses``."""
-    fitted = []
-    for pose, points, weight in zip(poses, on_map, weights):
+def _fitted_tilted(query: SeenLandmarks, on_map: np.ndarray, weights: np.ndarray, before: np.ndarray) -> np.ndarray:
+    """Return (4, S) numbers of poses of cameras that may be tilted, starting at ``before`` (4, S)."""
+    fitted = np.empty_like(before)
+    for k, (numbers, points, weight) in enumerate(zip(before.T.tolist(), on_map, weights)):
         kept = np.flatnonzero(weight)
-        fitted.append(fit_tilted(query.points[kept], points[kept], weight[kept] ** -0.5, pose, query.diagonal))
+        pose = fit_tilted(query.points[kept], points[kept], weight[kept] ** -0.5, Pose(*numbers), query.diagonal)
+        fitted[:, k] = pose.center, pose.turn, pose.stretch, pose.slope
     return fitted
 
 
 def weigh_all(
-    verifier: Verifier, query: SeenLandmarks, poses: Sequence[Pose], factors: np.ndarray
+    verifier: Verifier,
+    query: SeenLandmarks,
+    poses: Sequence[Pose],
+    factors: np.ndarray,
+    matcher: PoseMatcher | None = None,
 ) -> list[PoseEvidence]:
     """Return the evidence for each of S poses without fitting it.
 
@@ -334,10 +336,13 @@ def weigh_all(
         query: The image's ``telling_objects``.
         poses: S poses.
         factors: (S,) ratio of the noise to the assumed one.
+        matcher: Of these poses; None to make one.
     """
     index, settings = verifier.index, verifier.index.settings
-    log_sizes = np.log([pose.pixel_sizes(query.points) for pose in poses])
-    nearest = nearest_objects(index, query, poses)
+    numbers, matcher = numbers_of(poses), matcher or PoseMatcher(index, query, len(poses))
+    all_poses = stack_of(numbers)
+    log_sizes = np.log(all_poses.pixel_sizes(query.points))
+    nearest, _ = matcher.match(all_poses, factors[:, None])
     deviations = factors[:, None] * nearest.deviations
     is_matched = matched_within(nearest, settings.noise.gate_in_noise * deviations)
     objects = np.where(is_matched, nearest.objects, -1)
@@ -349,7 +354,7 @@ def weigh_all(
     )
     could_be = query.log_areas + 2 * log_sizes >= smallest
     is_matched &= could_be
-    expected = [expected_objects(verifier, query, pose) for pose in poses]
+    expected = expected_objects(verifier, query, numbers)
     # NumPy sorts for ``isin``, which takes several times as long for a few numbers.
     missing = np.array(
         [len(set(some.tolist()).difference(of[has].tolist())) for some, of, has in zip(expected, objects, is_matched)]
@@ -366,16 +371,24 @@ def weigh_all(
     return found
 
 
-def expected_objects(verifier: Verifier, query: SeenLandmarks, pose: Pose) -> np.ndarray:
-    """Return (M,) landmarks of the map that an image with this pose should show whole, no smaller than in ``query``."""
+def expected_objects(verifier: Verifier, query: SeenLandmarks, numbers: np.ndarray) -> list[np.ndarray]:
+    """Return landmarks of the map, (M,) each, that an image should show whole, no smaller than in ``query``.
+
+    Args:
+        numbers: (4, S) of S poses (``numbers_of``).
+    """
     index, settings = verifier.index, verifier.index.settings
     half = complex(verifier.width_px, verifier.height_px) / 2
-    corners = pose.on_map(np.array([half, -half, half.conjugate(), -half.conjugate()]))
-    low = complex(corners.real.min(), corners.imag.min())
-    found = index.within(low, complex(corners.real.max(), corners.imag.max()))
-    found = found[index.whole[found]]
-    inside = pose.in_image(index.points[found])
-    log_areas_px = index.log_areas[found] - 2 * np.log(pose.pixel_sizes(inside))
+    corners = stack_of(numbers).on_map(np.array([half, -half, half.conjugate(), -half.conjugate()]))
+    east, north = corners.real, corners.imag
+    lows, highs = east.min(axis=1) + 1j * north.min(axis=1), east.max(axis=1) + 1j * north.max(axis=1)
+    boxes = [index.within(low, high) for low, high in zip(lows.tolist(), highs.tolist())]
+    which, found = np.repeat(np.arange(len(boxes)), [len(box) for box in boxes]), np.concatenate(boxes)
+    whole = index.whole[found]
+    which, found = which[whole], found[whole]
+    each = stack_of(numbers, which)
+    inside = each.in_image(index.points[found])
+    log_areas_px = index.log_areas[found] - 2 * np.log(each.pixel_sizes(inside))
     edge = np.exp(log_areas_px / 2)
     seen = (np.abs(inside.real) < half.real - edge) & (np.abs(inside.imag) < half.imag - edge)
     if verifier.side is not None:
@@ -383,4 +396,5 @@ def expected_objects(verifier: Verifier, query: SeenLandmarks, pose: Pose) -> np
     smallest = np.log(max(verifier.minimum_area_px, 1e-12))
     if len(query.points) >= settings.limits.largest_objects:
         smallest = max(smallest, float(query.log_areas.min()))
-    return found[seen & (log_areas_px > smallest + settings.noise.area_deviation)]
+    shown = np.flatnonzero(seen & (log_areas_px > smallest + settings.noise.area_deviation))
+    return np.split(found[shown], np.searchsorted(which[shown], np.arange(1, len(boxes))))

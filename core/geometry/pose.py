@@ -7,6 +7,7 @@ points to turn · i.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -84,6 +85,7 @@ class Pose:
     """Pose of an image: u maps to center + turn · (u + stretch · ū) / (1 + Re(slope* · u)).
 
     With stretch and slope its 8 numbers describe a homography: any view of level ground by a tilted camera.
+    ``stack_of`` makes one of S poses, with arrays of numbers; its methods return (S, n) points instead of (n,).
 
     Attributes:
         center: Map position x + i y of the image's center.
@@ -100,7 +102,12 @@ class Pose:
     @property
     def is_level(self) -> bool:
         """Whether the camera looks straight down."""
-        return self.stretch == 0 and self.slope == 0
+        return not isinstance(self.stretch, np.ndarray) and self.stretch == 0 and self.slope == 0
+
+    @property
+    def pixel_size(self) -> np.ndarray:
+        """Ground size of a pixel at the center, map units; () or like ``turn``."""
+        return np.hypot(self.turn.real, self.turn.imag)
 
     def on_map(self, image: np.ndarray) -> np.ndarray:
         """Return (n,) complex map points of (n,) complex image points."""
@@ -135,7 +142,23 @@ class Pose:
 
     def pixel_sizes(self, image: np.ndarray) -> np.ndarray:
         """Return (n,) ground size of a pixel at image points: the square root of its area."""
-        return abs(self.turn) * self.depth(image) ** -1.5
+        return self.pixel_size * self.depth(image) ** -1.5
+
+
+def numbers_of(poses: Sequence[Pose]) -> np.ndarray:
+    """Return (4, S) complex: center, turn, stretch and slope of S poses."""
+    return np.array([(pose.center, pose.turn, pose.stretch, pose.slope) for pose in poses]).T
+
+
+def stack_of(numbers: np.ndarray, which: np.ndarray | None = None) -> Pose:
+    """Return S poses as one, which maps points with all of them at once.
+
+    Args:
+        numbers: (4, S) of the poses.
+        which: (n,) number of the pose of each of n points; None to map every point with every pose.
+    """
+    columns = numbers[..., None] if which is None else numbers[:, which]
+    return Pose(*(columns if numbers[2:].any() else columns[:2]))
 
 
 def image_points(points_xy: np.ndarray, width_px: float, height_px: float) -> np.ndarray:

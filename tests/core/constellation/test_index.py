@@ -5,6 +5,7 @@ import pytest
 
 from semref.core.constellation.index import (
     _kind_of_codes,
+    ascending_order,
     build_index,
     expand_ranges,
     key_ranges,
@@ -46,6 +47,16 @@ def test_objects_in_a_box_equal_those_of_a_search_through_all(index):
     inside = (x >= low.real) & (x <= high.real) & (y >= low.imag) & (y <= high.imag)
     assert 50 < inside.sum() < 400
     assert sorted(index.within(low, high)) == np.flatnonzero(inside).tolist()
+
+
+@pytest.mark.parametrize("bits", [9, 16, 31, 47])
+def test_integers_are_ordered_like_by_a_stable_sort(bits):
+    keys = np.random.default_rng(bits).integers(0, 2**bits, 5000) // 3 * 3
+    keys[::7] = keys[0]
+    kinds = (np.uint32, np.int64) if bits < 32 else (np.int64,)
+    for kind in kinds:
+        np.testing.assert_array_equal(ascending_order(keys.astype(kind)), np.argsort(keys, kind="stable"))
+    assert ascending_order(keys[:0]).shape == (0,)
 
 
 def test_objects_cut_by_the_edge_make_no_triangles(catalogue):

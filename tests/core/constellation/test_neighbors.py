@@ -17,10 +17,11 @@ def test_a_landmark_within_reach_is_found_after_every_step_and_a_far_one_never_c
     rng = np.random.default_rng(5)
     # Class 2 has no landmark; coordinates as on a map of a continent, where 32 bits resolve half a meter.
     matcher = ClassMatcher(complex_points(rng, 4000, size=3e6), rng.integers(0, 2, 4000))
-    stepped, places = SteppedMatcher(matcher, RANKS), complex_points(rng, 500, len(RANKS), size=3e6)
-    skipped = 0
-    for reach in (60_000.0, 30_000.0, np.full((500, 1), 20_000.0)):
-        distances, objects = stepped.match(places, reach)
+    stepped, places = SteppedMatcher(matcher, RANKS, 500), complex_points(rng, 500, len(RANKS), size=3e6)
+    skipped, some = 0, np.arange(0, 500, 2)
+    for which, reach in ((None, 60_000.0), (None, 30_000.0), (some, np.full((250, 1), 20_000.0))):
+        places = places if which is None else places[which]
+        distances, objects = stepped.match(places, reach, which)
         expected, of_map = matcher.match(places, RANKS)
         near = expected <= reach
         assert near.any() and (near == (distances <= reach)).all()

@@ -104,9 +104,9 @@ def tried_tilted(monkeypatch):
     """Record the number of landmarks of each trial with a tilted camera."""
     tried = []
 
-    def verify(verifier, query, *args):
-        tried.append(len(query.points))
-        return verify_tilted(verifier, query, *args)
+    def verify(verifier, query, poses, focuses):
+        tried.extend([len(query.points)] * len(poses))
+        return verify_tilted(verifier, query, poses, focuses)
 
     monkeypatch.setattr(search, "verify_tilted", verify)
     return tried

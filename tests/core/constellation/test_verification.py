@@ -25,7 +25,7 @@ from semref.core.constellation.verification import (
     verify_tilted,
     weigh_all,
 )
-from semref.core.geometry.pose import Pose, fit_similarity, fit_tilted, huber
+from semref.core.geometry.pose import Pose, fit_similarity, fit_tilted, huber, numbers_of
 
 EDGE = 640
 
@@ -158,7 +158,7 @@ def test_chosen_objects_are_the_largest_whole_ones_in_order():
 
 
 def test_expected_are_whole_objects_well_inside_that_are_large_enough(index, verifier, made):
-    found = expected_objects(verifier, made.query, made.pose)
+    found = expected_objects(verifier, made.query, numbers_of([made.pose]))[0]
     seen = made.pose.in_image(index.points)
     edges = np.exp(index.log_areas / 2) / 1.1
     inside = (np.abs(seen.real) < EDGE / 2 - edges) & (np.abs(seen.imag) < EDGE / 2 - edges)
@@ -170,11 +170,11 @@ def test_expected_are_whole_objects_well_inside_that_are_large_enough(index, ver
     fewer = Verifier(replace(index, settings=replace(CONSTELLATION, limits=limits)), EDGE, EDGE, 9.0)
     limit = larger.log_areas.min() + 2 * np.log(1.1) + CONSTELLATION.noise.area_deviation
     expected = np.flatnonzero(inside & (index.log_areas > limit))
-    assert sorted(expected_objects(fewer, larger, made.pose)) == expected.tolist()
+    assert sorted(expected_objects(fewer, larger, numbers_of([made.pose]))[0]) == expected.tolist()
     assert 0 < len(expected) < inside.sum()
     # For one side, only objects of that side.
     side = Side(1j, 50.0)
-    there = expected_objects(replace(verifier, side=side), made.query, made.pose)
+    there = expected_objects(replace(verifier, side=side), made.query, numbers_of([made.pose]))[0]
     assert sorted(there) == np.flatnonzero(inside & (seen.imag > 50.0)).tolist()
     assert 0 < len(there) < inside.sum()
 
@@ -187,12 +187,12 @@ def test_a_tilted_camera_is_verified_from_a_level_pose(index, verifier, made):
     query = SeenLandmarks(
         seen[objects], index.ranks[objects], log_areas, np.ones(len(objects), bool), made.query.diagonal
     )
-    level, found = verify(verifier, query, [made.pose])[0], verify_tilted(verifier, query, made.pose, 0j)
+    level, found = verify(verifier, query, [made.pose])[0], verify_tilted(verifier, query, [made.pose], [0j])[0]
     assert found.log_odds > level.log_odds + 50 and len(found.matched) == len(objects)
     np.testing.assert_array_equal(found.objects, objects[found.matched])
     assert np.abs(found.pose.on_map(query.points) - index.points[objects]).max() < 0.5
     assert abs(found.pose.slope - tilted.slope) < 2e-5
-    lost = verify_tilted(verifier, query, Pose(made.pose.center + 900, made.pose.turn), 0j)
+    (lost,) = verify_tilted(verifier, query, [Pose(made.pose.center + 900, made.pose.turn)], [0j])
     assert lost.log_odds < 0
 
 
@@ -207,13 +207,29 @@ def noisy(cut_of, index, pose, seed=4, share=1.3):
     return SeenLandmarks(points, index.ranks[objects], log_areas, np.ones(len(objects), bool), cut_of.query.diagonal)
 
 
+@pytest.mark.parametrize("tilted", [False, True])
+def test_poses_verified_together_have_the_evidence_of_each_alone(index, verifier, made, tilted):
+    query = noisy(made, index, replace(made.pose, **TILT) if tilted else made.pose)
+    poses = [Pose(made.pose.center + step, made.pose.turn) for step in (0, 1.5 - 1j, 900, 25j)]
+
+    def verified(some):
+        return verify_tilted(verifier, query, some, [0j] * len(some)) if tilted else verify(verifier, query, some)
+
+    for together, pose in zip(verified(poses), poses):
+        (alone,) = verified([pose])
+        assert together.log_odds == pytest.approx(alone.log_odds, rel=1e-9)
+        assert together.pose.center == pytest.approx(alone.pose.center, rel=1e-9)
+        for name in ("matched", "objects", "expected", "possible"):
+            np.testing.assert_array_equal(getattr(together, name), getattr(alone, name))
+
+
 TILT = {"stretch": 0.008 - 0.004j, "slope": 1.5e-4 + 1e-4j}
 
 
 @pytest.mark.parametrize(("tilt", "numbers"), [({}, 4), (TILT, 8)], ids=["level", "tilted"])
 def test_a_verified_pose_is_the_fit_of_its_matches_by_hubers_weights(index, verifier, made, tilt, numbers):
     query = noisy(made, index, replace(made.pose, **tilt))
-    found = verify_tilted(verifier, query, made.pose, 0j) if tilt else verify(verifier, query, [made.pose])[0]
+    found = (verify_tilted(verifier, query, [made.pose], [0j]) if tilt else verify(verifier, query, [made.pose]))[0]
     assert len(found.matched) == len(made.objects)
     image, on_map = query.points[found.matched], index.points[found.objects]
     assumed = center_noise(query.log_areas[found.matched], abs(found.pose.turn), CONSTELLATION.noise)
