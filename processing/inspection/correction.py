@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from bisect import bisect_left
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -117,27 +116,12 @@ def _drawn(source: QgsVectorLayerFeatureSource, fields: Sequence[int]) -> dict[i
 
 
 def changed_bounds(before: Mapping[int, DrawnFeature], now: Mapping[int, DrawnFeature]) -> list[QgsRectangle]:
-    """Return old and new bounds of features that were changed, or moved in the order (the last is on top)."""
-    places = {feature: n for n, feature in enumerate(before)}
+    """Return old and new bounds of changed features: of all if their order changed, where the last is on top."""
     same = [feature for feature, drawn in now.items() if feature in before and before[feature].digest == drawn.digest]
-    kept = {same[n] for n in _longest_rising([places[feature] for feature in same])}
+    kept = set(same)
+    if same != [feature for feature in before if feature in kept]:
+        kept = set()
     return [drawn.bounds for some in (before, now) for feature, drawn in some.items() if feature not in kept]
-
-
-def _longest_rising(numbers: Sequence[int]) -> set[int]:
-    """Return the indices of a longest increasing subsequence."""
-    ends: list[int] = []
-    places: list[int] = []
-    before = []
-    for n, number in enumerate(numbers):
-        length = bisect_left(ends, number)
-        before.append(places[length - 1] if length else -1)
-        ends[length : length + 1], places[length : length + 1] = [number], [n]
-    found, n = set(), places[-1] if places else -1
-    while n >= 0:
-        found.add(n)
-        n = before[n]
-    return found
 
 
 def part_to_rasterize(

@@ -14,10 +14,6 @@ GOOD = "#00795c"
 BAD = "#b3261e"
 """Errors, wrong positions and rejected positions."""
 
-WARNING = "#e08a00"
-"""Warnings and possible positions."""
-
-INFORMATION = "#4a7fb5"
 FOURTH = "#a3508c"
 """The fourth series of a chart."""
 
@@ -32,8 +28,6 @@ DARK = {
     FLIGHT: "#f0913a",
     GOOD: "#2fc49b",
     BAD: "#ff8a80",
-    WARNING: "#f5c04a",
-    INFORMATION: "#8fbbe6",
     FOURTH: "#d98fc5",
 }
 """The same meanings on a dark page."""

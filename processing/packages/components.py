@@ -223,11 +223,10 @@ def components_folder() -> Path:
 
 
 def add_components_to_path() -> None:
-    """Append SemRef's installed packages to Python's path, the newest first."""
+    """Append SemRef's installed packages to Python's path."""
     # The folder of a running installation starts with a dot.
-    folders = [folder for folder in components_folder().glob("[!.]*") if folder.is_dir()]
-    newest_first = sorted(folders, key=lambda folder: folder.stat().st_mtime, reverse=True)
-    sys.path.extend(folder for folder in map(str, newest_first) if folder not in sys.path)
+    folders = [str(folder) for folder in sorted(components_folder().glob("[!.]*")) if folder.is_dir()]
+    sys.path.extend(folder for folder in folders if folder not in sys.path)
     importlib.invalidate_caches()
 
 

@@ -31,7 +31,6 @@ from .components import (
     how_to_get_pip,
     install_command,
     is_own,
-    is_too_old,
     numpy_version,
     origin,
 )
@@ -160,18 +159,8 @@ def python_candidates(executable: str, prefix: str, version: tuple, windows: boo
 def _install_one(python: str, package: Package, wheels: str) -> Commands:
     found = origin(package)
     if found and not is_own(package):
-        # Elsewhere it is before SemRef's on Python's path.
-        if is_too_old(package):
-            raise ComponentError(
-                "QGIS finds {path} first, which is too old for SemRef. Update or remove it.",
-                path=found,
-            )
-        raise ComponentError(
-            "QGIS finds {path} first, which SemRef did not install. Replace it by {package} in the same way as it was "
-            "installed.",
-            path=found,
-            package=package.pip_name,
-        )
+        # It is before SemRef's on Python's path.
+        raise ComponentError("QGIS finds {path} first, which is too old for SemRef. Update or remove it.", path=found)
     try:
         with folder_written_beside(str(package.folder), replaces=True) as folder:
             yield from _fill(python, package, folder, wheels)

@@ -9,21 +9,15 @@ from dataclasses import dataclass
 from ...core.annotation.findings import (
     CHECKED_KINDS,
     ERROR,
-    INFORMATION,
     NOTHING,
     SEVERITIES,
-    WARNING,
     Finding,
 )
 from ..messages.annotation_messages import kind_titles, sentence, severity_title
 from ..messages.numbers import count as number_text
 from ..messages.numbers import shown
 from ..translation import tr
-from . import charts, page, parts
-from .charts import Series
-
-_CSS = {ERROR: "bad", WARNING: "warning", INFORMATION: "information"}
-"""Names of the page's colors, which are the colors of the layer of findings."""
+from . import page, parts
 
 EXAMPLES = 3
 """Number of findings of each kind in words, those with the largest area."""
@@ -52,7 +46,7 @@ class AnnotationReport:
             tr("{layer}: {features} features").format(layer=self.layer, features=number_text(self.features)),
             self._key_figures(),
             self._next(),
-            page.section(tr("Findings by kind"), self._kinds_table(), self._kinds_chart()),
+            page.section(tr("Findings by kind"), self._kinds_table()),
             page.section(tr("Findings by class"), self._classes_table()),
             page.section(tr("Largest findings of each kind"), *self._examples()),
         )
@@ -80,34 +74,18 @@ class AnnotationReport:
         found = {finding.kind for finding in self.findings}
         return [kind for kind in CHECKED_KINDS if kind in found]
 
-    def _kinds_chart(self) -> str:
-        kinds = self._kinds()
-        if not kinds:
-            return page.paragraph(tr("The check has no findings."))
-        counts = Counter((finding.kind, finding.severity) for finding in self.findings)
-        series = []
-        for severity in SEVERITIES:
-            places = [n for n, kind in enumerate(kinds) if counts[kind, severity]]
-            heights = [counts[kinds[n], severity] for n in places]
-            series.append(Series(severity_title(severity), places, heights, color=f"var(--{_CSS[severity]})"))
-        largest = max(counts.values())
-        # Numbers below the bars; the table has the names of the kinds.
-        groups = [str(n) for n in range(1, len(kinds) + 1)]
-        y_axis = charts.logarithmic_axis(tr("Number of findings"), 1.0, float(largest))
-        title = tr("Findings by kind")
-        chart = charts.bar_chart(groups, series, tr("Number of the kind, see the table"), y_axis, title)
-        return page.figure(chart, tr("Findings of each kind by severity, on a logarithmic scale."))
-
     def _kinds_table(self) -> str:
+        if not self.findings:
+            return page.paragraph(tr("The check has no findings."))
         rows = []
-        for n, kind in enumerate(self._kinds(), start=1):
+        for kind in self._kinds():
             own = [finding for finding in self.findings if finding.kind == kind]
             counts = Counter(finding.severity for finding in own)
             cells = [_count(counts[severity], severity) for severity in SEVERITIES]
             area = shown(sum(f.area or 0.0 for f in own), ",.2f")
-            rows.append([str(n), kind_titles()[kind], *cells, f"{area}{page.NO_BREAK}m²"])
-        header = ["", tr("Kind"), *(severity_title(severity) for severity in SEVERITIES), tr("Area")]
-        return page.table(header, rows, numbers=(0, 2, 3, 4, 5))
+            rows.append([kind_titles()[kind], *cells, f"{area}{page.NO_BREAK}m²"])
+        header = [tr("Kind"), *(severity_title(severity) for severity in SEVERITIES), tr("Area")]
+        return page.table(header, rows, numbers=(1, 2, 3, 4))
 
     def _classes_table(self) -> str:
         counts = Counter((f.class_value, f.severity) for f in self.findings)

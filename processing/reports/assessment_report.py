@@ -71,7 +71,7 @@ class AssessmentReport:
             parts.next_steps(self._next()),
             page.paragraph(assumptions(self.conditions, self.correlation)),
             page.section(tr("Map of expected success"), *self._maps()),
-            page.section(tr("Results by footprint width"), self._footprints(), self._landmarks_chart()),
+            page.section(tr("Results by footprint width"), self._footprints(), self._landmarks_table()),
             page.section(tr("Reasons for failures"), self._reasons()),
             page.section(tr("Landmarks"), self._landmarks()),
             parts.road_section(self._roads()),
@@ -142,12 +142,10 @@ class AssessmentReport:
         )
         return page.records(self.results, columns) + page.paragraph(note)
 
-    def _landmarks_chart(self) -> str:
+    def _landmarks_table(self) -> str:
         found = {r.title(): success_by_landmarks(r.trials, IN_VIEW_BINS) for r in self.results}
-        caption = tr(
-            "Simulated images by the number of map landmarks that are completely in view. Lines: 95 % intervals."
-        )
-        return parts.landmarks_chart(found, tr("Landmarks in view"), caption)
+        caption = tr("Correct positions by the number of map landmarks that are completely in view.")
+        return parts.landmarks_table(found, tr("Landmarks in view"), caption)
 
     def _reasons(self) -> str:
         # Without failed images nearby, the expectation is from similar places.

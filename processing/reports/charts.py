@@ -1,4 +1,4 @@
-"""Charts as inline SVG in the colors of the page: lines with bands, bars, profiles.
+"""Charts as inline SVG in the colors of the page: lines with bands, profiles.
 
 Series differ in color, dash and marker, so that they are distinct in black and white. A drawing is a list of elements,
 which the page's template writes and escapes.
@@ -38,14 +38,13 @@ DASHES = ("", "6,3", "2,3", "9,3,2,3")
 
 @dataclass(frozen=True)
 class Series:
-    """A named line or row of bars.
+    """A named line.
 
     Attributes:
         low: Lower limits of y, or None.
         high: Upper limits of y, or None.
         marked: Whether the points get markers.
         stepped: Whether y is constant until the next x.
-        color: CSS color; empty for the color of the series' number.
     """
 
     name: str
@@ -55,14 +54,13 @@ class Series:
     high: Sequence[float] | None = None
     marked: bool = True
     stepped: bool = False
-    color: str = ""
 
 
-def rate_series(title: str, rates: Sequence[RateAt], x: Sequence[float] = ()) -> Series:
-    """Return a series of rates with their intervals, at their means or at ``x``."""
+def rate_series(title: str, rates: Sequence[RateAt]) -> Series:
+    """Return a series of rates with their intervals, at their means."""
     return Series(
         title,
-        x or [one.at for one in rates],
+        [one.at for one in rates],
         [one.rate.share for one in rates],
         [one.rate.interval[0] for one in rates],
         [one.rate.interval[1] for one in rates],
@@ -167,26 +165,6 @@ def line_chart(series: Sequence[Series], x_axis: Axis, y_axis: Axis, name: str, 
     return frame.drawing(parts + frame.legend(), name)
 
 
-def bar_chart(groups: Sequence[str], series: Sequence[Series], x_title: str, y_axis: Axis, name: str) -> str:
-    """Return a chart of grouped bars with whiskers; x of a series are the group numbers from 0."""
-    x_axis = Axis(x_title, (0.0, max(float(len(groups)), 1.0)), [(n + 0.5, text) for n, text in enumerate(groups)])
-    frame = _Frame(x_axis, y_axis, [one.name for one in series])
-    parts = frame.axes(x_grid=False)
-    colors = [one.color or _color(number) for number, one in enumerate(series)]
-    width = 0.76 / max(len(series), 1)
-    for number, one in enumerate(series):
-        for at, (group, y) in enumerate(zip(one.x, one.y)):
-            left = group + 0.12 + number * width
-            (x0, top), (x1, floor) = frame.point(left, y), frame.point(left + width * 0.9, y_axis.limits[0])
-            # Bars of 1 are visible on a logarithmic axis from 1.
-            top = min(top, floor - (2.0 if y_axis.logarithmic else 0.5))
-            parts.append(shape("rect", f"fill:{colors[number]}", x=x0, y=top, width=x1 - x0, height=floor - top))
-            if one.low is not None:
-                ends = [((x0 + x1) / 2, frame.point(left, value)[1]) for value in (one.low[at], one.high[at])]
-                parts.append(polyline(ends, stroke("var(--text)")))
-    return frame.drawing(parts + frame.legend(colors), name)
-
-
 def profile(
     success: Series,
     seen: Series,
@@ -248,7 +226,7 @@ class _Frame:
             self.bottom - self.y_axis.place(y) * self.tall,
         )
 
-    def axes(self, x_grid: bool = True) -> list[Element]:
+    def axes(self) -> list[Element]:
         parts, grid = [], stroke("var(--line)")
         for value, text in self.y_axis.ticks:
             _, y = self.point(self.x_axis.limits[0], value)
@@ -256,24 +234,20 @@ class _Frame:
             parts.append(lettering(LEFT - 6, y + 4, text, "end", soft=True))
         for value, text in self.x_axis.ticks:
             x, _ = self.point(value, self.y_axis.limits[0])
-            if x_grid:
-                parts.append(polyline([(x, self.top), (x, self.bottom)], grid))
+            parts.append(polyline([(x, self.top), (x, self.bottom)], grid))
             parts.append(lettering(x, self.bottom + 16, text, soft=True))
         parts.append(lettering((LEFT + self.right) / 2, self.height - 8, self.x_axis.title))
         parts.append(lettering(12, (self.top + self.bottom) / 2, self.y_axis.title, turn=-90))
         return parts
 
-    def legend(self, bars: Sequence[str] = ()) -> list[Element]:
-        """Return the legend above the chart, with two entries per row if they fit; ``bars``: colors of bars, if any."""
+    def legend(self) -> list[Element]:
+        """Return the legend above the chart, with two entries per row if they fit."""
         parts = []
         for number, name in enumerate(self.names):
             row, place = divmod(number, self.abreast)
             x, y = LEFT + _HALF_PX * place, TOP + LEGEND_ROW * row - 2
-            if bars:
-                parts.append(shape("rect", f"fill:{bars[number]}", x=x + 6, y=y - 6, width=12, height=12))
-            else:
-                parts.append(shape("path", _look(number), d=f"M{x:.1f} {y}h24"))
-                parts.append(_marker(x + 12, y, number))
+            parts.append(shape("path", _look(number), d=f"M{x:.1f} {y}h24"))
+            parts.append(_marker(x + 12, y, number))
             parts.append(lettering(x + _MARK_PX, y + 4, name, "start"))
         return parts
 

@@ -84,7 +84,7 @@ class EvaluationReport:
                             "Bands: 95 % intervals."
                         ),
                     ),
-                    self._landmarks_chart(),
+                    self._landmarks_table(),
                 ),
             ),
             page.section(tr("Errors and noise"), page.columns(self._error_chart(), self._noise_map())),
@@ -143,12 +143,12 @@ class EvaluationReport:
             charts.line_chart(series, x_axis, charts.percent_axis(tr("Correct positions")), name), caption
         )
 
-    def _landmarks_chart(self) -> str:
+    def _landmarks_table(self) -> str:
         found = {
             title: success_by_landmarks(of_method(self.trials, method, MAP)) for method, title in self.methods.items()
         }
         caption = tr("Correct positions by the number of landmarks in the window.")
-        return parts.landmarks_chart(found, tr("Landmarks in the window"), caption)
+        return parts.landmarks_table(found, tr("Landmarks in the window"), caption)
 
     def _error_chart(self) -> str:
         curves = {method: error_curve(self.trials, method) for method in self.methods}

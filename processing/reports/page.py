@@ -34,8 +34,6 @@ _MAP_COLORS = {
     "s3": palette.FOURTH,
     "good": palette.GOOD,
     "bad": palette.BAD,
-    "warning": palette.WARNING,
-    "information": palette.INFORMATION,
 }
 _NAMES = "ground", "text", "soft", "line", "panel"
 COLORS = {

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Callable
 
 import numpy as np
 
+from ...core.evaluation.rates import Rate, RateAt
 from ..messages.numbers import count
 from ..messages.sentences import worded
 from ..translation import tr
-from . import charts, page
+from . import page
 
 if TYPE_CHECKING:
-    from ...core.evaluation.rates import RateAt
     from ...core.evaluation.summary import RoadSummary
     from ...core.labels.comparison import LabelComparison
 
@@ -54,16 +54,16 @@ def road_section(summaries: Mapping[str, Sequence[RoadSummary]]) -> str:
     return page.section(title, page.records(roads, columns, range(1, len(columns))), page.paragraph(text))
 
 
-def landmarks_chart(rates: Mapping[str, Sequence[RateAt]], x_title: str, caption: str) -> str:
-    """Return a chart of correct positions by the number of landmarks, with a series for each name."""
+def landmarks_table(rates: Mapping[str, Sequence[RateAt]], title: str, caption: str) -> str:
+    """Return a table of correct positions by the number of landmarks, with a column for each name."""
     bins = sorted({(one.low, one.high) for found in rates.values() for one in found})
-    groups = [f"{low:.0f}–{high - 1:.0f}" if np.isfinite(high) else f"≥ {low:.0f}" for low, high in bins]
-    series = [
-        charts.rate_series(title, found, [bins.index((one.low, one.high)) for one in found])
-        for title, found in rates.items()
-    ]
-    y_axis = charts.percent_axis(tr("Correct positions"))
-    return page.figure(charts.bar_chart(groups, series, x_title, y_axis, tr("Success by landmarks")), caption)
+    columns = [{(one.low, one.high): one.rate for one in found} for found in rates.values()]
+    rows = []
+    for low, high in bins:
+        cells = [column.get((low, high), Rate(0, 0)) for column in columns]
+        name = f"{low:.0f}–{high - 1:.0f}" if np.isfinite(high) else f"≥ {low:.0f}"
+        rows.append([name, *(page.Shaded(page.rate_text(rate), rate.share) for rate in cells)])
+    return page.figure(page.table([title, *rates], rows, range(1, len(rates) + 1)), caption)
 
 
 def class_table(found: LabelComparison, name: Callable[[int], str], values: Sequence[int]) -> str:

@@ -121,36 +121,6 @@ def test_a_package_is_installed_without_a_network_and_can_be_used_at_once(root, 
     assert importlib.util.find_spec("numpy").origin == numpy_path
 
 
-@needs_pip
-@pytest.mark.slow
-def test_a_variant_package_comes_first_from_the_next_start_on(root, tmp_path, wheels, installer):
-    variant = replace(GOOD, pip_name="semref-made-gpu")
-    installer.start([GOOD], str(wheels))
-    assert end_of(installer) == "installed", installer.log
-    installer.ends.clear()
-    make_wheel(tmp_path / "more", GOOD, "import numpy\nVALUE = 8\n", "semref-made-gpu")
-    installer.start([variant], str(tmp_path / "more"))
-    assert end_of(installer) == "installed", installer.log
-    assert sorted(path.name for path in components.components_folder().iterdir()) == [GOOD.pip_name, variant.pip_name]
-    # As at the next start of QGIS.
-    sys.path[:] = [entry for entry in sys.path if not entry.startswith(str(root))]
-    importlib.invalidate_caches()
-    components.add_components_to_path()
-    assert importlib.import_module(GOOD.module).VALUE == 8
-
-
-@needs_pip
-def test_a_variant_is_refused_where_another_one_comes_first(root, tmp_path, wheels, installer, monkeypatch):
-    own = tmp_path / "site"
-    (own / GOOD.module).mkdir(parents=True)
-    (own / GOOD.module / "__init__.py").write_text("VALUE = 1\n")
-    monkeypatch.syspath_prepend(str(own))
-    installer.start([replace(GOOD, pip_name="semref-made-gpu")], str(wheels))
-    sentence = end_of(installer)
-    assert str(own) in sentence and "did not install" in sentence
-    assert is_tidy(root)
-
-
 @pytest.mark.slow
 @needs_pip
 def test_what_cannot_be_imported_is_removed_and_explained_and_the_others_are_installed(root, wheels, installer):

@@ -11,7 +11,7 @@ from qgis.PyQt.QtWidgets import QAbstractScrollArea, QTableView, QWidget
 from ...core.annotation.findings import SEVERITIES, WARNING
 
 _SIGNS = Path(__file__).resolve().parents[2] / "resources" / "severity"
-"""Pictures in the colors of ``processing/layers/palette.py``. QGIS's own error sign is gray in some versions."""
+"""QGIS's own error sign is gray in some versions."""
 
 LIKELY = "likely"
 """Name of the sign of a likely position."""
