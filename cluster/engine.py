@@ -87,7 +87,7 @@ def connect(scheduler: str | None, local: int | None, report: Callable[[str], No
         try:
             yield client
         except KeyboardInterrupt:
-            # Workers end with this process, which __main__.py ends at once.
+            # Workers end with this process, which service.py ends at once.
             _LEFT_OPEN.append(stack.pop_all())
             shutil.rmtree(folder, ignore_errors=True)
             raise

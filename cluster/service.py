@@ -8,7 +8,6 @@ end. Result N is written to the file ``result_N`` in the folder of the order. Al
 
 from __future__ import annotations
 
-import contextlib
 import json
 import os
 import signal
@@ -17,37 +16,35 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from ..core.errors import SemRefError
+from ..core.events import report, reporting_errors
 from ..storage.serialization import read, write
 from .engine import DaskRunner, connect
 
-DONE, REFUSED, INTERRUPTED = 0, 3, 130
-"""Exit codes."""
+_INTERRUPTED = 130
+"""Exit status."""
 
 
-def main(path: str) -> int:
-    """Serve until the input ends; ``path``: JSON file with ``scheduler`` or ``local``, ``labels`` and ``folder``."""
+def main(arguments: list[str]) -> int:
+    """Serve until the input ends, and return the exit status.
+
+    ``arguments``: a JSON file with ``scheduler`` or ``local``, ``labels`` and ``folder``.
+    """
     # QGIS ends this process with a signal.
     for number in (signal.SIGTERM, signal.SIGINT):
         signal.signal(number, _interrupt)
     try:
-        order = json.loads(Path(path).read_text(encoding="utf-8"))
-        with connect(order["scheduler"], order["local"], lambda text: _report("info", text=text)) as client:
-            runner = DaskRunner(client, order["labels"])
-            _report("ready")
-            while (asked := _line()) is not None:
-                _do(asked, runner, Path(order["folder"]))
-    except SemRefError as error:
-        sentence = error.sentence
-        values = {key: _plain(value) for key, value in sentence.values}
-        _report("failed", template=sentence.template, values=values)
-        return REFUSED
+        return reporting_errors(lambda: _serve(json.loads(Path(arguments[0]).read_text(encoding="utf-8"))))
     except KeyboardInterrupt:
-        return INTERRUPTED
-    except Exception as error:
-        _report("broke", reason=f"{type(error).__name__}: {error}".partition("\n")[0])
-        return REFUSED
-    return DONE
+        # Dask takes seconds to close.
+        os._exit(_INTERRUPTED)
+
+
+def _serve(order: dict[str, Any]) -> None:
+    with connect(order["scheduler"], order["local"], lambda text: report("info", text=text)) as client:
+        runner = DaskRunner(client, order["labels"])
+        report("ready")
+        while (asked := _line()) is not None:
+            _do(asked, runner, Path(order["folder"]))
 
 
 def _do(asked: dict[str, Any], runner: DaskRunner, folder: Path) -> None:
@@ -60,14 +57,14 @@ def _do(asked: dict[str, Any], runner: DaskRunner, folder: Path) -> None:
     )
     for number, result in found:
         write(str(folder / f"result_{number}"), result)
-        _report("result", number=number)
-    _report("end")
+        report("result", number=number)
+    report("end")
 
 
 def _calls() -> Iterator[tuple]:
     """Yield the arguments of calls, requested when another task can be submitted."""
     while True:
-        _report("next")
+        report("next")
         file = _line()
         if file is None:
             return
@@ -91,16 +88,3 @@ _asked_to_end: list[bool] = []
 def _interrupt(*_: object) -> None:
     _asked_to_end.append(True)
     raise KeyboardInterrupt
-
-
-def _report(event: str, **values: object) -> None:
-    # A closed output must not stop the work.
-    with contextlib.suppress(OSError):
-        print(json.dumps({"event": event, **values}), flush=True)
-
-
-def _plain(value: object) -> object:
-    """Return a value of a sentence for JSON."""
-    if isinstance(value, (tuple, list)):
-        return [_plain(part) for part in value]
-    return value if isinstance(value, (int, float)) or value is None else str(value)

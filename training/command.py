@@ -3,58 +3,40 @@
 from __future__ import annotations
 
 import importlib.util
-import json
 import sys
 import time
-import traceback
 from pathlib import Path
 
-from ..core.errors import SemRefError, TrainingError
-from ..core.sentences import english
+from ..core.errors import TrainingError
+from ..core.events import report, reporting_errors
 from .job import CHECKPOINT_JOB, read_job
 
 NEEDED = ("torch", "torchvision", "segmentation_models_pytorch", "timm", "onnx", "onnxruntime", "cv2", "numpy")
 """Modules that training needs."""
 
 
-def report(event: str, **values: object) -> None:
-    """Print an event as a line of JSON."""
-    print(json.dumps({"event": event, **values}), flush=True)
-
-
 def main(arguments: list[str]) -> int:
     """Execute the training of ``JOB.json``, or export the checkpoint of ``checkpoint JOB.json``; without an argument,
     check this Python. Return the exit status."""
     began = time.monotonic()
-    try:
-        require_packages()
-        if not arguments:
-            import torch
+    return reporting_errors(lambda: _execute(arguments, began))
 
-            device = torch.cuda.get_device_name() if torch.cuda.is_available() else "CPU"
-            report("ready", torch=torch.__version__, device=device)
-            return 0
-        if arguments[0] == CHECKPOINT_JOB:
-            from . import checkpoint
 
-            checkpoint.run(Path(arguments[1]), report)
-            return 0
+def _execute(arguments: list[str], began: float) -> None:
+    require_packages()
+    if not arguments:
+        import torch
+
+        device = torch.cuda.get_device_name() if torch.cuda.is_available() else "CPU"
+        report("ready", torch=torch.__version__, device=device)
+    elif arguments[0] == CHECKPOINT_JOB:
+        from . import checkpoint
+
+        checkpoint.run(Path(arguments[1]), report)
+    else:
         from .train import run
 
         run(read_job(Path(arguments[0])), report, began)
-    except SemRefError as error:
-        sentence = error.sentence
-        report(
-            "failed",
-            template=sentence.template,
-            values={k: _plain(v) for k, v in sentence.values},
-            text=english(sentence),
-        )
-        return 1
-    except Exception as error:  # QGIS reports it as a bug
-        report("broke", text=traceback.format_exc(), reason=str(error).partition("\n")[0])
-        return 2
-    return 0
 
 
 def require_packages() -> None:
@@ -67,10 +49,3 @@ def require_packages() -> None:
             python=sys.executable,
             package=lacking[0],
         )
-
-
-def _plain(value: object) -> object:
-    """Return a value of a sentence for JSON."""
-    if isinstance(value, tuple):
-        return [_plain(part) for part in value]
-    return value if isinstance(value, (int, float)) else str(value)

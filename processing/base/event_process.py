@@ -1,4 +1,4 @@
-"""A process beside QGIS that reports its progress as lines of JSON."""
+"""A process beside QGIS that reports its progress as lines of JSON, see ``core/events.py``."""
 
 from __future__ import annotations
 
@@ -14,6 +14,8 @@ from qgis.PyQt.QtCore import QProcess, QProcessEnvironment
 
 from ...core.sentences import Sentence
 from .algorithm import check_canceled
+
+PROGRAM = Path(__file__).resolve().parents[2] / "program.py"
 
 FAILED = {"template": str, "values": dict}
 """Values of the event “failed” of each process."""

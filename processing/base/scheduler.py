@@ -20,7 +20,7 @@ from ..packages.components import CRYPTOGRAPHY, DASK, require
 from ..packages.install import python_candidates
 from ..translation import tr
 from .algorithm import check_canceled
-from .event_process import FAILED, EventProcess, failure, python_environment
+from .event_process import FAILED, PROGRAM, EventProcess, failure, python_environment
 from .parameters import with_help
 from .values import Values
 
@@ -31,7 +31,6 @@ __all__ = ["SCHEDULER", "Workers", "with_progress", "require_scheduler", "schedu
 
 SCHEDULER = "SCHEDULER"
 
-_PROGRAM = Path(__file__).resolve().parents[2] / "cluster"
 _ASKED_TO_END_MS = 700
 _WRITTEN_WITHIN_MS = 5000
 _EVENTS = {
@@ -213,7 +212,7 @@ def workers(
         order = os.path.join(folder, "order.json")
         content = {**_workers(values.text(SCHEDULER)), "labels": labels, "folder": folder}
         Path(order).write_text(json.dumps(content), encoding="utf-8")
-        process.start(_python(), [str(_PROGRAM), order])
+        process.start(_python(), [str(PROGRAM), "cluster.service", order])
         if not process.waitForStarted():
             raise SemRefError(
                 "The process of the workers cannot be started ({reason}). Leave “Scheduler” empty, so that QGIS does "

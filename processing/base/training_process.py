@@ -4,16 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import closing
-from pathlib import Path
 
 from qgis.core import QgsProcessingFeedback
 from qgis.PyQt.QtCore import QProcess
 
 from ...core.errors import TrainingError
 from ..translation import tr
-from .event_process import FAILED, EventProcess, failure, python_environment
-
-PROGRAM = Path(__file__).resolve().parents[2] / "training"
+from .event_process import FAILED, PROGRAM, EventProcess, failure, python_environment
 
 _EVENTS = {
     "ready": {"torch": str, "device": str},
@@ -55,7 +52,7 @@ def training_events(python: str, arguments: list[str], feedback: QgsProcessingFe
     for name in _QGIS_OWN:
         environment.remove(name)
     process.setProcessEnvironment(environment)
-    process.start(python, [str(PROGRAM), *arguments])
+    process.start(python, [str(PROGRAM), "training.command", *arguments])
     if not process.waitForStarted():
         raise TrainingError(
             "{python} cannot be started ({reason}). Select another Python of a training environment.",

@@ -19,7 +19,8 @@ from ..translation import tr
 from .install import Answer, Command, Commands, last_error, last_line, pip_variables, python_candidates
 
 PYTHON_SETTING = "semref/options/training_python"
-REQUIREMENTS = Path(__file__).resolve().parents[2] / "training" / "requirements.txt"
+_ROOT = Path(__file__).resolve().parents[2]
+REQUIREMENTS = _ROOT / "training" / "requirements.txt"
 
 _MARK = "semref_ready.txt"
 """File in a complete environment."""
@@ -107,7 +108,7 @@ def making_environment(wheels: str = "", without_graphics_card: bool = False) ->
         for arguments in _pip_runs(wheels, without_graphics_card):
             yield from _install(python, folder, arguments)
         title = tr("Checking torch…")
-        answer = yield Command(title, python, [str(REQUIREMENTS.parent)], str(folder), _APART)
+        answer = yield Command(title, python, [str(_ROOT / "program.py"), "training.command"], str(folder), _APART)
         if answer.status != 0:
             raise ComponentError(
                 "torch was installed, but does not work: {reason}. It was removed again.",

@@ -54,7 +54,7 @@ PARTS = {
 NEVER = {"processing": ("qgis.gui", "qgis.PyQt.QtWidgets")}
 """Algorithms run without windows."""
 
-FOR_ALL = {"errors", "limits", "named_files", "sentences", "tables", "values"}
+FOR_ALL = {"errors", "events", "limits", "named_files", "sentences", "tables", "values"}
 """Rooms of core that every room may import."""
 
 ABOVE_THE_IMAGE = {"geometry", "labels", "landmarks", "database", "localization", "localizer", "simulation"}
@@ -63,6 +63,7 @@ MAY_IMPORT = {
     "core": {
         "sentences": set(),
         "errors": set(),
+        "events": set(),
         "limits": set(),
         "values": set(),
         "named_files": set(),
@@ -192,7 +193,7 @@ def test_at_most_one_file_of_core_imports_onnxruntime():
     assert len([path for path in source_files("core") if imports_of(path, "onnxruntime")]) <= 1
 
 
-@for_each([ROOT / "cluster" / f"{name}.py" for name in ("__init__", "__main__", "task_names")])
+@for_each([ROOT / "cluster" / f"{name}.py" for name in ("__init__", "task_names")])
 def test_what_qgis_imports_of_the_cluster_needs_no_package(path):
     assert imports_of(path, "dask", "distributed", "cloudpickle", "osgeo", "numpy", "storage") == set()
 

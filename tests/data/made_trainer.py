@@ -13,10 +13,10 @@ TRAINER = """\
 import json, os, shutil, sys, time
 def tell(event, **values):
     print(json.dumps({{"event": event, **values}}), flush=True)
-if len(sys.argv) == 2:
+if len(sys.argv) == 3:
     {ready}
     sys.exit(0)
-job = json.load(open(sys.argv[2]))
+job = json.load(open(sys.argv[3]))
 folder = job["folder"]
 row = {{"epoch": 1, "training_loss": 1.5, "mean_iou": 0.4, "iou_building": 0.5, "iou_water": 0.3,
         "learning_rate": "1e-3", "seconds": 1.0}}

@@ -76,7 +76,7 @@ def test_without_graphics_cards_torch_comes_first_from_its_makers(folder):
     [
         ("venv", "python3-venv"),
         ("pip", "could not be installed: no matching distribution"),
-        ("training", "does not work"),
+        ("training.command", "does not work"),
     ],
 )
 def test_a_failed_step_is_reported_and_leaves_nothing(folder, failing, said):

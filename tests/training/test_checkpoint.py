@@ -77,7 +77,7 @@ def exported(python, folder: Path, image: np.ndarray, facts, architecture: str, 
     made = run(python, "-c", PROGRAM, folder, architecture, encoder, len(facts.classes))
     assert made.returncode == 0, made.stderr
     stated = job(folder, architecture=architecture, encoder=encoder, outputs=len(facts.classes))
-    done = run(python, ROOT / "training", "checkpoint", stated)
+    done = run(python, ROOT / "program.py", "training.command", "checkpoint", stated)
     assert done.returncode == 0, done.stdout + done.stderr
     return np.load(folder / "logits.npy")
 

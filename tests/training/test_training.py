@@ -62,7 +62,7 @@ def command(python: Path, job: Job) -> list[str]:
     path = Path(job.folder).with_suffix(".json")
     job.write(path)
     assert read_job(path) == job
-    return [str(python), str(ROOT / "training"), str(path)]
+    return [str(python), str(ROOT / "program.py"), "training.command", str(path)]
 
 
 def trained(python: Path, job: Job) -> list[dict]:
@@ -81,7 +81,8 @@ def first(training_python, tiles, tmp_path_factory):
 
 
 def test_a_python_without_torch_reports_what_it_lacks():
-    done = subprocess.run([sys.executable, str(ROOT / "training")], capture_output=True, text=True, check=False)
+    command = [sys.executable, str(ROOT / "program.py"), "training.command"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
     event = json.loads(done.stdout.splitlines()[-1])
     assert (
         event["template"]

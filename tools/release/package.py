@@ -14,7 +14,10 @@ from pathlib import Path
 from metadata import placeholders, plugin_version, shipped_metadata
 
 ROOT = Path(__file__).resolve().parents[2]
-SHIPPED_FILES = ("metadata.txt", "LICENSE", "README.md", "CHANGELOG.md", "CITATION.cff", "__init__.py", "plugin.py")
+SHIPPED_FILES = (
+    *("metadata.txt", "LICENSE", "README.md", "CHANGELOG.md", "CITATION.cff"),
+    *("__init__.py", "plugin.py", "program.py"),
+)
 HELP, SAMPLE = "help", "sample"
 SHIPPED_FOLDERS = ("core", "storage", "cluster", "training", "processing", "ui", "resources", "models")
 DATA_SUFFIXES = (".onnx", ".png", ".webp", ".tif", ".jpg", ".shp", ".shx", ".dbf")

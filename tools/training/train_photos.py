@@ -162,7 +162,7 @@ def train(options: argparse.Namespace, name: str, model: Path, tiles: dict[str, 
     )
     asked = model.with_suffix(".job.json")
     job.write(asked)
-    status = subprocess.run([str(options.python), str(ROOT / "training"), str(asked)]).returncode
+    status = subprocess.run([str(options.python), str(ROOT / "program.py"), "training.command", str(asked)]).returncode
     if status:
         sys.exit(status)
 

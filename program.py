@@ -1,4 +1,4 @@
-"""Start a training in its own process: ``PYTHON …/semref/training JOB.json``, see command.py.
+"""Start a program of SemRef in a process beside QGIS: ``PYTHON …/semref/program.py training.command JOB.json``.
 
 The plugin's folder may have any name, and its rooms must not hide packages of the same names. This file therefore
 loads the folder as the package ``semref`` and removes it from Python's path.
@@ -9,7 +9,7 @@ import importlib.util
 import sys
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parent
 
 
 def load_package() -> None:
@@ -23,6 +23,6 @@ def load_package() -> None:
 
 
 if __name__ == "__main__":
-    sys.path[:] = [entry for entry in sys.path if Path(entry or ".").resolve() not in (ROOT, ROOT / "training")]
+    sys.path[:] = [entry for entry in sys.path if Path(entry or ".").resolve() != ROOT]
     load_package()
-    sys.exit(importlib.import_module("semref.training.command").main(sys.argv[1:]))
+    sys.exit(importlib.import_module(f"semref.{sys.argv[1]}").main(sys.argv[2:]))
