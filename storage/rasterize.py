@@ -1,8 +1,7 @@
-"""Rasterize polygons with GDAL into a label map, strip by strip, and compute the pixel grid of that map."""
+"""Rasterize polygons with GDAL into a label map, strip by strip."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
@@ -11,9 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from osgeo import gdal, ogr, osr
 
-from ..core import limits
 from ..core.annotation.raster_losses import RegionRuns, join_runs, runs_of_strip
-from ..core.errors import ParameterError
 from ..core.geometry.frame import MapFrame
 from ..core.labels.class_table import ClassTable
 from ..core.labels.sources import count_labels
@@ -205,40 +202,3 @@ class AreaMask:
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
         """Return (height, width) bool of the pixels inside the polygons, for a part of the image."""
         return self._layer.rasterize(_PIXELS.part(column, row, (height, width)), gdal.GDT_Byte) > 0
-
-
-Bounds = tuple[float, float, float, float]
-"""Left, bottom, right, top."""
-
-
-def pixel_grid(bounds: Bounds, pixel_size: float, crs_wkt: str) -> MapFrame:
-    """Return the smallest grid around ``bounds`` that is aligned to multiples of the pixel size.
-
-    Maps of the same pixel size thus share their pixel corners.
-
-    Raises:
-        ParameterError: The pixel size is not positive, or the grid is too large.
-    """
-    # QGIS must start without loading numpy.
-    from ..core.geometry.frame import MapFrame
-
-    if not pixel_size > 0 or not math.isfinite(pixel_size):
-        raise ParameterError("The pixel size is {pixel_size:g} m; it must be more than 0.", pixel_size=pixel_size)
-    # Rounding errors of a bound must not add a row of pixels.
-    slack = 1e-6
-    left, bottom = (math.floor(v / pixel_size + slack) for v in bounds[:2])
-    right, top = (math.ceil(v / pixel_size - slack) for v in bounds[2:])
-    width, height = max(right - left, 1), max(top - bottom, 1)
-    if width * height > limits.MAP_PIXELS or max(width, height) > 2**31 - 1:
-        raise ParameterError(
-            "The label map would have {width} × {height} pixels; choose larger pixels or a smaller extent.",
-            width=width,
-            height=height,
-        )
-    return MapFrame.at((left * pixel_size, top * pixel_size), pixel_size, (height, width), crs_wkt)
-
-
-def union_of_bounds(bounds: Iterable[Bounds]) -> Bounds:
-    """Return (left, bottom, right, top) around several bounds."""
-    lefts, bottoms, rights, tops = zip(*bounds)
-    return min(lefts), min(bottoms), max(rights), max(tops)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from qgis.core import QgsProcessingOutputNumber, QgsProcessingParameterFeatureSink, QgsProcessingParameterNumber
 
 from ...core.annotation.findings import CHECKED_KINDS, ERROR
-from ...storage.rasterize import pixel_grid, union_of_bounds
+from ...storage.pixel_grid import pixel_grid, union_of_bounds
 from ..base import parameters
 from ..base.algorithm import Declared, cancelable, check_canceled, follow, interruptible
 from ..base.annotation import AnnotationAlgorithm, geometry_of

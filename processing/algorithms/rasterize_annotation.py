@@ -15,7 +15,7 @@ from qgis.core import (
     QgsProcessingParameterRasterDestination,
 )
 
-from ...storage.rasterize import pixel_grid, union_of_bounds
+from ...storage.pixel_grid import pixel_grid, union_of_bounds
 from ..base import parameters
 from ..base.algorithm import Declared, follow
 from ..base.annotation import AnnotationAlgorithm, filling_polygon

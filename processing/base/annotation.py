@@ -12,7 +12,7 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsG
 
 from ...core.annotation.findings import ERROR, UNKNOWN_CLASS
 from ...core.errors import ParameterError
-from ...storage.rasterize import Bounds, union_of_bounds
+from ...storage.pixel_grid import Bounds, union_of_bounds
 from ..translation import tr
 from . import parameters
 from .algorithm import ANNOTATION, SemRefAlgorithm, check_canceled

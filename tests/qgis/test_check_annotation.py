@@ -133,7 +133,8 @@ def test_drawn_landmarks_are_the_objects_of_the_label_map(run_algorithm, tmp_pat
     """Compare the regions that the check draws with those of Rasterize annotation on the same layer."""
     from semref.core.annotation.check import AnnotationCheck, CheckSettings
     from semref.core.annotation.polygons import AnnotatedFeature
-    from semref.storage.rasterize import RegionBurning, pixel_grid
+    from semref.storage.pixel_grid import pixel_grid
+    from semref.storage.rasterize import RegionBurning
 
     random = np.random.default_rng(8)
     features = []
