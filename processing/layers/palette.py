@@ -14,6 +14,9 @@ GOOD = "#00795c"
 BAD = "#b3261e"
 """Errors, wrong positions and rejected positions."""
 
+WARNING = "#e08a00"
+"""Warnings and possible positions."""
+
 FOURTH = "#a3508c"
 """The fourth series of a chart."""
 
