@@ -40,42 +40,17 @@ def page(plugin, iface):
 
 def test_the_page_lists_what_is_missing_and_copies_the_command_for_what_is_ticked(page, lacking):
     from qgis.core import QgsApplication
-    from qgis.PyQt.QtCore import Qt
 
-    from semref.processing.packages.components import ONNXRUNTIME, install_command
+    from semref.processing.packages.components import DASK, ONNXRUNTIME, OPENCV, install_command
 
-    states = [page.list.topLevelItem(row).text(2) for row in range(page.list.topLevelItemCount())]
+    states = [state.text() for state in page.states.values()]
     assert states == ["Missing", "Ready", "Ready", "Missing", "Missing", "Ready"]
     # Dask is there for who wants it; nothing suggests it.
-    assert page.list.topLevelItem(4).checkState(0) == Qt.CheckState.Unchecked
+    assert not page.checks[DASK].isChecked()
     assert page.install.isEnabled() and not page.progress.isVisible() and not page.log.isVisible()
-    page.list.topLevelItem(0).setCheckState(0, Qt.CheckState.Unchecked)
+    page.checks[OPENCV].setChecked(False)
     page.copy.click()
     assert QgsApplication.clipboard().text() == install_command([ONNXRUNTIME])
-
-
-@pytest.mark.parametrize("width", [640, 760, 1100])
-def test_every_word_of_the_list_is_seen_without_scrolling_whatever_it_takes(page, width):
-    from qgis.PyQt.QtCore import QCoreApplication, Qt
-
-    page.list.topLevelItem(4).setText(1, "Datenbanken und Klassenkarten mit vielen Prozessen oder Rechnern herstellen")
-    page.list.topLevelItem(2).setText(2, "2.3.1, die nicht getestet wurde")
-    page.resize(width, 600)
-    for _ in range(5):
-        QCoreApplication.processEvents()
-    listed = page.list
-    assert listed.horizontalScrollBar().maximum() == 0 and listed.verticalScrollBar().maximum() == 0
-    assert listed.header().length() <= listed.viewport().width()
-    metrics = listed.fontMetrics()
-    wraps = Qt.TextFlag.TextWordWrap
-    for row in range(listed.topLevelItemCount()):
-        item = listed.topLevelItem(row)
-        for column in range(listed.columnCount()):
-            shown = listed.visualRect(listed.indexFromItem(item, column))
-            needed = metrics.boundingRect(0, 0, shown.width() - 4, 1000, int(wraps), item.text(column))
-            assert needed.width() <= shown.width() and needed.height() <= shown.height(), item.text(column)
-    below = listed.visualItemRect(listed.topLevelItem(listed.topLevelItemCount() - 1)).bottom()
-    assert below < listed.viewport().height() < below + 2 * metrics.height()
 
 
 def test_the_dock_shows_missing_packages_until_they_are_installed(plugin, iface, lacking):

@@ -2,28 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 from qgis.core import QgsApplication, QgsSettings
 from qgis.gui import QgsOptionsPageWidget
-from qgis.PyQt.QtCore import QEvent, QModelIndex, QRect, QSize, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QFontDatabase, QResizeEvent, QTextCursor
+from qgis.PyQt.QtCore import Qt, pyqtSignal
+from qgis.PyQt.QtGui import QFontDatabase, QTextCursor
 from qgis.PyQt.QtWidgets import (
+    QCheckBox,
     QFileDialog,
     QFrame,
     QGridLayout,
     QGroupBox,
-    QHeaderView,
     QLabel,
     QPlainTextEdit,
     QProgressBar,
     QPushButton,
     QScrollArea,
-    QStyledItemDelegate,
-    QStyleOptionViewItem,
-    QTreeWidget,
-    QTreeWidgetItem,
     QVBoxLayout,
     QWidget,
 )
@@ -48,7 +42,6 @@ from ...processing.packages.components import (
 from ...processing.translation import tr
 from ..model_list import ModelsDialog
 from ..widgets.layouts import row_of
-from ..widgets.tables import changes_font
 from .component_installer import ComponentInstaller
 from .device_group import DeviceGroup
 from .training_group import TrainingGroup
@@ -71,8 +64,8 @@ class ComponentsPage(QgsOptionsPageWidget):
         self._installer = installer
         self.training = None if training_installer is None else TrainingGroup(training_installer)
         self.devices = DeviceGroup()
-        headings = tr("Package"), tr("Purpose"), tr("State"), tr("Tested versions")
-        self.list = PackageList(headings, wrapped=1)
+        self.checks = {package: QCheckBox() for package in PACKAGES}
+        self.states = {package: QLabel() for package in PACKAGES}
         self.install = QPushButton(QgsApplication.getThemeIcon("/mActionAdd.svg"), tr("Install"))
         self.install_wheels = QPushButton(tr("Install from a folder of wheels…"))
         self.copy = QPushButton(QgsApplication.getThemeIcon("/mActionEditCopy.svg"), tr("Copy command"))
@@ -120,7 +113,7 @@ class ComponentsPage(QgsOptionsPageWidget):
         group = QGroupBox(tr("Python packages"))
         layout = QVBoxLayout(group)
         layout.addWidget(explanation)
-        layout.addWidget(self.list)
+        layout.addLayout(self._package_table())
         layout.addLayout(buttons)
         layout.addWidget(self.state)
         layout.addLayout(row_of((self.progress, 1), self.cancel))
@@ -146,8 +139,26 @@ class ComponentsPage(QgsOptionsPageWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(area)
 
+    def _package_table(self) -> QGridLayout:
+        """Return a row for each package: check box, title, purpose, state and tested versions."""
+        table = QGridLayout()
+        headings = "", tr("Package"), tr("Purpose"), tr("State"), tr("Tested versions")
+        for column, heading in enumerate(headings):
+            table.addWidget(QLabel(f"<b>{heading}</b>"), 0, column)
+        for row, package in enumerate(PACKAGES, start=1):
+            title, use, tested = QLabel(package.title), QLabel(purpose(package)), QLabel(_tested(package))
+            title.setToolTip(package.pip_name)
+            title.setBuddy(self.checks[package])
+            self.checks[package].setAccessibleName(package.title)
+            use.setWordWrap(True)
+            for column, widget in enumerate((self.checks[package], title, use, self.states[package], tested)):
+                table.addWidget(widget, row, column)
+        table.setColumnStretch(2, 1)
+        return table
+
     def _connect(self) -> None:
-        self.list.itemChanged.connect(self._enable)
+        for check in self.checks.values():
+            check.toggled.connect(self._enable)
         self.install.clicked.connect(self._install)
         self.install_wheels.clicked.connect(self._choose_wheels)
         self.copy.clicked.connect(self._copy_command)
@@ -165,31 +176,24 @@ class ComponentsPage(QgsOptionsPageWidget):
     # --- state ---
 
     def _show_packages(self) -> None:
-        self.list.clear()
         for package in PACKAGES:
-            item = QTreeWidgetItem([package.title, purpose(package), _state(package), _tested(package)])
-            item.setToolTip(0, package.pip_name)
-            item.setData(0, Qt.ItemDataRole.UserRole, package)
-            if is_missing(package):
-                is_wanted = package not in OPTIONAL
-                item.setCheckState(0, Qt.CheckState.Checked if is_wanted else Qt.CheckState.Unchecked)
-            else:
-                item.setToolTip(2, origin(package))
-            self.list.addTopLevelItem(item)
-        self.list.fit()
+            lacks = is_missing(package)
+            self.checks[package].setVisible(lacks)
+            self.checks[package].setChecked(lacks and package not in OPTIONAL)
+            self.states[package].setText(_state(package))
+            self.states[package].setToolTip("" if lacks else origin(package))
         self._enable()
 
     def _chosen_packages(self) -> list[Package]:
         """Return the missing packages that are checked."""
-        items = (self.list.topLevelItem(row) for row in range(self.list.topLevelItemCount()))
-        packages = [(item.data(0, Qt.ItemDataRole.UserRole), item.checkState(0)) for item in items]
-        return [package for package, check in packages if is_missing(package) and check == Qt.CheckState.Checked]
+        return [package for package, check in self.checks.items() if check.isChecked()]
 
     def _enable(self) -> None:
         running = self._installer.running
         for button in (self.install, self.install_wheels, self.copy):
             button.setEnabled(not running and bool(self._chosen_packages()))
-        self.list.setEnabled(not running)
+        for check in self.checks.values():
+            check.setEnabled(not running)
         self.remove.setEnabled(not running and components_root().is_dir())
         self.progress.setVisible(running)
         self.cancel.setVisible(running)
@@ -271,52 +275,3 @@ def _state(package: Package) -> str:
     if version and not is_tested(version, package.tested(np.__version__)):
         return tr("{version} (not tested)").format(version=version)
     return tr("Installed by SemRef") if is_own(package) else tr("Ready")
-
-
-class _Wrapped(QStyledItemDelegate):
-    """Delegate that returns the height of wrapped text; Qt's trees return the height of one line."""
-
-    def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex) -> QSize:
-        # Qt uses the width only if the rectangle has a height.
-        option.rect = QRect(0, 0, self.parent().columnWidth(index.column()), option.fontMetrics.height())
-        return super().sizeHint(option, index)
-
-
-class PackageList(QTreeWidget):
-    """List as high as its rows; one column with wrapped texts takes the remaining width."""
-
-    def __init__(self, headings: Sequence[str], wrapped: int) -> None:
-        """Create an empty list.
-
-        Args:
-            wrapped: Index of the column with wrapped texts.
-        """
-        super().__init__()
-        self.setHeaderLabels(headings)
-        self.setRootIsDecorated(False)
-        self.setWordWrap(True)
-        self.setItemDelegateForColumn(wrapped, _Wrapped(self))
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        header = self.header()
-        header.setStretchLastSection(False)
-        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        header.setSectionResizeMode(wrapped, QHeaderView.ResizeMode.Stretch)
-        header.sectionResized.connect(self.fit)
-
-    def fit(self, *_what_changed) -> None:
-        """Set the height to the height of the rows."""
-        # Otherwise rows keep their heights after the column width changed.
-        self.doItemsLayout()
-        rows = (self.visualItemRect(self.topLevelItem(n)).height() for n in range(self.topLevelItemCount()))
-        self.setFixedHeight(self.header().sizeHint().height() + sum(rows) + 2 * self.frameWidth())
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        if event.size().width() != event.oldSize().width():
-            self.fit()
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if changes_font(event):
-            self.fit()
