@@ -27,7 +27,7 @@ def detail_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> fl
     Returns:
         Standard deviations of the correlation with the shifted image; 0 without such detail.
     """
-    window = window_px(image, 1 / pyramid.settings.coarse_edge)
+    window = _window(image, pyramid.settings.coarse_edge)
     seen, there = finer(image.evidence, window), finer(map_under(image, pyramid, pose)[0], window)
     product = np.fft.rfft2(there, axes=(0, 1)) * np.conj(np.fft.rfft2(seen, axes=(0, 1)))
     correlation = np.fft.irfft2(product.sum(axis=2), s=seen.shape[:2])
@@ -37,10 +37,10 @@ def detail_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> fl
     return float(correlation[0, 0]) / spread if spread > 0 and window > 1 else 0.0
 
 
-def window_px(image: EvidenceLevel, share: float) -> int:
-    """Return the odd edge of a window, in pixels of the image; ``share``: of the image's edge (root of its area)."""
+def _window(image: EvidenceLevel, coarse_edge: int) -> int:
+    """Return the odd edge, in pixels of the image, of at least a pixel of the first look; 1 if they are the same."""
     height, width = image.known.shape
-    return 2 * int(np.sqrt(height * width) * share / 2) + 1
+    return 2 * int(np.sqrt(height * width) / coarse_edge / 2) + 1
 
 
 def finer(planes: np.ndarray, window: int) -> np.ndarray:

@@ -14,7 +14,6 @@ from ..localization import Prior
 from ..sentences import Sentence
 from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, evidence_of_shares, reduce_level
 from .decision import fisher_z
-from .detail import window_px
 from .refine import ScoredPose, pose_covariance, refine
 from .refine_many import refine_many
 from .search import SearchSpace, search
@@ -233,21 +232,14 @@ def best_places(
     chance = chance_levels(peaks, space.pixel_sizes_m, wide is not None)
     poses = _poses_of(peaks)
     # Neighboring peaks may lead to different optima: until the last round, places differ from half the distance on.
-    near = _HALF * settings.apart
-    starts = distinct(_above_chance(poses, chance), image, near, count)
     for edge, kept in (
-        (settings.coarse_edge, settings.middle_candidates),
-        (settings.middle_edge, settings.finalists),
+        (settings.coarse_edge, count),
+        (settings.middle_edge, settings.middle_candidates),
+        (settings.decision_edge, settings.finalists),
     ):
         level = reduce_image(image, edge)
+        starts = distinct(_above_chance(poses, chance), image, _HALF * settings.apart, kept)
         poses = [pose for pose in refine_many(level, pyramid, starts, quiet, _STEPS) if _is_in(pose, space)]
-        share, window = settings.local_choice
-        by_contrast = refine_many(level, pyramid, poses, quiet, 1, window_px(level, window))
-        by_contrast = _above_chance([pose for pose in by_contrast if _is_in(pose, space)], chance)
-        first = distinct(by_contrast, image, near, round(share * kept))
-        starts = distinct([*first, *_above_chance(poses, chance)], image, near, kept)
-    level = reduce_image(image, settings.decision_edge)
-    poses = [pose for pose in refine_many(level, pyramid, starts, quiet, _STEPS) if _is_in(pose, space)]
     return distinct(_above_chance(poses, chance), image, settings.apart, settings.finalists), chance
 
 

@@ -13,7 +13,6 @@ import numpy as np
 
 from .. import limits
 from .class_pyramid import EvidenceLevel, MapPyramid
-from .detail import finer
 from .refine import (
     DAMPING,
     LARGEST_STEP,
@@ -27,13 +26,8 @@ from .refine import (
 )
 
 
-def refine_many(  # noqa: PLR0913 - image and map, the poses, and what is compared
-    image: EvidenceLevel,
-    pyramid: MapPyramid,
-    poses: list[ScoredPose],
-    quiet: float,
-    steps: int,
-    window: int | None = None,
+def refine_many(
+    image: EvidenceLevel, pyramid: MapPyramid, poses: list[ScoredPose], quiet: float, steps: int
 ) -> list[ScoredPose]:
     """Return the best pose of ``steps`` Gauss–Newton steps from each of N poses, with its score, in the given order.
 
@@ -42,21 +36,13 @@ def refine_many(  # noqa: PLR0913 - image and map, the poses, and what is compar
         poses: Start poses.
         quiet: Energy per pixel that is added to the map's own in the score.
         steps: Steps of each pose.
-        window: Compare image and map without their means over this many pixels around (odd edge of a square).
     """
     best = [replace(pose, score=NOT_COMPARABLE) for pose in poses]
     if not poses:
         return best
     seen = image.evidence - image.evidence.mean(axis=(0, 1))
-    if window is not None:
-        whole = float((seen**2).sum())
-        seen = finer(image.evidence, window)
-        seen = seen - seen.mean(axis=(0, 1))
-        quiet *= float((seen**2).sum()) / max(whole, 1e-30)
     for step in range(steps + 1):
         patches, known = _maps_under(image, pyramid, poses)
-        if window is not None:
-            patches = np.stack([finer(patch, window) for patch in patches])
         scores, gains, there = _score(seen, patches, known, quiet)
         poses = [replace(pose, score=float(score)) for pose, score in zip(poses, scores)]
         best = [pose if pose.score > kept.score else kept for pose, kept in zip(poses, best)]

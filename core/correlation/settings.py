@@ -32,11 +32,6 @@ class CorrelationSettings:
         decoys: Places of the mirrored image that are refined [by hand; footprint trials].
         middle_edge: Edge of the image, pixels, at the second look [by hand; footprint trials].
         middle_candidates: Places that remain for the second look [by hand; footprint trials].
-        local_choice: Share of the places that remain for the second look and for the decision because of their local
-            contrast (without the mean over a square around each pixel), and the square's edge as a share of the
-            image's. Of 100 images of 320 and 640 m that did not set the values, in search areas of 4 km radius, the
-            right place is first for 41; without local contrast for 38, a difference within chance. Of 48 photos of
-            Kenya it is first for 20; without for 21 [by hand; footprint trials].
         finalists: Places that remain, refined at the decision's pixels [by hand; correlation trials, north, and fit].
         apart: Least distance of different places, as a share of the image's edge on the ground [by hand; correlation
             trials, north, and fit].
@@ -83,7 +78,6 @@ class CorrelationSettings:
     decoys: int = 96
     middle_edge: int = 32
     middle_candidates: int = 48
-    local_choice: tuple[float, float] = (0.25, 0.28)
     finalists: int = 8
     apart: float = 0.25
     decision_edge: int = 64
