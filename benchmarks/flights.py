@@ -18,7 +18,7 @@ from semref.core.assessment.flights import SIZE_KNOWN, link_between
 from semref.core.flight.flight import FlightSolver
 from semref.core.flight.model import FlightImage
 from semref.core.flight.motion import Link
-from semref.core.localization import Prior
+from semref.core.localization import Method, Prior
 from semref.core.simulation.label_errors import spoil_labels
 from semref.core.simulation.noise import DISPLACED_M, LabelNoise
 from semref.core.simulation.views import View, cut
@@ -63,6 +63,8 @@ class Row:
         foreign: ``mirrored`` or ``other half``; every position is then wrong.
         heading_known_deg: Largest error of known headings; 0 for unknown.
         landmarks: Least number of the database's landmarks in each image.
+        labeled: Least share of each image that the database's map labels, too.
+        leaning: Shift of roofs, as a share of the distance from the center.
         count: Number of flights.
     """
 
@@ -80,6 +82,8 @@ class Row:
     foreign: str = ""
     heading_known_deg: float = 0.0
     landmarks: int = 0
+    labeled: float = 0.0
+    leaning: float = 0.0
     count: int = 20
 
 
@@ -109,6 +113,8 @@ def one_flight(ground: Ground, known: Ground, row: Row, number: int) -> dict[str
     if row.foreign == "mirrored":
         images = [replace(i, labels_hw=np.ascontiguousarray(i.labels_hw[:, ::-1])) for i in images]
         links = [link.mirrored() for link in links]
+    # As for the user, the flight starts from what each image shows by itself.
+    images = [replace(i, own=known.localizer.localize(i.labels_hw, Method.AUTOMATIC, i.prior)) for i in images]
     solver, seconds = FlightSolver(known.localizer), []
     started = time.process_time()
     for done, _ in solver.steps(images, links):
@@ -149,6 +155,8 @@ def draw(ground: Ground, row: Row, rng: np.random.Generator) -> tuple[list[Fligh
             continue
         if row.landmarks and not all(_landmarks_in(ground, view) >= row.landmarks for view in views):
             continue
+        if row.labeled and min(_labeled(ground, view) for view in views) < row.labeled:
+            continue
         columns, rows = ground.frame.to_pixels(np.array([view.position for view in views])).astype(int).T
         if not ground.labels_hw[rows, columns].all():
             continue
@@ -162,6 +170,15 @@ def _landmarks_in(ground: Ground, view: View) -> int:
     """Return the number of the database's landmarks in the circle that fits in an image."""
     away = ground.database.references.positions - np.array(view.position)
     return int((np.hypot(*away.T) < view.footprint / 2).sum())
+
+
+def _labeled(ground: Ground, view: View) -> float:
+    """Return the share of a view that the database's map labels."""
+    pyramid, (left, top) = ground.localizer.pyramid, ground.localizer.pyramid.frame.origin
+    reach = view.footprint / 2
+    x, y = view.x - left, top - view.y
+    level, _, _ = pyramid.crop(reach / 8, (x - reach, y - reach, x + reach, y + reach))
+    return float(level.known.mean())
 
 
 def _route(ground: Ground, row: Row, rng: np.random.Generator) -> list[View]:
@@ -186,7 +203,7 @@ def _fly(
         links = [link for link in links if link.second % row.missing]
     noise = NOISES[row.noise]
     if noise != LabelNoise():
-        noise = replace(noise, displaced=DISPLACED_M)
+        noise = replace(noise, displaced=DISPLACED_M, leaning=row.leaning, leaning_classes=BUILDINGS)
     images = []
     for number, (view, labels) in enumerate(zip(views, seen)):
         smallest = max(ground.database.parameters.minimum_area / view.pixel_size**2, 1.0)
