@@ -31,6 +31,8 @@ from ..processing.base.values import Values
 from ..processing.layers.database_layers import add_database_to_map, database_layers
 from ..processing.messages.sentences import worded
 from ..processing.translation import tr
+from .layer_files import photo_layer
+from .proposals import annotation_at_hand
 from .running.algorithm_run import AlgorithmRun
 from .running.background import Reader
 from .running.localization_run import named_results
@@ -69,8 +71,11 @@ class SetUpAreaDialog(QDialog):
         self.lines = QgsProcessingMapLayerComboBox(self._definition(SetUpArea.LINES))
         self.imagery = QgsProcessingMapLayerComboBox(self._definition(SetUpArea.IMAGERY))
         # QGIS selects the first layer, also of an optional parameter.
-        for optional in (self.lines, self.imagery):
-            optional.setValue(None, QgsProcessingContext())
+        self.lines.setValue(None, QgsProcessingContext())
+        self.imagery.setLayer(photo_layer(QgsProject.instance()))
+        annotation = annotation_at_hand(QgsProject.instance()).get("INPUT")
+        if annotation is not None:
+            self.map.setLayer(QgsProject.instance().mapLayer(annotation))
         self.minutes = _number(tr("0, use the model as it is"), tr(" min"), 0, 5)
         self.model = _files(QgsFileWidget.StorageMode.GetFile)
         self.model.setFilter(tr("ONNX models (*.onnx)"))

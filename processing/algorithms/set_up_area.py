@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Sequence
 from dataclasses import replace
@@ -36,6 +37,7 @@ from ..compat import DOUBLE, SOURCE_FILE, SOURCE_LINE, SOURCE_POLYGON
 from ..layers.guess_fields import BUILDING
 from ..layers.results_file import TABLES
 from ..translation import tr
+from .assess_database import AssessDatabase
 from .build_database import BuildDatabase
 from .classify_openstreetmap import LINES_OF_OSM, POLYGONS_OF_OSM, RULES_PATH, ClassifyOpenStreetMap
 from .localize_images import LocalizeImages
@@ -54,6 +56,7 @@ DEFAULT_MODEL = MODELS / "buildings.onnx"
 RULES_FILE, CAMERAS_FILE = "rules.csv", "cameras.csv"
 LAND_COVER_FILE, LABEL_MAP_FILE = "land_cover.gpkg", "label_map.tif"
 DATABASE_FILE, MODEL_FILE, TRAINING_FILE = "reference_database.gpkg", "model.onnx", "training.html"
+EXPECTED_FILE, ASSESSMENT_FILE = "expected_success.gpkg", "assessment.html"
 POSITIONS_FILE, REPORT_FILE = "positions.gpkg", "report.html"
 LABELS_FOLDER = "labels"
 """Folder of the photos' label images; the dock looks for this name beside results."""
@@ -62,6 +65,10 @@ _OUTPUTS = dict(zip(("OUTPUT", "FOOTPRINTS", "ALTERNATIVES", "MATCHES"), TABLES)
 
 RISK, SCALES = 0.01, (0.5, 2.0)
 """Maximum error probability of the positions, and scales to search where the ground width of a photo is typical."""
+
+
+SIMULATED, SQUARES = 100, 2000
+"""Simulated images of the quick assessment, and the largest number of squares: seconds, also on a large map."""
 
 
 class SetUpArea(SemRefAlgorithm):
@@ -90,7 +97,8 @@ class SetUpArea(SemRefAlgorithm):
     def summary(self) -> str:
         return tr(
             "Finds the positions of photos on a map in one run: it builds a reference database, optionally trains the "
-            "model on imagery of the area, and localizes the photos.\n\nSemRef derives pixel size, window size, "
+            "model on imagery of the area, assesses how many photos can be expected to get a position, and localizes "
+            "the photos.\n\nSemRef derives pixel size, window size, "
             "stride and minimum area from the map and the photos, and shows them in the log before it starts. Each "
             "file in the folder is usable by itself. To continue a canceled run, run it again with the same values."
         )
@@ -290,7 +298,7 @@ class SetUpArea(SemRefAlgorithm):
             feedback.setProgressText(step.text)
             step.run(self._prepare(values, area, step, record, feedback), values.context, progress)
             record.add(step)
-        return self._report(values, area, folder, record)
+        return self._report(values, area, folder, record, feedback)
 
     def _steps(self, values: Values, area: AreaSetup, folder: Path) -> list[Step]:
         """Return the algorithms to run, in order."""
@@ -337,6 +345,17 @@ class SetUpArea(SemRefAlgorithm):
                 "REPORT": str(folder / TRAINING_FILE),
             }
             steps.append(Step(TrainModel, train, (MODEL_FILE, TRAINING_FILE), tr("Training the model")))
+        footprint = round(math.sqrt(math.prod(area.photos.size_m)), 1)
+        spacing = max(footprint / 2, math.sqrt(area.extent.area() / SQUARES))
+        assess = {
+            "DATABASE": build["DATABASE"],
+            "FOOTPRINT": str(footprint),
+            "SPACING": spacing,
+            "TRIALS": SIMULATED,
+            "OUTPUT": str(folder / EXPECTED_FILE),
+            "REPORT": str(folder / ASSESSMENT_FILE),
+        }
+        steps.append(Step(AssessDatabase, assess, (EXPECTED_FILE, ASSESSMENT_FILE), tr("Assessing the database")))
         if area.photos.files:
             localize = {
                 "DATABASE": build["DATABASE"],
@@ -375,16 +394,21 @@ class SetUpArea(SemRefAlgorithm):
         files = [self._imagery, self._model(values), *area.photos.files]
         return [area.digest, area.extent.toString(3), str(area.plan), [(path, *state(path)) for path in files if path]]
 
-    def _report(self, values: Values, area: AreaSetup, folder: Path, record: Record) -> dict[str, Any]:
+    def _report(
+        self, values: Values, area: AreaSetup, folder: Path, record: Record, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
         """Write the report and return all results."""
-        from ..reports.setup_report import PhotoRow, SetupReport
+        from ..reports.setup_report import PhotoRow, SetupReport, expectation_of
 
+        squares = QgsVectorLayer(str(folder / EXPECTED_FILE), "", "ogr").getFeatures()
+        expected = expectation_of([(one["success"], one["objects"], one["reason"] or "") for one in squares])
+        feedback.pushInfo(expected.sentence())
         rows, positions = [], f"{folder / POSITIONS_FILE}|layername={TABLES[0]}"
         if area.photos.files:
             for one in QgsVectorLayer(positions, "", "ogr").getFeatures():
                 texts = (str(one[name] or "") for name in ("image", "status", "reason"))
                 rows.append(PhotoRow(*texts, None if not one["error_95"] else float(one["error_95"])))
-        report = SetupReport(area.summary(values.number(self.MINUTES)), area.warnings, rows)
+        report = SetupReport(area.summary(values.number(self.MINUTES)), area.warnings, expected, rows)
         record.write(REPORT_FILE, report.html())
         results = {self.DATABASE: str(folder / DATABASE_FILE), self.REPORT: str(folder / REPORT_FILE)}
         results[self.TRAINED_MODEL] = str(folder / MODEL_FILE) if self._trains(values) else self._model(values)

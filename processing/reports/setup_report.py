@@ -1,8 +1,10 @@
-"""Report of “Set up an area”: how many photos have a position, and the reasons of the others."""
+"""Report of “Set up an area”: how many photos have a position, how many were to be expected, and the reasons."""
 
 from __future__ import annotations
 
 import os
+import re
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from statistics import median
@@ -11,6 +13,12 @@ from ...core.localization import Status
 from ..messages.columns import status_words
 from ..translation import tr
 from . import page, parts
+
+REASONS = 3
+"""The most frequent reasons that are shown."""
+
+_NONE_IN_VIEW = 1e-6
+"""Weight of a square without landmarks in view; it counts only if there are no others."""
 
 
 @dataclass(frozen=True)
@@ -24,22 +32,73 @@ class PhotoRow:
 
 
 @dataclass(frozen=True)
+class Expectation:
+    """Result of the quick assessment.
+
+    Attributes:
+        success: Mean expected success of photos that are centered on a landmark, 0…1.
+        reasons: (reason, share of these photos) where less can be expected, the most frequent ones first.
+    """
+
+    success: float
+    reasons: Sequence[tuple[str, float]]
+
+    def sentence(self) -> str:
+        """Return how many of 10 photos can be expected to get a position."""
+        text = tr(
+            "About {count} of 10 photos that are centered on a landmark can be expected to get a position, if the "
+            "model finds 80 % of the landmarks."
+        )
+        return text.format(count=round(10 * self.success))
+
+    def html(self) -> str:
+        """Return the section of the report."""
+        body = [page.paragraph(self.sentence())]
+        if self.reasons:
+            rows = [[reason, page.percent(share, 0)] for reason, share in self.reasons]
+            body.append(page.table([tr("Reason"), tr("Share of these photos")], rows, (1,)))
+        return page.section(tr("Expected success"), *body)
+
+
+def expectation_of(squares: Sequence[tuple[float, float, str]]) -> Expectation:
+    """Return the expectation of photos that are centered on a landmark.
+
+    Args:
+        squares: (expected success, landmarks in view, reason where the success is low) of squares of equal size.
+    """
+    weights = [max(landmarks, _NONE_IN_VIEW) for _, landmarks, _ in squares]
+    total = sum(weights)
+    # Reasons differ in their numbers only.
+    kinds: dict[str, Counter] = {}
+    for weight, (_, _, reason) in zip(weights, squares):
+        if reason:
+            kinds.setdefault(re.sub(r"\d+", "", reason), Counter())[reason] += weight / total
+    shares = [(found.most_common(1)[0][0], sum(found.values())) for found in kinds.values()]
+    shares.sort(key=lambda one: -one[1])
+    success = sum(weight * one for weight, (one, _, _) in zip(weights, squares)) / total
+    return Expectation(success, shares[:REASONS])
+
+
+@dataclass(frozen=True)
 class SetupReport:
     """Data of the report.
 
     Attributes:
         summary: Sizes that were used.
         warnings: Sentences from before the run.
+        expected: Result of the quick assessment.
         photos: One row for each photo.
     """
 
     summary: str
     warnings: Sequence[str]
+    expected: Expectation
     photos: Sequence[PhotoRow]
 
     def html(self) -> str:
         """Return the page."""
         body = [page.section(tr("Settings"), page.paragraph(self.summary), *map(page.paragraph, self.warnings))]
+        body = [self.expected.html(), *body]
         if self.photos:
             body = [self._figures(), *body, page.section(tr("Photos"), self._table())]
         return page.page(tr("Set up an area"), tr("Positions of the photos"), *body, parts.next_steps(self._next()))

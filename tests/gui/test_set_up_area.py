@@ -60,6 +60,17 @@ def test_several_photos_are_chosen_at_once(project_map, dialog, sample, monkeypa
     shows(dialog, "2 photos.")
 
 
+def test_the_only_map_and_orthophoto_of_the_project_are_chosen(project_map, dock, sample):
+    from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
+
+    project = QgsProject.instance()
+    project.addMapLayer(QgsVectorLayer("Polygon?crs=EPSG:32632", "a sketch", "memory"))
+    project.addMapLayer(QgsRasterLayer(str(sample / "orthophoto.tif"), "orthophoto"))
+    dock.set_up_area()
+    given = dock.setting_up.parameters()
+    assert (given["ANNOTATION"].name(), given["IMAGERY"].name(), given["LINES"]) == ("land cover", "orthophoto", None)
+
+
 @pytest.mark.slow
 def test_a_run_shows_map_landmarks_and_positions(dock, iface, project_map, dialog, sample, repository, tmp_path):
     from qgis.core import QgsProject

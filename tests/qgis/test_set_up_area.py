@@ -52,12 +52,13 @@ def test_one_run_places_photos_and_a_second_one_computes_nothing_again(run_algor
     assert "3 photos. Window 640 m" in log and "No training" in log
     report = Path(results["REPORT"]).read_text(encoding="utf-8")
     assert "Photos with a position" in report and "photo_03.jpg" in report
+    assert "of 10 photos that are centered on a landmark" in report
     assert results["TRAINED_MODEL"] == given["MODEL"]
     folder = Path(given["FOLDER"])
     before = {path.name: path.stat().st_mtime_ns for path in folder.iterdir() if path.suffix == ".gpkg"}
     again = QgsProcessingFeedback(False)
     assert run_algorithm(SETUP, given, again) == results
-    assert again.textLog().count("is used again") == 3
+    assert again.textLog().count("is used again") == 4
     assert before == {path.name: path.stat().st_mtime_ns for path in folder.iterdir() if path.suffix == ".gpkg"}
 
 
@@ -90,6 +91,23 @@ def test_without_photos_it_makes_the_database_only(run_algorithm, small, feedbac
     results = run_algorithm(SETUP, small, feedback)
     assert "POSITIONS" not in results and Path(results["DATABASE"]).is_file()
     assert "about 9 in a typical photo" in feedback.textLog()
+
+
+def test_the_report_states_why_few_photos_can_be_expected_to_get_a_position(run_algorithm, small, feedback):
+    results = run_algorithm(SETUP, {**small, "PHOTO_WIDTH": 30}, feedback)
+    assert "About 0 of 10 photos that are centered on a landmark" in feedback.textLog()
+    assert "Too few landmarks: 1 in view on average." in Path(results["REPORT"]).read_text(encoding="utf-8")
+    assert {"expected_success.gpkg", "assessment.html"} <= files_in(small["FOLDER"])
+
+
+def test_empty_ground_does_not_count_and_reasons_of_one_kind_are_one():
+    from semref.processing.reports.setup_report import expectation_of
+
+    squares = [(0.0, 0.0, "No."), (0.9, 30.0, ""), (0.3, 6.0, "Few: 6."), (0.3, 4.0, "Few: 4."), (0.0, 0.0, "No.")]
+    found = expectation_of(squares)
+    assert found.success == pytest.approx(0.75, abs=1e-3)
+    assert found.reasons[0] == ("Few: 6.", pytest.approx(0.25, abs=1e-3))
+    assert expectation_of([(0.0, 0.0, "No.")] * 2).reasons == [("No.", pytest.approx(1.0))]
 
 
 def test_osm_tags_are_limited_to_the_classes_of_the_model(run_algorithm, small, tmp_path, feedback):
@@ -232,19 +250,30 @@ def test_map_tiles_are_drawn_on_the_ground_of_the_database(run_algorithm, small,
     assert has_crs and abs(extent.width() - ground.width()) < 20 and abs(extent.height() - ground.height()) < 20
 
 
-class CancelInSecondStep(QgsProcessingFeedback):
-    """Feedback that cancels when the database is built."""
+class CancelAt(QgsProcessingFeedback):
+    """Feedback that cancels when a step begins."""
+
+    def __init__(self, step):
+        super().__init__(False)
+        self.step = step
 
     def setProgressText(self, text):
-        if text.startswith("Building the reference database"):
+        if text.startswith(self.step):
             self.cancel()
 
 
-def test_a_canceled_run_goes_on(run_algorithm, small, feedback):
+@pytest.mark.parametrize(
+    ("step", "complete"),
+    [
+        ("Building the reference database", ["label_map.tif"]),
+        ("Localizing simulated images", ["label_map.tif", "reference_database.gpkg"]),
+    ],
+)
+def test_a_canceled_run_goes_on(run_algorithm, small, feedback, step, complete):
     with pytest.raises(QgsProcessingException, match="Canceled. Complete files remain"):
-        run_algorithm(SETUP, small, CancelInSecondStep(False))
-    assert "label_map.tif" in files_in(small["FOLDER"]) and "report.html" not in files_in(small["FOLDER"])
-    assert not any(name.endswith(".gpkg") for name in files_in(small["FOLDER"]))
+        run_algorithm(SETUP, small, CancelAt(step))
+    files = {name for name in files_in(small["FOLDER"]) if name.endswith((".tif", ".gpkg", ".html"))}
+    assert files == set(complete)
     run_algorithm(SETUP, small, feedback)
-    assert feedback.textLog().count("is used again") == 1
+    assert feedback.textLog().count("is used again") == len(complete)
     assert "report.html" in files_in(small["FOLDER"])
