@@ -15,8 +15,6 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QMimeData
 
-from ..processing.layers.database_layers import database_file
-
 _DATABASE_SUFFIX = ".gpkg"
 _COLOR_BANDS = 3
 
@@ -62,19 +60,6 @@ def drawn_layers(project: QgsProject) -> list[QgsRasterLayer]:
     layers = [layer for layer in project.mapLayers().values() if isinstance(layer, QgsRasterLayer)]
     found = [layer for layer in layers if layer.isValid() and layer.providerType() != "gdal"]
     return sorted(found, key=lambda layer: layer.name().lower())
-
-
-def project_databases(project: QgsProject) -> dict[str, str]:
-    """Return names by path of the databases with layers in the project: the name of the group or of the file."""
-    found: dict[str, str] = {}
-    for node in project.layerTreeRoot().findLayers():
-        layer = node.layer()
-        path = "" if layer is None else database_file(layer)
-        if path and path not in found:
-            group = node.parent()
-            in_group = group is not None and group.parent() is not None
-            found[path] = group.name() if in_group else os.path.splitext(os.path.basename(path))[0]
-    return found
 
 
 def dropped_files(data: QMimeData) -> tuple[list[str], list[str]]:

@@ -372,20 +372,20 @@ class TrainModel(AnnotationAlgorithm):
 
     def _fingerprint(self, values: Values) -> dict:
         """Return what identifies the ground and settings of a canceled run."""
-        from ..base.training_run import stamp
+        from ...storage.file_states import state
 
-        extent = values.extent(self.EXTENT, self._image.crs)
+        extent, table = values.extent(self.EXTENT, self._image.crs), values.file(self.CLASS_TABLE)
         found = {
-            "image": stamp(self._image.path),
+            "image": [self._image.path, *state(self._image.path)],
             "extent": "" if extent.isEmpty() else extent.toString(3),
             "resolution": values.optional_number(self.RESOLUTION),
             "validation": values.number(self.VALIDATION_FRACTION),
-            "table": stamp(values.file(self.CLASS_TABLE)),
+            "table": [table, *state(table)],
         }
         if self._area is not None:
             found["mask"] = self._area.fingerprint
         if self._labels is not None:
-            return {**found, "labels": stamp(self._labels.path)}
+            return {**found, "labels": [self._labels.path, *state(self._labels.path)]}
         source = self._source
         # The priority field counts only if it is set, so that runs that were canceled before it existed continue.
         fields = filter(None, (values.text(key) for key in (self.CLASS_FIELD, self.PRIORITY_FIELD, self.CLASS)))

@@ -162,12 +162,3 @@ class TrainingRun:
         _RUNNING.discard(self._model)
         if not self.can_go_on:
             self.clear()
-
-
-def stamp(path: str) -> list:
-    """Return [path, bytes, time of the last change] of a file; only the path if there is no file."""
-    try:
-        found = os.stat(path)
-    except OSError:
-        return [path]
-    return [path, found.st_size, found.st_mtime_ns]

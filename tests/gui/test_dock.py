@@ -90,22 +90,6 @@ def test_the_database_goes_to_the_map_as_a_group_with_the_overview_below(dock, a
     assert [entry.value for entry in layers[2].renderer().classes()] == [1, 2, 3]
 
 
-def test_layers_that_come_while_the_box_is_folded_away_do_not_open_it(dock, area):
-    from qgis.core import QgsProject
-
-    from semref.processing.layers.database_layers import add_database_to_map
-
-    localize(dock, area.database, [area.image])
-    box = dock.content.database
-    assert box.isCollapsed()
-    add_database_to_map(area.database, QgsProject.instance())
-    settle()
-    assert box.in_project.count() > 1 and not box.in_project.isVisibleTo(dock)
-    box.setCollapsed(False)
-    settle()
-    assert box.in_project.isVisibleTo(dock) and box.file.isVisibleTo(dock)
-
-
 def test_a_dock_that_was_open_is_open_again_after_a_reload(plugin, dock, iface, area):
     from qgis.core import QgsSettings
 
@@ -121,29 +105,16 @@ def test_a_dock_that_was_open_is_open_again_after_a_reload(plugin, dock, iface, 
         QgsSettings().remove("semref/dock/visible")
 
 
-def test_a_database_of_the_project_can_be_chosen_or_dropped(dock, area):
+def test_a_database_of_the_project_can_be_dropped(dock, area):
     from qgis.core import QgsProject
 
     dock.content.database.file.setFilePath(area.database)
-    assert not dock.content.database.in_project.isVisibleTo(dock)
     dock.content.database.add_to_map.click()
     settle()
-    box = dock.content.database.in_project
-    assert box.isVisibleTo(dock)
-    assert [box.itemText(row) for row in range(1, box.count())] == ["area"]
-    assert box.currentText() == "area"
-    dock.content.database.file.setFilePath("")
-    assert box.currentIndex() == 0
-    box.setCurrentIndex(1)
-    box.activated.emit(1)
-    assert dock.content.database.path() == area.database
     dock.content.database.file.setFilePath("")
     windows = QgsProject.instance().mapLayersByName("Windows")[0]
     assert dropped(dock.content.database, from_the_layer_tree(windows))
     assert dock.content.database.path() == area.database
-    QgsProject.instance().clear()
-    settle()
-    assert not box.isVisibleTo(dock)
 
 
 def test_a_dock_that_is_opened_first_has_room_for_the_titles_of_its_tabs(plugin, iface):

@@ -1,23 +1,23 @@
-"""Choose the reference database: a file, or a database with layers in the project."""
+"""Choose the reference database."""
 
 from __future__ import annotations
 
 import os
 from pathlib import Path
 
-from qgis.core import QgsApplication, QgsProject, QgsSettings
+from qgis.core import QgsProject, QgsSettings
 from qgis.gui import QgsFileWidget
-from qgis.PyQt.QtCore import QSize, Qt, QTimer, pyqtSignal
+from qgis.PyQt.QtCore import QSize, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent, QFont, QFontMetrics, QResizeEvent
 from qgis.PyQt.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
 from ...processing.inspection.chosen import require_database
 from ...processing.translation import tr
-from ..layer_files import dropped_files, project_databases
+from ..layer_files import dropped_files
 from ..project_state import DATABASE_SETTING
 from ..proposals import annotation_at_hand
 from ..running.background import Reader
-from .controls import ChoiceBox, tool_button
+from .controls import tool_button
 from .layouts import FoldingBox, content_of, name_fold, narrow, row_of
 
 MAKE_DATABASE = "semref:annotationtodatabase"
@@ -46,7 +46,7 @@ class DatabaseBox(FoldingBox):
         self.setObjectName("SemRefDatabase")
         # Collapsed after a run, but not in the next session.
         self.setSaveCollapsedState(False)
-        self.collapsedStateChanged.connect(self._show_folded)
+        self.collapsedStateChanged.connect(self._show_title)
         self.setAcceptDrops(True)
         self.file = QgsFileWidget()
         self.file.setFilter(tr("Reference databases (*.gpkg)"))
@@ -54,9 +54,6 @@ class DatabaseBox(FoldingBox):
         self.file.lineEdit().setPlaceholderText(tr("Choose a reference database"))
         self.file.lineEdit().setAccessibleName(tr("Reference database"))
         self.file.setFilePath(QgsSettings().value(DATABASE_SETTING, "", type=str))
-        self.in_project = ChoiceBox()
-        self.in_project.setToolTip(tr("Databases with layers in the project"))
-        self.in_project.setAccessibleName(tr("Databases with layers in the project"))
         self.add_to_map = tool_button("/mActionAddLayer.svg", tr("Add database to map"))
         self.make = tool_button("/mActionNewGeoPackageLayer.svg", tr("Build a reference database from polygons…"))
         self.set_up = QPushButton(tr("Set up an area…"))
@@ -72,11 +69,9 @@ class DatabaseBox(FoldingBox):
         layout = narrow(QVBoxLayout(content_of(self)), 0)
         layout.addLayout(row_of((self.file, 1), self.add_to_map, self.make))
         layout.addWidget(self.fault_label)
-        layout.addWidget(self.in_project)
         layout.addWidget(self.set_up)
         name_fold(self)
         self.file.fileChanged.connect(self._remember)
-        self.in_project.activated.connect(self._choose_in_project)
         self.add_to_map.clicked.connect(self.addToMapAsked)
         self.make.clicked.connect(self._make_database)
         self.set_up.clicked.connect(self.setUpAsked)
@@ -84,21 +79,9 @@ class DatabaseBox(FoldingBox):
         self._reader.answered.connect(lambda _nothing: self._show_fault(""))
         self._reader.failed.connect(self._show_fault)
         self._check()
-        # Layers join the project before they join the layer tree, which has the group names.
-        self._soon = QTimer(self)
-        self._soon.setSingleShot(True)
-        self._soon.timeout.connect(self.list_databases)
-        project = QgsProject.instance()
-        project.layersAdded.connect(self._list_soon)
-        project.layersRemoved.connect(self._list_soon)
-        self.list_databases()
 
     def shut_down(self) -> None:
-        """Disconnect from the project, and stop background reading."""
-        project = QgsProject.instance()
-        project.layersAdded.disconnect(self._list_soon)
-        project.layersRemoved.disconnect(self._list_soon)
-        self._soon.stop()
+        """Stop background reading."""
         self._reader.shut_down()
 
     def path(self) -> str:
@@ -121,31 +104,6 @@ class DatabaseBox(FoldingBox):
         self.making = createAlgorithmDialog(MAKE_DATABASE, annotation_at_hand(QgsProject.instance()))
         self.making.show()
 
-    def _list_soon(self, *_layers) -> None:
-        self._soon.start(0)
-
-    def list_databases(self) -> None:
-        """List the databases with layers in the project; hide an empty list."""
-        self.in_project.clear()
-        self.in_project.addItem(tr("In the project…"), "")
-        for path, name in project_databases(QgsProject.instance()).items():
-            self.in_project.addItem(QgsApplication.getThemeIcon("/mIconVector.svg"), name, path)
-            self.in_project.setItemData(self.in_project.count() - 1, path, Qt.ItemDataRole.ToolTipRole)
-        self._show_folded()
-        self._show_in_project()
-
-    def _show_folded(self, *_) -> None:
-        """Show or hide the list of databases; layers may join the project at any time."""
-        self.in_project.setVisible(self.in_project.count() > 1)
-        self._show_title()
-
-    def _show_in_project(self) -> None:
-        self.in_project.setCurrentIndex(max(0, self.in_project.findData(self.path())))
-
-    def _choose_in_project(self, row: int) -> None:
-        if self.in_project.itemData(row):
-            self.file.setFilePath(self.in_project.itemData(row))
-
     def _remember(self) -> None:
         name_fold(self)
         path = self.path()
@@ -153,7 +111,6 @@ class DatabaseBox(FoldingBox):
             # Clearing a project clears the database, but the next session starts with it.
             QgsSettings().setValue(DATABASE_SETTING, path)
         self._check()
-        self._show_in_project()
         if not path:
             self.setCollapsed(False)
         self._show_title()
