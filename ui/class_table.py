@@ -26,14 +26,14 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ..core.errors import ClassTableError, SemRefError
+from ..processing.base.annotation import PRESETS
 from ..processing.inspection.class_tables import (
     ClassRow,
     is_shipped,
     new_row,
-    preset_rows,
-    preset_titles,
     read_rows,
     require_table,
+    role_titles,
     save_rows,
 )
 from ..processing.messages.sentences import worded
@@ -41,8 +41,8 @@ from ..processing.translation import tr
 from .widgets.controls import tool_button
 from .widgets.layouts import row_of
 
-VALUE, NAME, COLOR, ROLE, ORDER = range(5)
-"""Columns."""
+VALUE, NAME, COLOR, ROLE, ORDER, HSV_MIN, HSV_MAX = range(7)
+"""Columns of a class table. The colors of label images are hidden."""
 
 
 class ClassTableEditor(QDialog):
@@ -52,13 +52,12 @@ class ClassTableEditor(QDialog):
         super().__init__(parent)
         self.setWindowTitle(tr("Class table"))
         self.resize(620, 460)
-        self.rows = QTableWidget(0, 5, self)
+        self.rows = QTableWidget(0, HSV_MAX + 1, self)
         self.fault = QLabel(self)
         self.add_button, self.remove_button = QPushButton(tr("Add class")), QPushButton(tr("Remove class"))
         self.preset_button = QPushButton(tr("Fill from nomenclature"))
         save = QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel
         self.buttons = QDialogButtonBox(save, Qt.Orientation.Horizontal, self)
-        self._hsv: dict[str, tuple[str, str]] = {}
         self._lay_out()
         self._connect()
         self.show_classes(classes)
@@ -66,6 +65,8 @@ class ClassTableEditor(QDialog):
     def _lay_out(self) -> None:
         titles = [tr("Value"), tr("Class"), tr("Color"), tr("Role"), tr("Draw order")]
         self.rows.setHorizontalHeaderLabels(titles)
+        for column in (HSV_MIN, HSV_MAX):
+            self.rows.setColumnHidden(column, True)
         self.rows.verticalHeader().hide()
         self.rows.setAccessibleName(tr("Class table"))
         self.rows.setSelectionBehavior(QTableWidget.SelectionBehavior.SelectRows)
@@ -79,8 +80,8 @@ class ClassTableEditor(QDialog):
         self.fault.setTextFormat(Qt.TextFormat.PlainText)
         self.fault.setVisible(False)
         menu = QMenu(self.preset_button)
-        for number, title in enumerate(preset_titles()):
-            menu.addAction(title).triggered.connect(partial(self._show_preset, number))
+        for title, path in PRESETS.items():
+            menu.addAction(title).triggered.connect(partial(self._show_preset, path))
         self.preset_button.setMenu(menu)
         beside = row_of(self.add_button, self.remove_button, self.preset_button)
         beside.addStretch(1)
@@ -99,13 +100,12 @@ class ClassTableEditor(QDialog):
     def show_classes(self, classes: Sequence[ClassRow]) -> None:
         """Replace the shown classes."""
         self.rows.setRowCount(0)
-        self._hsv = {one.value: one.hsv for one in classes}
         for one in classes:
             self._add_row(one)
 
     def add_class(self) -> None:
         """Add a class with the next free value, and edit its name."""
-        self._add_row(new_row(self._text(row, VALUE) for row in range(self.rows.rowCount())))
+        self._add_row(new_row([row[VALUE] for row in self.classes()]))
         self.rows.setCurrentCell(self.rows.rowCount() - 1, NAME)
         self.rows.editItem(self.rows.currentItem())
 
@@ -126,39 +126,36 @@ class ClassTableEditor(QDialog):
 
     def classes(self) -> list[ClassRow]:
         """Return the classes as shown."""
-        return [self._class(row) for row in range(self.rows.rowCount())]
+        columns = range(self.rows.columnCount())
+        return [[self._cell(row, column) for column in columns] for row in range(self.rows.rowCount())]
 
-    def _class(self, row: int) -> ClassRow:
-        value = self._text(row, VALUE)
-        return ClassRow(
-            value,
-            self._text(row, NAME),
-            self.rows.cellWidget(row, COLOR).color().name(),
-            self.rows.cellWidget(row, ROLE).currentIndex() == 0,
-            self._text(row, ORDER),
-            self._hsv.get(value, ("", "")),
-        )
-
-    def _text(self, row: int, column: int) -> str:
+    def _cell(self, row: int, column: int) -> str:
+        if column == COLOR:
+            return self.rows.cellWidget(row, column).color().name()
+        if column == ROLE:
+            return self.rows.cellWidget(row, column).currentData()
         item = self.rows.item(row, column)
         return item.text().strip() if item is not None else ""
 
-    def _add_row(self, one: ClassRow) -> None:
+    def _add_row(self, cells: ClassRow) -> None:
         row = self.rows.rowCount()
         self.rows.insertRow(row)
-        for column, text in ((VALUE, one.value), (NAME, one.name), (ORDER, one.order)):
-            self.rows.setItem(row, column, QTableWidgetItem(text))
         color, role = QgsColorButton(self.rows), QComboBox(self.rows)
-        color.setColor(QColor(one.color))
+        color.setColor(QColor(cells[COLOR]))
         color.setAccessibleName(tr("Color"))
-        role.addItems([tr("landmarks"), tr("background")])
-        role.setCurrentIndex(0 if one.is_landmark else 1)
+        for key, title in role_titles().items():
+            role.addItem(title, key)
+        role.setCurrentIndex(role.findData(cells[ROLE]))
         role.setAccessibleName(tr("Role"))
-        self.rows.setCellWidget(row, COLOR, color)
-        self.rows.setCellWidget(row, ROLE, role)
+        widgets = {COLOR: color, ROLE: role}
+        for column, text in enumerate(cells):
+            if column in widgets:
+                self.rows.setCellWidget(row, column, widgets[column])
+            else:
+                self.rows.setItem(row, column, QTableWidgetItem(text))
 
-    def _show_preset(self, number: int, *_checked) -> None:
-        self.show_classes(preset_rows(number))
+    def _show_preset(self, path: str, *_checked) -> None:
+        self.show_classes(read_rows(path))
 
 
 class EditButton(QToolButton):
