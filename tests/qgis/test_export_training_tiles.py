@@ -56,10 +56,11 @@ def tile_pairs(folder, manifest, suffix="png"):
 def test_every_tile_is_the_piece_that_its_name_states(export):
     result, manifest = export()
     assert result["TILE_COUNT"] == len(manifest["tiles"]) > 50
+    photo = photo_of(LABELS)
     for tile, image, labels in tile_pairs(result["OUTPUT"], manifest):
         part = np.s_[tile["row"] : tile["row"] + TILE, tile["column"] : tile["column"] + TILE]
         np.testing.assert_array_equal(labels, LABELS[part])
-        np.testing.assert_array_equal(image, photo_of(LABELS)[(..., *part)])
+        np.testing.assert_array_equal(image, photo[(..., *part)])
         assert tile["name"] == f"{tile['column']}_{tile['row']}"
         assert (tile["x"], tile["y"]) == (WEST + tile["column"], NORTH - tile["row"])
 

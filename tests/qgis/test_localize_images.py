@@ -276,6 +276,7 @@ def likely(localize, tmp_path, feedback):
     return found, results
 
 
+@pytest.mark.slow
 def test_a_likely_position_is_shown_with_a_reason_and_counted_apart(likely, run_algorithm, tmp_path, feedback):
     (found, fix, _), results = likely
     assert found["point"] == pytest.approx((WEST + 210, NORTH - 180), abs=2)
