@@ -112,7 +112,7 @@ def test_the_report_has_the_papers_tables_and_needs_nothing_else(reported):
     assert "The images cover" in report
     for title in ("Table 4", "Table 5", "False accepts", "Reliability", "Success against offset", "Spurious landmarks"):
         assert title in report
-    assert report.count("<svg") == 4
+    assert report.count("<svg") == 3
     for name in ("http://", "https://", "<script", "src="):
         assert name not in report.replace('xmlns="http://www.w3.org/2000/svg"', "")
     table_4, table_5 = report.split("Table 4")[1].split("Table 5")
