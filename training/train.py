@@ -18,7 +18,6 @@ from ..core.segmentation.metadata import TEMPERATURE
 from . import (
     base_weights,
     class_bias,
-    encoder_weights,
     examples,
     export,
     loop,
@@ -244,9 +243,9 @@ def start_of(job: Job, ground: TileData, settings: loop.Settings) -> Start:
         return Start(net, architecture, ground.mean, ground.deviation, job.learning_rate or FROM_SCRATCH)
     if job.encoder_weights:
         packaged = job.encoder_weights == PACKAGED
-        file = encoder_weights.packaged_weights() if packaged else Path(job.encoder_weights)
-        encoder_weights.load_encoder_weights(net.encoder, file)
-    standardization = encoder_weights.standardization(job.encoder)
+        file = network.packaged_weights() if packaged else Path(job.encoder_weights)
+        network.load_encoder_weights(net.encoder, file)
+    standardization = network.standardization(job.encoder)
     return Start(net, architecture, *standardization, job.learning_rate or FROM_WEIGHTS)
 
 

@@ -236,3 +236,26 @@ def test_a_room_can_be_imported_whole_without_qgis(tmp_path, rooms, unwanted):
     if result.returncode == 77:
         pytest.skip("GDAL is not here")
     assert (result.returncode, result.stderr.strip()) == (0, "")
+
+
+@for_each([path for room in ROOMS for path in source_files(room)])
+def test_what_a_file_imports_from_another_one_exists(path):
+    """Files that import torch or QGIS late would fail only when they are used."""
+    for node in nodes_of(path):
+        if not (isinstance(node, ast.ImportFrom) and node.level):
+            continue
+        folder = path.parents[node.level - 1].joinpath(*(node.module or "").split("."))
+        source = folder / "__init__.py" if folder.is_dir() else folder.with_suffix(".py")
+        assert source.is_file(), f"no {source}"
+        defined = {name for one in nodes_of(source) for name in _names_of(one)}
+        missing = [name.name for name in node.names if not {name.name, "*"} & defined]
+        missing = [name for name in missing if not (folder / f"{name}.py").is_file() and not (folder / name).is_dir()]
+        assert not missing, f"line {node.lineno}: {source.name} has no {missing}"
+
+
+def _names_of(node: ast.AST) -> list[str]:
+    if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+        return [node.name]
+    if isinstance(node, ast.Name):
+        return [node.id]
+    return [name.asname or name.name for name in node.names] if isinstance(node, (ast.Import, ast.ImportFrom)) else []
