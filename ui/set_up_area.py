@@ -28,7 +28,7 @@ from qgis.PyQt.QtWidgets import (
 from ..core.errors import SemRefError
 from ..processing.algorithms.set_up_area import SetUpArea
 from ..processing.base.values import Values
-from ..processing.layers.database_layers import add_database_to_map, database_layers
+from ..processing.layers.database_layers import add_database_to_map, database_layers, place_on_top
 from ..processing.messages.sentences import worded
 from ..processing.translation import tr
 from .layer_files import photo_layer
@@ -79,6 +79,7 @@ class SetUpAreaDialog(QDialog):
         self.minutes = _number(tr("0, use the model as it is"), tr(" min"), 0, 5)
         self.model = _files(QgsFileWidget.StorageMode.GetFile)
         self.model.setFilter(tr("ONNX models (*.onnx)"))
+        self.model.lineEdit().setPlaceholderText(tr("the model of SemRef"))
         self.model.setFilePath(model if os.path.isfile(model) else "")
         self.folder = _files(QgsFileWidget.StorageMode.GetDirectory)
         self.summary = QLabel()
@@ -255,7 +256,8 @@ def add_area(results: dict, given: dict, project: QgsProject) -> str:
     positions = results.get(SetUpArea.POSITIONS, "").partition("|")[0]
     if positions:
         shown = [layer for layer in named_results(positions)[:2] if layer is not None]
-        project.addMapLayers(shown[::-1])
+        for layer in reversed(shown):
+            place_on_top(layer, project)
     return positions
 
 
