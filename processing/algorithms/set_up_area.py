@@ -67,8 +67,9 @@ RISK, SCALES = 0.01, (0.5, 2.0)
 """Maximum error probability of the positions, and scales to search where the ground width of a photo is typical."""
 
 
-SIMULATED, SQUARES = 100, 2000
-"""Simulated images of the quick assessment, and the largest number of squares: seconds, also on a large map."""
+SIMULATED, MOST_SIMULATED, SQUARES = 100, 500, 2000
+"""Simulated images of the quick assessment on ground with landmarks, on all ground, and the largest number of squares:
+up to half a minute."""
 
 
 class SetUpArea(SemRefAlgorithm):
@@ -351,7 +352,7 @@ class SetUpArea(SemRefAlgorithm):
             "DATABASE": build["DATABASE"],
             "FOOTPRINT": str(footprint),
             "SPACING": spacing,
-            "TRIALS": SIMULATED,
+            "TRIALS": _simulated(area),
             "OUTPUT": str(folder / EXPECTED_FILE),
             "REPORT": str(folder / ASSESSMENT_FILE),
         }
@@ -421,6 +422,13 @@ def _tables(path: str) -> dict[str, str]:
         # QGIS cannot write tables to such a path. The only layer gets the file's name, which is that of the table.
         return {"OUTPUT": path}
     return {key: f"ogr:dbname='{path}' table=\"{table}\" (geom)" for key, table in _OUTPUTS.items()}
+
+
+def _simulated(area: AreaSetup) -> int:
+    """Return the simulated images that are spread over all ground so that enough of them show landmarks."""
+    photo_m2, photos = math.prod(area.photos.size_m), area.plan.landmarks / max(area.plan.per_photo, 1)
+    share = min(max(photos, 1) * photo_m2 / max(area.extent.area(), photo_m2), 1.0)
+    return min(round(SIMULATED / share), MOST_SIMULATED)
 
 
 def rules_of(known: Sequence[str]) -> str:

@@ -1,13 +1,13 @@
-"""Prepare a real place for the walk: orthophoto, polygons of buildings, and photos of the ground next to it.
+"""Prepare a real place for the walk: orthophoto, map of buildings, and photos of the ground next to it.
 
-The place is Banepa in Nepal (shared/data/banepa). The orthophoto is its western half. The photos are cut from the
-eastern half, at any heading and at 0.9–1.1 of the scale. The polygons cover both halves; their field ``class`` is
-``building``, as if QGIS's field calculator had replaced the values of OpenStreetMap (yes, residential, school, …).
+The orthophoto is the western half of the place. The photos are cut from the eastern half, at any heading and at 0.9–1.1
+of the scale. The map covers both halves.
 """
 
 from __future__ import annotations
 
 import csv
+import shutil
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -22,21 +22,19 @@ QUALITY = 92
 
 @dataclass(frozen=True)
 class RealPlace:
-    """Paths of a place in the folder of the real data, and the texts for the dialogs.
+    """Paths of a place in the folder of the real data.
 
     Attributes:
         name: Name at the start of a sentence.
         photo: Path of the orthophoto.
         polygons: Path of the buildings.
         credit: Attribution that the licenses require.
-        fields: Texts for the dialog that builds the database.
     """
 
     name: str
     photo: str
     polygons: str
     credit: str
-    fields: dict[str, str]
 
 
 PLACES = {
@@ -45,8 +43,13 @@ PLACES = {
         "banepa/banepa_photo.tif",
         "banepa/banepa_buildings.gpkg",
         "Orthophoto: OpenAerialMap, CC BY 4.0. Buildings: © OpenStreetMap contributors, ODbL. Published by HOTOSM.",
-        {"PIXEL_SIZE": "0.25", "WINDOW_SIZE": "96", "STRIDE": "24", "MINIMUM_AREA": "4"},
-    )
+    ),
+    "uganda": RealPlace(
+        "A village in Uganda",
+        "oam_buildings/uganda_1.tif",
+        "oam_buildings/uganda_buildings.gpkg",
+        "Orthophoto: OpenAerialMap, CC BY 4.0. Buildings: © OpenStreetMap contributors, ODbL.",
+    ),
 }
 
 
@@ -67,17 +70,11 @@ def fill(place: RealPlace, data: Path, folder: Path) -> None:
         srcWin=[0, 0, half, height],
         creationOptions=["TILED=YES", "COMPRESS=JPEG", "PHOTOMETRIC=YCBCR", f"JPEG_QUALITY={QUALITY}"],
     )
-    buildings = gdal.VectorTranslate(
-        str(folder / "buildings.gpkg"),
-        str(data / place.polygons),
-        SQLStatement=f"SELECT 'building' AS class, * FROM {Path(place.polygons).stem}",
-        SQLDialect="OGRSQL",
-        layerName="buildings",
-    )
-    if orthophoto is None or buildings is None:
+    if orthophoto is None:
         raise RuntimeError(gdal.GetLastErrorMsg())
     # Closing the dataset writes it.
-    del orthophoto, buildings
+    del orthophoto
+    shutil.copy(data / place.polygons, folder / "buildings.gpkg")
     pixels = np.ascontiguousarray(np.moveaxis(source.ReadAsArray()[:3], 0, 2))
     photos = folder / "photos"
     photos.mkdir()

@@ -1,15 +1,13 @@
-"""Walk from orthophoto and polygons to the first fix inside desktop QGIS (--code), and count clicks.
+"""Walk with *Set up an area* to the first position inside desktop QGIS (--code), and count clicks.
 
 SEMREF_WALK names the job, a JSON file that time_walk.py writes. Its keys are:
 
 - ``tools``: the folder of this file;
-- ``ground``: a folder with the files of tools/sample;
+- ``ground``: a folder with orthophoto.tif, photos and photos.csv;
 - ``polygons``: the name of the polygon file in it;
-- ``buildings_alone``: whether ground without a polygon has the class “other”;
-- ``fields``: texts for the dialog that builds the database, by key;
-- ``picture``: the last picture of the walk; may be empty;
 - ``work``: an empty folder for outputs;
-- ``python``, ``minutes``: the Python for the training, and its time limit;
+- ``python``, ``minutes``: the Python of the training environment, and the time limit of the training, 0 for none;
+- ``model``: a model to choose in the dialog; may be empty;
 - ``pictures``: the folder of the pictures.
 
 SEMREF_DESKTOP_RESULT names the JSON file that is written at the end: the clicks and seconds of each step.
@@ -19,6 +17,8 @@ import csv
 import json
 import math
 import os
+import re
+import resource
 import sys
 import time
 import traceback
@@ -27,17 +27,17 @@ from pathlib import Path
 
 import qgis.utils
 from qgis.core import QgsProject, QgsSettings
-from qgis.PyQt.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
+from qgis.PyQt.QtCore import QMimeData, QPointF, Qt, QTimer, QUrl
 from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent
 from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import QAction, QApplication, QDialogButtonBox, QDoubleSpinBox, QLineEdit, QTextEdit
+from qgis.PyQt.QtWidgets import QAction, QApplication, QLineEdit
 
 JOB = json.loads(Path(os.environ["SEMREF_WALK"]).read_text(encoding="utf-8"))
 sys.path.append(JOB["tools"])
 from screenshot_window import Session, settle, wait_until  # noqa: E402 - its folder is in the job
 
-WINDOW_PX, DIALOG_PX = (1280, 900), (1000, 880)
-LIMIT_S, CRITICAL = 3600, 2
+WINDOW_PX, DIALOG_PX = (1280, 900), (620, 480)
+LIMIT_S = 3600
 messages = []
 
 
@@ -60,13 +60,6 @@ class Hand:
         QTest.keyClicks(widget, text)
         QTest.keyClick(widget, Qt.Key.Key_Tab)
         settle(0.1)
-
-    def tick(self, box) -> None:
-        """Click the check box itself, not the middle of the line."""
-        self.clicks += 1
-        QTest.mouseClick(box, Qt.MouseButton.LeftButton, pos=QPoint(8, box.height() // 2))
-        if not box.isChecked():
-            raise RuntimeError(f"“{box.text()}” cannot be checked")
 
     def drop(self, widget, paths: list) -> None:
         """Drop files from a folder window of the system."""
@@ -93,99 +86,53 @@ class Walk:
 
     @contextmanager
     def step(self, name: str):
-        begun, before = time.monotonic(), self.hand.clicks
+        begun, before, processor = time.monotonic(), self.hand.clicks, processor_seconds()
         yield
-        self.steps.append([name, self.hand.clicks - before, round(time.monotonic() - begun, 1)])
+        used = round(processor_seconds() - processor, 1)
+        self.steps.append([name, self.hand.clicks - before, round(time.monotonic() - begun, 1), used])
 
     def go(self) -> dict:
-        self.name_python()
+        # The training environment is installed.
+        QgsSettings().setValue("semref/options/training_python", self.job["python"])
         self.open_layers()
-        self.train()
-        self.make_database()
-        self.localize()
+        self.set_up()
+        self.look()
         return {"steps": self.steps, **self.seen}
-
-    def name_python(self) -> None:
-        """Open Settings ▸ Options… ▸ SemRef. The dialog is modal, so a timer operates it."""
-        failed = []
-
-        def fill() -> None:
-            dialog = QApplication.activeModalWidget()
-            try:
-                from semref.ui.packages.training_group import TrainingGroup
-
-                group = dialog.findChild(TrainingGroup)
-                self.hand.write(group.python.findChild(QLineEdit), self.job["python"])
-                self.hand.click(dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Ok))
-            except Exception:
-                failed.append(traceback.format_exc())
-                dialog.close()
-
-        with self.step("options"):
-            # Menu, entry and page.
-            self.hand.clicks += 3
-            QTimer.singleShot(1500, fill)
-            self.session.iface.showOptionsDialog(self.session.window, "SemRefOptions")
-        if failed:
-            raise RuntimeError(failed[0])
 
     def open_layers(self) -> None:
         with self.step("layers"):
             self.hand.drop(self.session.window, [self.ground / "orthophoto.tif", self.ground / self.job["polygons"]])
             wait_until(lambda: len(QgsProject.instance().mapLayers()) == 2, "the layers")
-            self.hand.clicks += 1
-            self.session.window.findChild(QAction, "SemRefDockAction").trigger()
-            wait_until(lambda: self.session.dock.isVisible(), "the dock")
+            # Menu, submenu and entry.
+            self.hand.clicks += 3
+            self.session.window.findChild(QAction, "SemRefSetUpAction").trigger()
+            wait_until(lambda: self.session.dock.setting_up is not None, "the dialog")
         self.session.resize(*WINDOW_PX)
 
-    def train(self) -> None:
-        images = self.session.dock.content.localize.images
-        model = self.work / "own.onnx"
-        with self.step("train"):
-            self.hand.click(images.train)
-            dialog = images.training
-            dialog.setGeometry(0, 0, *DIALOG_PX)
-            fields = dialog.mainWidget().wrappers
-            self.seen["training_begins_with"] = given(fields, "INPUT", "CLASS_FIELD", "PRIORITY_FIELD", "CLASS_TABLE")
-            self.hand.write(field(fields, "MINUTES").findChild(QDoubleSpinBox), str(self.job["minutes"]))
-            self.hand.write(line(fields, "OUTPUT"), str(model))
-            self.session.take("own_network_train", dialog)
-            results = self.run(dialog)
-            self.session.take("own_network_trained", dialog)
-            self.hand.click(button_of(dialog, "Close"))
-        self.seen["mean_iou"] = results.get("MEAN_IOU")
-        self.seen["model_in_the_dock"] = images.model_path() == str(model)
+    def set_up(self) -> None:
+        dialog = self.session.dock.setting_up
+        dialog.setGeometry(0, 0, *DIALOG_PX)
+        with self.step("fields"):
+            self.hand.write(dialog.photos.findChild(QLineEdit), str(self.ground / "photos"))
+            if self.job["minutes"]:
+                self.hand.write(dialog.minutes, f"{self.job['minutes']:g}")
+            if self.job["model"]:
+                self.hand.write(dialog.model.findChild(QLineEdit), self.job["model"])
+            self.hand.write(dialog.folder.findChild(QLineEdit), str(self.work / "results"))
+            wait_until(dialog.start.isEnabled, "the summary")
+        self.seen["summary"] = dialog.summary.text()
+        self.session.take("own_area_dialog", dialog)
+        with self.step("run"):
+            self.hand.click(dialog.start)
+            wait_until(lambda: not dialog.isVisible() or not dialog._run.running, "the end of the run", LIMIT_S)
+        if dialog.isVisible():
+            raise RuntimeError(dialog.summary.text())
+        self.session.take("own_area_result")
+        report = (self.work / "results" / "report.html").read_text(encoding="utf-8")
+        self.seen["expected"] = re.search(r"About \d+ of 10 [^<]*", report)[0]
 
-    def make_database(self) -> None:
-        box = self.session.dock.content.database
-        database = self.work / "own.gpkg"
-        with self.step("database"):
-            self.hand.click(box.make)
-            dialog = box.making
-            dialog.setGeometry(0, 0, *DIALOG_PX)
-            fields = dialog.mainWidget().wrappers
-            self.seen["database_begins_with"] = given(fields, "INPUT", "CLASS_FIELD", "PRIORITY_FIELD", "CLASS_TABLE")
-            for key, value in self.job["fields"].items():
-                self.hand.write(field(fields, key), value)
-            if self.job["buildings_alone"]:
-                self.hand.write(line(fields, "REFERENCE_CLASSES"), "building")
-                self.hand.tick(field(fields, "OTHER_GROUND"))
-            self.hand.write(line(fields, "build:Reference database"), str(database))
-            self.session.take("own_network_database", dialog)
-            self.run(dialog)
-            self.hand.click(button_of(dialog, "Close"))
-            wait_until(lambda: box.path() == str(database), "the database in the dock")
-
-    def localize(self) -> None:
+    def look(self) -> None:
         tab = self.session.dock.content.localize
-        photos = sorted((self.ground / "photos").glob("*.jpg"))
-        with self.step("localize"):
-            self.hand.drop(tab.images.list, photos)
-            wait_until(lambda: tab.localize_button.isEnabled(), "photos in the list")
-            self.hand.click(tab.localize_button)
-            wait_until(lambda: not tab.run.running, "the localization", LIMIT_S)
-        if refused():
-            raise RuntimeError(refused())
         shown = tab.results.table.model()
         results = shown.sourceModel()
         findings = [results.finding(row) for row in range(results.rowCount())]
@@ -196,9 +143,8 @@ class Walk:
             tab.results.table.selectRow(shown.mapFromSource(results.index(fixes[0] if fixes else 0, 0)).row())
         if fixes:
             wait_until(lambda: tab.results.image.canvas.scene().items(), "the selected image")
-            if self.job["picture"]:
-                self.close_what_lies_over()
-                self.session.take(self.job["picture"])
+        self.close_what_lies_over()
+        self.session.take("own_area_position")
 
     def close_what_lies_over(self) -> None:
         """Close other windows, such as QGIS's progress dialog, before taking the picture."""
@@ -208,19 +154,6 @@ class Walk:
                 widget.close()
                 widget.hide()
         settle(0.5)
-
-    def run(self, dialog) -> dict:
-        ended = []
-        dialog.algorithmFinished.connect(lambda succeeded, results: ended.append((succeeded, results)))
-        self.hand.click(button_of(dialog, "Ok"))
-        wait_until(lambda: ended or refusal(dialog), dialog.windowTitle(), LIMIT_S)
-        if not ended or not ended[0][0]:
-            said = refusal(dialog) or dialog.findChild(QTextEdit, "txtLog").toPlainText()[-2000:]
-            raise RuntimeError(f"{dialog.windowTitle()}: {said}")
-        # The dialog reports the end before its buttons are active.
-        wait_until(button_of(dialog, "Close").isEnabled, "the dialog's buttons")
-        settle(0.5)
-        return ended[0][1]
 
 
 def compared(findings: list, truth: Path) -> dict:
@@ -233,38 +166,10 @@ def compared(findings: list, truth: Path) -> dict:
     return {"photos": len(findings), "fixes": len(fixes), "within_radius": within, "off_m": [round(d, 2) for d in off]}
 
 
-def refused() -> str:
-    """Return the error text of QGIS's message bar."""
-    return "; ".join(item.text() for item in qgis.utils.iface.messageBar().items() if int(item.level()) == CRITICAL)
-
-
-def given(fields: dict, *keys: str) -> dict:
-    """Return the initial value of a field of a dialog: text, or whether it has a value."""
-    return {key: str(fields[key].parameterValue() or "") for key in keys}
-
-
-def field(fields: dict, key: str):
-    return fields[key].wrappedWidget()
-
-
-def line(fields: dict, key: str) -> QLineEdit:
-    """Return the field for a text or the path of an output."""
-    wrapper = fields[key]
-    widget = wrapper.wrappedWidget() if hasattr(wrapper, "wrappedWidget") else wrapper
-    return widget if isinstance(widget, QLineEdit) else widget.findChild(QLineEdit)
-
-
-def button_of(dialog, name: str):
-    """Return the button Run. In some versions of QGIS it is the OK button."""
-    if name == "Ok":
-        return dialog.buttonBox().button(QDialogButtonBox.StandardButton.Ok) or dialog.runButton()
-    return dialog.buttonBox().button(getattr(QDialogButtonBox.StandardButton, name))
-
-
-def refusal(dialog) -> str:
-    """Return the message of a dialog that does not start."""
-    item = dialog.messageBar().currentItem()
-    return "" if item is None else item.text()
+def processor_seconds() -> float:
+    """Return the processor time of QGIS and of the trainings that have ended."""
+    used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    return sum(one.ru_utime + one.ru_stime for one in used)
 
 
 def run() -> None:

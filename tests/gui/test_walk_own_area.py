@@ -1,4 +1,4 @@
-"""The walk from orthophoto and polygons to the first fix, in desktop QGIS: what it takes, and that it gets there.
+"""The walk with *Set up an area* to the first position, in desktop QGIS: what it takes, and that it gets there.
 
 Instead of training, a small program returns the shipped model, so that the test takes a minute. If
 SEMREF_TRAINING_PYTHON is a Python with torch, a real training of two minutes runs as well.
@@ -52,20 +52,10 @@ def walk(request, tool, repository, tmp_path_factory) -> dict:
     return tool.walk(package, home / "home", None, str(python), MINUTES)
 
 
-def test_every_step_is_gone(walk, tool):
-    assert [name for name, _, _ in walk["steps"]] == list(tool.STEPS)
-    assert all(seconds < tool.LIMIT_S for _, _, seconds in walk["steps"])
-
-
-def test_the_dialogs_begin_with_the_polygons_their_fields_and_their_table(walk):
-    for begun in (walk["training_begins_with"], walk["database_begins_with"]):
-        assert (begun["CLASS_FIELD"], begun["PRIORITY_FIELD"]) == ("class", "zorder")
-        assert begun["INPUT"] and begun["CLASS_TABLE"].endswith("classes.csv")
-
-
-def test_the_trained_model_and_the_database_are_the_docks(walk):
-    # The walk waits for the database.
-    assert walk["model_in_the_dock"]
+def test_every_step_is_gone_with_few_clicks(walk, tool):
+    assert [name for name, *_ in walk["steps"]] == list(tool.STEPS)
+    # A model of its own takes one more than a real place.
+    assert sum(clicks for _, clicks, *_ in walk["steps"]) <= 10
 
 
 def test_photos_are_found_where_they_were_taken(walk):
@@ -76,4 +66,4 @@ def test_photos_are_found_where_they_were_taken(walk):
 def test_the_walk_becomes_a_table(walk, tool):
     table = tool.walk_table(walk, MINUTES)
     assert table.count("\n|") == len(tool.STEPS) + 2
-    assert f"{walk['fixes']} of 12 photos have a position" in table
+    assert f"{walk['fixes']} of 12 photos have a position" in table and "of 10 photos" in table
