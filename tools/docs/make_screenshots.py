@@ -76,7 +76,6 @@ LIGHT = (
     "algorithm_dialog",
     "models",
     "add_model",
-    "set_up_area",
     "model_designer",
     "options",
     "narrow",

@@ -311,19 +311,6 @@ def add_model(session: Session) -> None:
     show_dialog(session, dialog, 1100, 680, "add_model")
 
 
-def set_up_area(session: Session) -> None:
-    """Show the dialog of a new area with its summary."""
-    from semref.ui.set_up_area import SetUpAreaDialog
-
-    dialog = SetUpAreaDialog(str(Path(qgis.utils.pluginDirectory("semref")) / "models" / "sample_area.onnx"))
-    sample = Path(session.job["sample"])
-    dialog.photos.setFilePath(str(sample / "photos"))
-    dialog.width_m.setValue(640)
-    dialog.folder.setFilePath(str(sample.parent / "results"))
-    wait_until(dialog.start.isEnabled, "the summary")
-    show_dialog(session, dialog, 620, 420, "set_up_area")
-
-
 def model_designer(session: Session) -> None:
     """Show the shipped model in the model designer."""
     from processing.modeler.ModelerDialog import ModelerDialog
