@@ -52,7 +52,7 @@ def main(arguments: list[str] | None = None) -> int:
     known = scenarios()
     parser = argparse.ArgumentParser("python -m benchmarks", description=__doc__.splitlines()[0])
     parser.add_argument("command", choices=("list", "run", "fit", "page"))
-    parser.add_argument("names", nargs="*", metavar="NAME")
+    parser.add_argument("names", nargs="*", metavar="NAME", help="scenario, or file of scenarios for all of them")
     parser.add_argument("--data", type=Path, default=ROOT.parent / "shared" / "data", help="folder of the real data")
     parser.add_argument("--work", type=Path, default=ROOT.parent / "bench", help="folder kept between runs")
     parser.add_argument("--models", type=Path, help="folder of networks, NAME_without_PLACE.onnx")
@@ -64,18 +64,21 @@ def main(arguments: list[str] | None = None) -> int:
         from benchmarks import page
 
         page.write()
+    chosen = {}
     for name in options.names:
-        if name not in known:
+        some = {one: known[one] for one in known if one == name or one.startswith(f"{name}.")}
+        if not some:
             parser.error(f"{name} is unknown. Choose from {', '.join(known)}.")
+        chosen |= some
     if options.command == "list":
         print("\n".join(f"{name:20} {one['title']}" for name, one in known.items()))
     elif options.command == "fit":
         from benchmarks import fit
 
-        table = fit.run(options.work, options.names, [part for part in options.only.split(";") if part])
+        table = fit.run(options.work, list(chosen), [part for part in options.only.split(";") if part])
         print(results.markdown(table["columns"], table["rows"]))
     elif options.command == "run":
-        _run({name: known[name] for name in options.names}, options)
+        _run(chosen, options)
     return 0
 
 

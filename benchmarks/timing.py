@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import sys
 import time
 from collections.abc import Callable, Sequence
@@ -336,7 +337,6 @@ def plugin_load(world: World, scenario: dict[str, Any]) -> list[Table]:
 
     The first start of a new version compiles the plugin's files; Python keeps the result for the others.
     """
-    import os
     import shutil
     import subprocess
 
@@ -365,9 +365,8 @@ def plugin_load(world: World, scenario: dict[str, Any]) -> list[Table]:
 
 
 def many_images(world: World, scenario: dict[str, Any]) -> list[Table]:
-    """Compare *Localize images* of many label images with all threads and with one, and measure peak memory."""
+    """Compare *Localize images* of many label images in QGIS and with local workers, and measure peak memory."""
     from osgeo import gdal
-    from qgis.core import QgsApplication
 
     ground, folder = world.ground(scenario["map"]), world.work / "many"
     folder.mkdir(exist_ok=True)
@@ -380,24 +379,56 @@ def many_images(world: World, scenario: dict[str, Any]) -> list[Table]:
             memory_set.WriteArray(labels)
             gdal.GetDriverByName("PNG").CreateCopy(str(path), memory_set)
     given = {"DATABASE": str(world.database(scenario["map"])), "IMAGES": str(folder), "OUTPUT": "memory:"}
-    threads = QgsApplication.maxThreads()
+    ways = {"QGIS": {}, "workers": {"SCHEDULER": f"local:{os.cpu_count()}"}}
 
-    def localized(most: int) -> None:
-        QgsApplication.setMaxThreads(most)
-        try:
-            run_algorithm("localizeimages", given)
-        finally:
-            QgsApplication.setMaxThreads(threads)
+    def localized(more: dict[str, str]) -> None:
+        run_algorithm("localizeimages", {**given, **more})
 
-    seconds = take_turns({"all": lambda: localized(threads), "one": lambda: localized(1)}, scenario["turns"])
+    seconds = take_turns({who: lambda more=more: localized(more) for who, more in ways.items()}, scenario["turns"])
     peak = run_in_child("localizeimages", {**given, "OUTPUT": str(world.work / "many.gpkg")})["peak_bytes"]
     row = [
         f"{count} images",
-        ratios(seconds["one"], seconds["all"]),
-        f"{np.median(seconds['all']) / count:.3f}",
+        ratios(seconds["QGIS"], seconds["workers"]),
+        f"{np.median(seconds['QGIS']) / count:.3f}",
         size(peak),
     ]
-    return [{"columns": ["what", "all threads × one", "s an image", "peak memory (RSS)"], "rows": [row]}]
+    columns = ["what", f"× faster with {os.cpu_count()} workers, elapsed", "s an image in QGIS", "peak memory (RSS)"]
+    return [{"columns": columns, "rows": [row]}]
+
+
+def on_board(world: World, scenario: dict[str, Any]) -> list[Table]:
+    """Measure the processor seconds of each photo of a flight with ``semref watch --flight``, on one core."""
+    from sample import __main__ as sample
+    from semref.core.onboard.command_line import main
+    from semref.core.onboard.image_records import ImageFinder
+
+    cv2.setNumThreads(1)
+    folder, area = world.work / "sample_photos", world.work / "sample.npz"
+    if not folder.exists():
+        sample.main([str(folder)])
+    run_algorithm("exportonboard", {"DATABASE": str(world.database("sample")), "OUTPUT": str(area)})
+    localize, seconds, lines = ImageFinder.__call__, [], world.work / "fixes.jsonl"
+
+    def timed(finder: ImageFinder, path: str) -> dict[str, Any]:
+        begin = time.process_time()
+        record = localize(finder, path)
+        seconds.append(time.process_time() - begin)
+        return record
+
+    ImageFinder.__call__ = timed
+    try:
+        for _ in range(scenario["turns"]):
+            state = world.work / "flight.state"
+            for path in (state, lines):
+                path.unlink(missing_ok=True)
+            watched = ["watch", str(folder / "flight"), "--database", str(area), "--model", str(SHIPPED), "--flight"]
+            main([*watched, "--once", "--state", str(state), "--fixes", str(lines)])
+    finally:
+        ImageFinder.__call__ = localize
+    fixes = [json.loads(line)["status"] == "fix" for line in lines.read_text(encoding="utf-8").splitlines()]
+    median, high = np.percentile(seconds, [50, 95])
+    row = [f"{median:.2f}", f"{high:.2f}", rate(sum(fixes), len(fixes))]
+    return [{"columns": ["processor s an image, median", "p95", "fixes"], "rows": [row]}]
 
 
 def update(world: World, scenario: dict[str, Any]) -> list[Table]:
@@ -466,5 +497,6 @@ MEASUREMENTS = {
     "segment": segment,
     "plugin load": plugin_load,
     "many images": many_images,
+    "on board": on_board,
     "update": update,
 }
