@@ -130,9 +130,9 @@ class PhotoLabelReader:
         self._feedback.pushInfo(text.format(image=os.path.basename(path), size=size, resolution=resolution))
 
     @property
-    def pace(self) -> NetworkPace:
-        """Device and speed of the run."""
-        return NetworkPace(self._model, self._seconds)
+    def pace(self) -> NetworkPace | None:
+        """Device and speed of the run; None if the network saw no photo."""
+        return NetworkPace(self._model, self._seconds) if self._model.tiles_seen else None
 
 
 def open_photo_file(path: str) -> Photo:

@@ -52,6 +52,12 @@ def test_a_photo_that_makes_a_network_give_no_numbers_has_no_fix(run_algorithm, 
     assert row["status"] == "error" and "not numbers" in row["reason"]
 
 
+def test_no_speed_is_reported_if_the_network_saw_no_photo(run_algorithm, defaults, feedback, tmp_path):
+    parameters = {"MODEL": str(write_model(tmp_path / "m.onnx")), "IMAGES": str(write_text(tmp_path / "a.png", "text"))}
+    found = run_algorithm(LOCALIZE, {**defaults[LOCALIZE], **parameters}, feedback)
+    assert found["FIX_COUNT"] == 0 and "DEVICE" not in found and "per second" not in feedback.textLog()
+
+
 def test_a_truncated_photo_is_reported(refused, tmp_path):
     image = np.random.default_rng(1).integers(0, 255, (3, 400, 400)).astype(np.uint8)
     path = write_raster(tmp_path / "cut.tif", image)
