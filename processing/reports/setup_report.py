@@ -46,8 +46,9 @@ class Expectation:
     def sentence(self) -> str:
         """Return how many of 10 photos can be expected to get a position."""
         text = tr(
-            "About {count} of 10 photos that are centered on a landmark can be expected to get a position, if the "
-            "model finds 80 % of the landmarks."
+            "If the model finds 80 % of the landmarks, about {count} of 10 photos that are centered on a landmark can "
+            "be expected to get a position with an error probability of at most 1 in 10,000. A better model places "
+            "more."
         )
         return text.format(count=round(10 * self.success))
 

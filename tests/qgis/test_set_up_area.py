@@ -95,7 +95,7 @@ def test_without_photos_it_makes_the_database_only(run_algorithm, small, feedbac
 
 def test_the_report_states_why_few_photos_can_be_expected_to_get_a_position(run_algorithm, small, feedback):
     results = run_algorithm(SETUP, {**small, "PHOTO_WIDTH": 30}, feedback)
-    assert "About 0 of 10 photos that are centered on a landmark" in feedback.textLog()
+    assert "about 0 of 10 photos that are centered on a landmark" in feedback.textLog()
     assert "Too few landmarks: 1 in view on average." in Path(results["REPORT"]).read_text(encoding="utf-8")
     assert {"expected_success.gpkg", "assessment.html"} <= files_in(small["FOLDER"])
 
