@@ -412,6 +412,10 @@
    <translation>Die Methode „Automatisch“ beurteilen: Wo die Landmarken keine Position ergeben, wird die Kartenkorrelation an Bildern der Übersicht getestet. Das dauert auf einer großen Karte etwa 1 s pro Bild, deshalb wird höchstens ein Achtel der Bilder getestet. Wenn deaktiviert, wird nur die Konstellation der Landmarken beurteilt.</translation>
   </message>
   <message>
+   <source>Assessing the database</source>
+   <translation>Datenbank wird beurteilt</translation>
+  </message>
+  <message>
    <source>Assessment of a reference database</source>
    <translation>Beurteilung einer Referenzdatenbank</translation>
   </message>
@@ -648,10 +652,6 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
    <translation>Wählen Sie eine Datenbank und fügen Sie Bilder hinzu.</translation>
   </message>
   <message>
-   <source>Choose a database from the project or from recent ones</source>
-   <translation>Datenbank aus dem Projekt oder aus den zuletzt verwendeten wählen</translation>
-  </message>
-  <message>
    <source>Choose a database.</source>
    <translation>Wählen Sie eine Datenbank.</translation>
   </message>
@@ -680,10 +680,6 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
    <translation>Wählen Sie zuerst ein Modell. Es legt die Pixelgröße des Bildes fest.</translation>
   </message>
   <message>
-   <source>Choose a model from the models folder or from recent ones</source>
-   <translation>Modell aus dem Modellordner oder aus den zuletzt verwendeten wählen</translation>
-  </message>
-  <message>
    <source>Choose a raster layer or file for the test picture.</source>
    <translation>Wählen Sie einen Rasterlayer oder eine Datei für das Testbild.</translation>
   </message>
@@ -706,10 +702,6 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
   <message>
    <source>Choose the land-cover layer and its class field below, under “Update the database”.</source>
    <translation>Wählen Sie den Landbedeckungslayer und sein Klassenfeld unten, unter „Datenbank aktualisieren“.</translation>
-  </message>
-  <message>
-   <source>Chosen in the dock</source>
-   <translation>Im Bedienfeld gewählt</translation>
   </message>
   <message>
    <source>Class</source>
@@ -822,10 +814,6 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
   <message>
    <source>Classifying OpenStreetMap</source>
    <translation>OpenStreetMap wird klassifiziert</translation>
-  </message>
-  <message>
-   <source>Clear the dock and delete all settings of SemRef? Files, layers and installed packages do not change.</source>
-   <translation>Bedienfeld leeren und alle Einstellungen von SemRef löschen? Dateien, Layer und installierte Pakete bleiben unverändert.</translation>
   </message>
   <message>
    <source>Click on the map to inspect the window there</source>
@@ -1032,6 +1020,10 @@ Die Eingabe kann ein Auszug (.osm, .osm.pbf), ein QuickOSM-Layer, ein Geofabrik-
    <translation>Richtige Positionen nach Anzahl der Landmarken im Fenster.</translation>
   </message>
   <message>
+   <source>Correct positions by the number of map landmarks that are completely in view.</source>
+   <translation>Richtige Positionen nach Anzahl der Landmarken der Karte, die ganz im Bild liegen.</translation>
+  </message>
+  <message>
    <source>Correct positions of shifted windows, without noise, scaling or rotation. Bands: 95 % intervals.</source>
    <translation>Richtige Positionen verschobener Fenster, ohne Störungen, Skalierung oder Drehung. Bänder: 95-%-Intervalle.</translation>
   </message>
@@ -1102,10 +1094,6 @@ Ganze Geländeblöcke werden für die Validierung zurückgelegt; kein Pixel lieg
   <message>
    <source>Database {database}, images from {labels}</source>
    <translation>Datenbank {database}, Bilder aus {labels}</translation>
-  </message>
-  <message>
-   <source>Databases with layers in the project</source>
-   <translation>Datenbanken mit Layern im Projekt</translation>
   </message>
   <message>
    <source>Date</source>
@@ -1648,10 +1636,6 @@ Die Route ist ein Linienlayer oder eine Datei: GPX, KML, QGroundControl-Plan (.p
    <translation>Befunde nach Art</translation>
   </message>
   <message>
-   <source>Findings of each kind by severity, on a logarithmic scale.</source>
-   <translation>Befunde jeder Art nach Schwere, auf logarithmischer Skala.</translation>
-  </message>
-  <message>
    <source>Finds errors in a land-cover layer: invalid geometries, overlaps, duplicates, gaps, slivers, and missing or unknown classes. It also finds landmarks that touch, are too small, or are lost, merged or split at a pixel size.
 
 Each finding is a feature with a kind, a severity and a message. “Repair land-cover layer” repairs most findings.</source>
@@ -1660,10 +1644,10 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
 Jeder Befund ist ein Objekt mit Art, Schwere und Meldung. „Landbedeckungslayer reparieren“ behebt die meisten Befunde.</translation>
   </message>
   <message>
-   <source>Finds the positions of photos on a map in one run: it builds a reference database, optionally trains the model on imagery of the area, and localizes the photos.
+   <source>Finds the positions of photos on a map in one run: it builds a reference database, optionally trains the model on imagery of the area, assesses how many photos can be expected to get a position, and localizes the photos.
 
 SemRef derives pixel size, window size, stride and minimum area from the map and the photos, and shows them in the log before it starts. Each file in the folder is usable by itself. To continue a canceled run, run it again with the same values.</source>
-   <translation>Findet die Positionen von Fotos auf einer Karte in einem Lauf: erstellt eine Referenzdatenbank, trainiert auf Wunsch das Modell mit Luftbildern des Gebiets und lokalisiert die Fotos.
+   <translation>Findet die Positionen von Fotos auf einer Karte in einem Lauf: erstellt eine Referenzdatenbank, trainiert auf Wunsch das Modell mit Luftbildern des Gebiets, beurteilt, wie viele Fotos voraussichtlich eine Position erhalten, und lokalisiert die Fotos.
 
 SemRef leitet Pixelgröße, Fenstergröße, Schrittweite und Mindestfläche aus der Karte und den Fotos ab und zeigt sie vor dem Start im Protokoll. Jede Datei im Ordner ist für sich allein verwendbar. Um einen abgebrochenen Lauf fortzusetzen, starten Sie ihn mit denselben Werten erneut.</translation>
   </message>
@@ -1936,6 +1920,10 @@ Bilder ohne Position werden weggelassen, ebenso wahrscheinliche Positionen und P
    <translation>Wenn viele Fotos keine Position haben, trainieren Sie das Modell mit Luftbildern dieses Gebiets oder trainieren Sie länger.</translation>
   </message>
   <message>
+   <source>If the model finds 80 % of the landmarks, about {count} of 10 photos that are centered on a landmark can be expected to get a position with an error probability of at most 1 in 10,000. A better model places more.</source>
+   <translation>Wenn das Modell 80 % der Landmarken findet, erhalten voraussichtlich etwa {count} von 10 Fotos, deren Mitte auf einer Landmarke liegt, eine Position mit einer Irrtumswahrscheinlichkeit von höchstens 1 zu 10.000. Ein besseres Modell findet mehr.</translation>
+  </message>
+  <message>
    <source>Image</source>
    <translation>Bild</translation>
   </message>
@@ -2004,14 +1992,6 @@ Bilder ohne Position werden weggelassen, ebenso wahrscheinliche Positionen und P
    <translation>Im Überlappungsbereich der beiden Bilder stimmen nur {agreeing} von {cells} Teilen überein.</translation>
   </message>
   <message>
-   <source>In the project</source>
-   <translation>Im Projekt</translation>
-  </message>
-  <message>
-   <source>In the project…</source>
-   <translation>Im Projekt…</translation>
-  </message>
-  <message>
    <source>In the {part} of the image only {agree} of {count} landmarks agree with the map. They may be new, outside the map, or at another place. The position is valid for the rest of the image.</source>
    <translation>Im {part} des Bildes stimmen nur {agree} von {count} Landmarken mit der Karte überein. Sie können neu sein, außerhalb der Karte liegen oder an einem anderen Ort. Für den Rest des Bildes gilt die Position.</translation>
   </message>
@@ -2040,20 +2020,12 @@ Bilder ohne Position werden weggelassen, ebenso wahrscheinliche Positionen und P
    <translation>Installieren</translation>
   </message>
   <message>
-   <source>Install a package for…</source>
-   <translation>Paket installieren für…</translation>
-  </message>
-  <message>
    <source>Install from a folder of wheels…</source>
    <translation>Aus einem Ordner mit Wheels installieren…</translation>
   </message>
   <message>
    <source>Installed by SemRef</source>
    <translation>Von SemRef installiert</translation>
-  </message>
-  <message>
-   <source>Installed. Restart QGIS to use it.</source>
-   <translation>Installiert. Starten Sie QGIS neu, um es zu verwenden.</translation>
   </message>
   <message>
    <source>Installed. You do not need to restart QGIS.</source>
@@ -2768,10 +2740,6 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
    <translation>Modell mit Klassenversatz</translation>
   </message>
   <message>
-   <source>Models folder</source>
-   <translation>Modellordner</translation>
-  </message>
-  <message>
    <source>Models for photos</source>
    <translation>Modelle für Fotos</translation>
   </message>
@@ -2900,10 +2868,6 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
    <translation>Es ist keine Datenbank angegeben; erstellen Sie eine oder wählen Sie eine Datei.</translation>
   </message>
   <message>
-   <source>No database yet</source>
-   <translation>Noch keine Datenbank</translation>
-  </message>
-  <message>
    <source>No feature of “{source}” has a class. Fill the class field first.</source>
    <translation>Kein Objekt von „{source}“ hat eine Klasse. Füllen Sie zuerst das Klassenfeld aus.</translation>
   </message>
@@ -2918,10 +2882,6 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   <message>
    <source>No match</source>
    <translation>Kein Treffer</translation>
-  </message>
-  <message>
-   <source>No model yet</source>
-   <translation>Noch kein Modell</translation>
   </message>
   <message>
    <source>No pixel of the image is labeled; check that image and labels show the same ground.</source>
@@ -3086,10 +3046,6 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   <message>
    <source>Number of simulated images for each footprint width, spread evenly over the ground. More images give narrower intervals.</source>
    <translation>Anzahl der simulierten Bilder für jede Breite der Bildfläche, gleichmäßig über das Gelände verteilt. Mehr Bilder ergeben engere Intervalle.</translation>
-  </message>
-  <message>
-   <source>Number of the kind, see the table</source>
-   <translation>Nummer der Art, siehe Tabelle</translation>
   </message>
   <message>
    <source>Number of tiles</source>
@@ -3660,10 +3616,6 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
    <translation>Python mit torch. Ohne Angabe wird das Python aus den SemRef-Optionen verwendet oder die Trainingsumgebung, die SemRef installiert hat.</translation>
   </message>
   <message>
-   <source>QGIS finds {path} first, which SemRef did not install. Replace it by {package} in the same way as it was installed.</source>
-   <translation>QGIS findet zuerst {path}, das SemRef nicht installiert hat. Ersetzen Sie es auf demselben Weg, auf dem es installiert wurde, durch {package}.</translation>
-  </message>
-  <message>
    <source>QGIS finds {path} first, which is too old for SemRef. Update or remove it.</source>
    <translation>QGIS findet zuerst {path}, das für SemRef zu alt ist. Aktualisieren oder entfernen Sie es.</translation>
   </message>
@@ -3914,10 +3866,6 @@ Bei einer Überlappung bleibt das Polygon mit der höheren Priorität, sonst das
   <message>
    <source>Resampled to {resolution:g} cm per pixel: {width} × {height} pixels.</source>
    <translation>Umgerechnet auf {resolution:g} cm je Pixel: {width} × {height} Pixel.</translation>
-  </message>
-  <message>
-   <source>Reset SemRef: clear the dock and delete its settings…</source>
-   <translation>SemRef zurücksetzen: Bedienfeld leeren und Einstellungen löschen…</translation>
   </message>
   <message>
    <source>Residual</source>
@@ -4248,6 +4196,10 @@ Bei einer Überlappung bleibt das Polygon mit der höheren Priorität, sonst das
    <translation>Anteil der Karte</translation>
   </message>
   <message>
+   <source>Share of these photos</source>
+   <translation>Anteil dieser Fotos</translation>
+  </message>
+  <message>
    <source>Share of trials that show a mirrored part of the map. Such an image has no correct position, so each computed position is false.</source>
    <translation>Anteil der Versuche, die einen gespiegelten Teil der Karte zeigen. Ein solches Bild hat keine richtige Position, deshalb ist jede berechnete Position falsch.</translation>
   </message>
@@ -4322,10 +4274,6 @@ Beschrieben wird das größte mittige Quadrat des Bildes, wie bei den Fenstern e
   <message>
    <source>Simulated images</source>
    <translation>Simulierte Bilder</translation>
-  </message>
-  <message>
-   <source>Simulated images by the number of map landmarks that are completely in view. Lines: 95 % intervals.</source>
-   <translation>Simulierte Bilder nach Anzahl der Landmarken der Karte, die ganz im Bild liegen. Linien: 95-%-Intervalle.</translation>
   </message>
   <message>
    <source>Simulated images per point</source>
@@ -4540,10 +4488,6 @@ Beschrieben wird das größte mittige Quadrat des Bildes, wie bei den Fenstern e
    <translation>Erfolg nach Versatz</translation>
   </message>
   <message>
-   <source>Success by landmarks</source>
-   <translation>Erfolg nach Landmarken</translation>
-  </message>
-  <message>
    <source>Success by offset and landmarks</source>
    <translation>Erfolg nach Versatz und Landmarken</translation>
   </message>
@@ -4554,10 +4498,6 @@ Beschrieben wird das größte mittige Quadrat des Bildes, wie bei den Fenstern e
   <message>
    <source>Success threshold (%)</source>
    <translation>Schwellenwert des Erfolgs (%)</translation>
-  </message>
-  <message>
-   <source>Success under noise</source>
-   <translation>Erfolg unter Störungen</translation>
   </message>
   <message>
    <source>Suggested shift to the right (m)</source>
@@ -4670,10 +4610,6 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
   <message>
    <source>The camera was tilted. Select the footprints layer of the same run as well.</source>
    <translation>Die Kamera war geneigt. Wählen Sie auch den Layer der Bildflächen desselben Laufs.</translation>
-  </message>
-  <message>
-   <source>The certificate of the package index is not trusted. Ask your network administrator how pip is set up, or install from a folder of wheels.</source>
-   <translation>Dem Zertifikat des Paketindex wird nicht vertraut. Fragen Sie Ihre Netzwerkadministration, wie pip eingerichtet wird, oder installieren Sie aus einem Ordner mit Wheels.</translation>
   </message>
   <message>
    <source>The check has no findings.</source>
@@ -4837,10 +4773,6 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
   </message>
   <message>
    <source>The folder {path} contains no image ({endings}).</source>
-   <translation>Der Ordner {path} enthält kein Bild ({endings}).</translation>
-  </message>
-  <message>
-   <source>The folder {path} holds no image ({endings}).</source>
    <translation>Der Ordner {path} enthält kein Bild ({endings}).</translation>
   </message>
   <message>
@@ -5200,8 +5132,8 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Die Übersicht ist die verkleinerte Klassenkarte, die die Kartenkorrelation durchsucht. Ohne sie ist die Datei um ein Mehrfaches kleiner.</translation>
   </message>
   <message>
-   <source>The package index cannot be reached. Check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
-   <translation>Der Paketindex ist nicht erreichbar. Prüfen Sie das Netzwerk und Einstellungen ▸ Optionen ▸ Netzwerk oder installieren Sie aus einem Ordner mit Wheels.</translation>
+   <source>The package index cannot be reached ({reason}). Check network, proxy and certificates under Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
+   <translation>Der Paketindex ist nicht erreichbar ({reason}). Prüfen Sie Netzwerk, Proxy und Zertifikate unter Einstellungen ▸ Optionen ▸ Netzwerk oder installieren Sie aus einem Ordner mit Wheels.</translation>
   </message>
   <message>
    <source>The package index contains no {package} for Python {python} on this system.</source>
@@ -5276,10 +5208,6 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Das Projekt hat keinen Rasterlayer.</translation>
   </message>
   <message>
-   <source>The proxy cannot be used. Check it under Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
-   <translation>Der Proxy lässt sich nicht verwenden. Prüfen Sie ihn unter Einstellungen ▸ Optionen ▸ Netzwerk oder installieren Sie aus einem Ordner mit Wheels.</translation>
-  </message>
-  <message>
    <source>The range of {setting} is {low:g} to {high:g}. Enter two numbers from {least:g} to {most:g}, the smaller one first.</source>
    <translation>Der Bereich von {setting} ist {low:g} bis {high:g}. Geben Sie zwei Zahlen von {least:g} bis {most:g} ein, die kleinere zuerst.</translation>
   </message>
@@ -5334,10 +5262,6 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
   <message>
    <source>The sample project needs {packages}.</source>
    <translation>Das Beispielprojekt braucht {packages}.</translation>
-  </message>
-  <message>
-   <source>The saved state of the flight can't be read.</source>
-   <translation>Der gespeicherte Zustand des Flugs kann nicht gelesen werden.</translation>
   </message>
   <message>
    <source>The saved state of the flight has version {version}; this SemRef reads version {known}.</source>
@@ -5824,10 +5748,6 @@ Alle Einstellungen kommen aus der Datenbank. Unveränderte Zeilen behalten ihre 
    <translation>Dieses Modell verwenden</translation>
   </message>
   <message>
-   <source>Used recently</source>
-   <translation>Zuletzt verwendet</translation>
-  </message>
-  <message>
    <source>Used: {features}, {multipart} of them multipart.</source>
    <translation>Verwendet: {features}, davon {multipart} mehrteilig.</translation>
   </message>
@@ -6256,10 +6176,6 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>Nachbarn einer Klasse</translation>
   </message>
   <message>
-   <source>next most similar windows: {windows}</source>
-   <translation>nächstähnliche Fenster: {windows}</translation>
-  </message>
-  <message>
    <source>no area</source>
    <translation>ohne Fläche</translation>
   </message>
@@ -6344,10 +6260,6 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>eigene Position</translation>
   </message>
   <message>
-   <source>pip cannot use the SOCKS proxy of QGIS. Set an HTTP proxy or no proxy under Settings ▸ Options ▸ Network.</source>
-   <translation>pip kann den SOCKS-Proxy von QGIS nicht verwenden. Stellen Sie unter Einstellungen ▸ Optionen ▸ Netzwerk einen HTTP-Proxy oder keinen Proxy ein.</translation>
-  </message>
-  <message>
    <source>pip could not install {package}: {reason}.</source>
    <translation>pip konnte {package} nicht installieren: {reason}.</translation>
   </message>
@@ -6426,6 +6338,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>the ground within {radius:g} m of {x:.0f}, {y:.0f}</source>
    <translation>das Gelände im Umkreis von {radius:g} m um {x:.0f}, {y:.0f}</translation>
+  </message>
+  <message>
+   <source>the model of SemRef</source>
+   <translation>das Modell von SemRef</translation>
   </message>
   <message>
    <source>the output</source>
@@ -6600,16 +6516,8 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>{database} hat keine Übersicht, die für die Kartenkorrelation nötig ist. Exportieren Sie sie mit der Übersicht.</translation>
   </message>
   <message>
-   <source>{device} ({package})</source>
-   <translation>{device} ({package})</translation>
-  </message>
-  <message>
    <source>{device} could not be started ({reason}); the network runs on {other}.</source>
    <translation>{device} konnte nicht gestartet werden ({reason}); das Netz läuft auf {other}.</translation>
-  </message>
-  <message>
-   <source>{device} from a folder of wheels…</source>
-   <translation>{device} aus einem Ordner mit Wheels…</translation>
   </message>
   <message>
    <source>{device} is not available. It needs the Python package {package}.</source>
@@ -6710,10 +6618,6 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>{layer}: {features} features</source>
    <translation>{layer}: {features} Objekte</translation>
-  </message>
-  <message>
-   <source>{left}, until {time}</source>
-   <translation>{left}, bis {time}</translation>
   </message>
   <message>
    <source>{method}, for single images</source>
@@ -7128,10 +7032,6 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>{path} ist beschädigt, unvollständig oder keine Onboard-Datei von SemRef ({reason}). Kopieren oder exportieren Sie die Datei noch einmal.</translation>
   </message>
   <message>
-   <source>{path} is in ONNX format {found} (IR version), but onnxruntime {version} reads up to {known}; install a newer onnxruntime or export the model with an older ir_version.</source>
-   <translation>{path} hat das ONNX-Format {found} (IR-Version), onnxruntime {version} liest aber nur bis {known}; installieren Sie ein neueres onnxruntime oder exportieren Sie das Modell mit einer älteren ir_version.</translation>
-  </message>
-  <message>
    <source>{path} is in {crs}, which is not in meters. Rasterize or warp it to a projected CRS in meters.</source>
    <translation>{path} hat das KBS {crs}, das nicht in Metern ist. Rastern oder transformieren Sie die Datei in ein projiziertes KBS in Metern.</translation>
   </message>
@@ -7266,10 +7166,6 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>{path} takes {kind} values; a segmentation network takes floats.</source>
    <translation>{path} nimmt Werte vom Typ {kind}; ein Segmentierungsnetz nimmt Fließkommazahlen.</translation>
-  </message>
-  <message>
-   <source>{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} supports up to {known}; install a newer onnxruntime or export the model with an older opset.</source>
-   <translation>{path} verwendet ONNX-Operatoren der Version {found} (Opset), onnxruntime {version} unterstützt aber nur bis {known}; installieren Sie ein neueres onnxruntime oder exportieren Sie das Modell mit einem älteren Opset.</translation>
   </message>
   <message>
    <source>{path} was changed after the update that {before} belongs to, so that update can't be undone. To go back further, open {before} itself.</source>
@@ -7432,10 +7328,6 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>{source} hat keine Klassen. Nötig sind die Kopfzeile value,name,color,role und eine Zeile je Klasse.</translation>
   </message>
   <message>
-   <source>{source} has no column {missing}; its header is “{header}”.</source>
-   <translation>{source} hat keine Spalte {missing}; die Kopfzeile ist „{header}“.</translation>
-  </message>
-  <message>
    <source>{source} has no landmark. Build it with other classes or a smaller minimum area.</source>
    <translation>{source} hat keine Landmarke. Erstellen Sie die Datenbank mit anderen Klassen oder kleinerer Mindestfläche.</translation>
   </message>
@@ -7476,12 +7368,8 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>{source} ist ein Modell vom Typ {kind} (Metadatenschlüssel model_type); wählen Sie einen Segmentor.</translation>
   </message>
   <message>
-   <source>{source} is not a class table: a line has more than {most} characters. Choose another file.</source>
-   <translation>{source} ist keine Klassentabelle: Eine Zeile hat mehr als {most} Zeichen. Wählen Sie eine andere Datei.</translation>
-  </message>
-  <message>
-   <source>{source} is not a table of rules. It needs a header key,value,class,priority, then 1 to {most} lines of at most {longest} characters.</source>
-   <translation>{source} ist keine Regeltabelle. Nötig sind die Kopfzeile key,value,class,priority, dann 1 bis {most} Zeilen mit höchstens {longest} Zeichen.</translation>
+   <source>{source} is not a table of rules. It needs a header key,value,class,priority, then 1 to {most} lines.</source>
+   <translation>{source} ist keine Regeltabelle. Nötig sind die Kopfzeile key,value,class,priority, dann 1 bis {most} Zeilen.</translation>
   </message>
   <message>
    <source>{source} outputs {channels} classes, but its metadata (class_names) have {count} class names: {names}. Use the names from its training.</source>

@@ -412,6 +412,10 @@
    <translation>Evalúa el método “Automático”: donde los hitos no dan ninguna posición, la correlación de mapas se prueba con imágenes de la vista general. Esto tarda alrededor de 1 s por imagen en un mapa grande, así que se prueba como máximo una octava parte de las imágenes. Si está desactivado, solo se evalúa la constelación de hitos.</translation>
   </message>
   <message>
+   <source>Assessing the database</source>
+   <translation>Evaluando la base de datos</translation>
+  </message>
+  <message>
    <source>Assessment of a reference database</source>
    <translation>Evaluación de una base de datos de referencia</translation>
   </message>
@@ -648,10 +652,6 @@ El GeoPackage contiene ventanas, hitos, un mapa reducido (vista general), clases
    <translation>Elija una base de datos y añada imágenes.</translation>
   </message>
   <message>
-   <source>Choose a database from the project or from recent ones</source>
-   <translation>Elija una base de datos del proyecto o de las recientes</translation>
-  </message>
-  <message>
    <source>Choose a database.</source>
    <translation>Elija una base de datos.</translation>
   </message>
@@ -680,10 +680,6 @@ El GeoPackage contiene ventanas, hitos, un mapa reducido (vista general), clases
    <translation>Elija primero un modelo. Define el tamaño de píxel de la imagen.</translation>
   </message>
   <message>
-   <source>Choose a model from the models folder or from recent ones</source>
-   <translation>Elija un modelo de la carpeta de modelos o de los recientes</translation>
-  </message>
-  <message>
    <source>Choose a raster layer or file for the test picture.</source>
    <translation>Elija una capa ráster o un archivo para la imagen de prueba.</translation>
   </message>
@@ -706,10 +702,6 @@ El GeoPackage contiene ventanas, hitos, un mapa reducido (vista general), clases
   <message>
    <source>Choose the land-cover layer and its class field below, under “Update the database”.</source>
    <translation>Elija abajo la capa de cobertura del suelo y su campo de clase, en “Actualizar la base de datos”.</translation>
-  </message>
-  <message>
-   <source>Chosen in the dock</source>
-   <translation>Elegida en el panel</translation>
   </message>
   <message>
    <source>Class</source>
@@ -822,10 +814,6 @@ El GeoPackage contiene ventanas, hitos, un mapa reducido (vista general), clases
   <message>
    <source>Classifying OpenStreetMap</source>
    <translation>Clasificando OpenStreetMap</translation>
-  </message>
-  <message>
-   <source>Clear the dock and delete all settings of SemRef? Files, layers and installed packages do not change.</source>
-   <translation>¿Vaciar el panel y eliminar toda la configuración de SemRef? Los archivos, las capas y los paquetes instalados no cambian.</translation>
   </message>
   <message>
    <source>Click on the map to inspect the window there</source>
@@ -1032,6 +1020,10 @@ La entrada puede ser un extracto (.osm, .osm.pbf), una capa de QuickOSM, un shap
    <translation>Posiciones correctas según el número de hitos en la ventana.</translation>
   </message>
   <message>
+   <source>Correct positions by the number of map landmarks that are completely in view.</source>
+   <translation>Posiciones correctas según el número de hitos del mapa que se ven enteros.</translation>
+  </message>
+  <message>
    <source>Correct positions of shifted windows, without noise, scaling or rotation. Bands: 95 % intervals.</source>
    <translation>Posiciones correctas de ventanas desplazadas, sin ruido, cambio de escala ni rotación. Bandas: intervalos del 95 %.</translation>
   </message>
@@ -1102,10 +1094,6 @@ Se reservan bloques enteros de terreno para la validación, y ningún píxel est
   <message>
    <source>Database {database}, images from {labels}</source>
    <translation>Base de datos {database}, imágenes de {labels}</translation>
-  </message>
-  <message>
-   <source>Databases with layers in the project</source>
-   <translation>Bases de datos con capas en el proyecto</translation>
   </message>
   <message>
    <source>Date</source>
@@ -1648,10 +1636,6 @@ La ruta es una capa de líneas o un archivo: GPX, KML, plan de QGroundControl (.
    <translation>Hallazgos por tipo</translation>
   </message>
   <message>
-   <source>Findings of each kind by severity, on a logarithmic scale.</source>
-   <translation>Hallazgos de cada tipo por gravedad, en escala logarítmica.</translation>
-  </message>
-  <message>
    <source>Finds errors in a land-cover layer: invalid geometries, overlaps, duplicates, gaps, slivers, and missing or unknown classes. It also finds landmarks that touch, are too small, or are lost, merged or split at a pixel size.
 
 Each finding is a feature with a kind, a severity and a message. “Repair land-cover layer” repairs most findings.</source>
@@ -1660,10 +1644,10 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
 Cada hallazgo es un objeto espacial con tipo, gravedad y mensaje. “Reparar capa de cobertura del suelo” repara la mayoría de los hallazgos.</translation>
   </message>
   <message>
-   <source>Finds the positions of photos on a map in one run: it builds a reference database, optionally trains the model on imagery of the area, and localizes the photos.
+   <source>Finds the positions of photos on a map in one run: it builds a reference database, optionally trains the model on imagery of the area, assesses how many photos can be expected to get a position, and localizes the photos.
 
 SemRef derives pixel size, window size, stride and minimum area from the map and the photos, and shows them in the log before it starts. Each file in the folder is usable by itself. To continue a canceled run, run it again with the same values.</source>
-   <translation>Busca las posiciones de fotos en un mapa en una sola ejecución: crea una base de datos de referencia, entrena el modelo con imágenes aéreas de la zona (opcional) y localiza las fotos.
+   <translation>Busca las posiciones de fotos en un mapa en una sola ejecución: crea una base de datos de referencia, entrena el modelo con imágenes aéreas de la zona (opcional), evalúa cuántas fotos pueden obtener una posición y localiza las fotos.
 
 SemRef deduce del mapa y de las fotos el tamaño de píxel, el tamaño de ventana, el paso y el área mínima, y los muestra en el registro antes de empezar. Cada archivo de la carpeta se puede usar por separado. Para continuar una ejecución cancelada, ejecútela de nuevo con los mismos valores.</translation>
   </message>
@@ -1936,6 +1920,10 @@ Se omiten las imágenes sin posición, y también las posiciones probables y las
    <translation>Si muchas fotos no tienen posición, entrene el modelo con imágenes aéreas de esta zona o durante más tiempo.</translation>
   </message>
   <message>
+   <source>If the model finds 80 % of the landmarks, about {count} of 10 photos that are centered on a landmark can be expected to get a position with an error probability of at most 1 in 10,000. A better model places more.</source>
+   <translation>Si el modelo encuentra el 80 % de los hitos, se puede esperar que unas {count} de cada 10 fotos centradas en un hito obtengan una posición con una probabilidad de error de 1 de cada 10 000 como máximo. Un modelo mejor sitúa más.</translation>
+  </message>
+  <message>
    <source>Image</source>
    <translation>Imagen</translation>
   </message>
@@ -2004,14 +1992,6 @@ Se omiten las imágenes sin posición, y también las posiciones probables y las
    <translation>En el solapamiento de las dos imágenes, solo coinciden {agreeing} de {cells} partes.</translation>
   </message>
   <message>
-   <source>In the project</source>
-   <translation>En el proyecto</translation>
-  </message>
-  <message>
-   <source>In the project…</source>
-   <translation>En el proyecto…</translation>
-  </message>
-  <message>
    <source>In the {part} of the image only {agree} of {count} landmarks agree with the map. They may be new, outside the map, or at another place. The position is valid for the rest of the image.</source>
    <translation>En la {part} de la imagen, solo {agree} de {count} hitos coinciden con el mapa. Pueden ser nuevos, estar fuera del mapa o en otro lugar. La posición es válida para el resto de la imagen.</translation>
   </message>
@@ -2040,20 +2020,12 @@ Se omiten las imágenes sin posición, y también las posiciones probables y las
    <translation>Instalar</translation>
   </message>
   <message>
-   <source>Install a package for…</source>
-   <translation>Instalar un paquete para…</translation>
-  </message>
-  <message>
    <source>Install from a folder of wheels…</source>
    <translation>Instalar desde una carpeta de wheels…</translation>
   </message>
   <message>
    <source>Installed by SemRef</source>
    <translation>Instalado por SemRef</translation>
-  </message>
-  <message>
-   <source>Installed. Restart QGIS to use it.</source>
-   <translation>Instalado. Reinicie QGIS para usarlo.</translation>
   </message>
   <message>
    <source>Installed. You do not need to restart QGIS.</source>
@@ -2768,10 +2740,6 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
    <translation>Modelo con desplazamiento de clase</translation>
   </message>
   <message>
-   <source>Models folder</source>
-   <translation>Carpeta de modelos</translation>
-  </message>
-  <message>
    <source>Models for photos</source>
    <translation>Modelos para fotos</translation>
   </message>
@@ -2900,10 +2868,6 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
    <translation>No se indicó ninguna base de datos; cree una o elija un archivo.</translation>
   </message>
   <message>
-   <source>No database yet</source>
-   <translation>Aún no hay ninguna base de datos</translation>
-  </message>
-  <message>
    <source>No feature of “{source}” has a class. Fill the class field first.</source>
    <translation>Ningún objeto espacial de “{source}” tiene clase. Rellene primero el campo de clase.</translation>
   </message>
@@ -2918,10 +2882,6 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
   <message>
    <source>No match</source>
    <translation>Sin coincidencia</translation>
-  </message>
-  <message>
-   <source>No model yet</source>
-   <translation>Aún no hay ningún modelo</translation>
   </message>
   <message>
    <source>No pixel of the image is labeled; check that image and labels show the same ground.</source>
@@ -3086,10 +3046,6 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
   <message>
    <source>Number of simulated images for each footprint width, spread evenly over the ground. More images give narrower intervals.</source>
    <translation>Número de imágenes simuladas para cada ancho de huella, repartidas uniformemente por el terreno. Con más imágenes, los intervalos son más estrechos.</translation>
-  </message>
-  <message>
-   <source>Number of the kind, see the table</source>
-   <translation>Número del tipo, véase la tabla</translation>
   </message>
   <message>
    <source>Number of tiles</source>
@@ -3660,10 +3616,6 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
    <translation>Python con torch. Si no se indica, se usa el Python de las opciones de SemRef o el entorno de entrenamiento que instaló SemRef.</translation>
   </message>
   <message>
-   <source>QGIS finds {path} first, which SemRef did not install. Replace it by {package} in the same way as it was installed.</source>
-   <translation>QGIS encuentra primero {path}, que no instaló SemRef. Reemplácelo por {package} de la misma forma en que se instaló.</translation>
-  </message>
-  <message>
    <source>QGIS finds {path} first, which is too old for SemRef. Update or remove it.</source>
    <translation>QGIS encuentra primero {path}, que es demasiado antiguo para SemRef. Actualícelo o elimínelo.</translation>
   </message>
@@ -3914,10 +3866,6 @@ En un solapamiento se conserva el polígono con mayor prioridad; si no la hay, e
   <message>
    <source>Resampled to {resolution:g} cm per pixel: {width} × {height} pixels.</source>
    <translation>Remuestreada a {resolution:g} cm por píxel: {width} × {height} píxeles.</translation>
-  </message>
-  <message>
-   <source>Reset SemRef: clear the dock and delete its settings…</source>
-   <translation>Restablecer SemRef: vaciar el panel y eliminar su configuración…</translation>
   </message>
   <message>
    <source>Residual</source>
@@ -4248,6 +4196,10 @@ En un solapamiento se conserva el polígono con mayor prioridad; si no la hay, e
    <translation>Parte del mapa</translation>
   </message>
   <message>
+   <source>Share of these photos</source>
+   <translation>Parte de estas fotos</translation>
+  </message>
+  <message>
    <source>Share of trials that show a mirrored part of the map. Such an image has no correct position, so each computed position is false.</source>
    <translation>Parte de los ensayos que muestra una parte reflejada del mapa. Una imagen así no tiene posición correcta, de modo que toda posición calculada es falsa.</translation>
   </message>
@@ -4322,10 +4274,6 @@ La imagen se describe en su mayor cuadrado centrado, como las ventanas de una ba
   <message>
    <source>Simulated images</source>
    <translation>Imágenes simuladas</translation>
-  </message>
-  <message>
-   <source>Simulated images by the number of map landmarks that are completely in view. Lines: 95 % intervals.</source>
-   <translation>Imágenes simuladas según el número de hitos del mapa que se ven enteros. Líneas: intervalos del 95 %.</translation>
   </message>
   <message>
    <source>Simulated images per point</source>
@@ -4540,10 +4488,6 @@ La imagen se describe en su mayor cuadrado centrado, como las ventanas de una ba
    <translation>Acierto según el desplazamiento</translation>
   </message>
   <message>
-   <source>Success by landmarks</source>
-   <translation>Acierto según los hitos</translation>
-  </message>
-  <message>
    <source>Success by offset and landmarks</source>
    <translation>Acierto según el desplazamiento y los hitos</translation>
   </message>
@@ -4554,10 +4498,6 @@ La imagen se describe en su mayor cuadrado centrado, como las ventanas de una ba
   <message>
    <source>Success threshold (%)</source>
    <translation>Umbral de acierto (%)</translation>
-  </message>
-  <message>
-   <source>Success under noise</source>
-   <translation>Acierto con ruido</translation>
   </message>
   <message>
    <source>Suggested shift to the right (m)</source>
@@ -4670,10 +4610,6 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
   <message>
    <source>The camera was tilted. Select the footprints layer of the same run as well.</source>
    <translation>La cámara estaba inclinada. Seleccione también la capa de huellas de la misma ejecución.</translation>
-  </message>
-  <message>
-   <source>The certificate of the package index is not trusted. Ask your network administrator how pip is set up, or install from a folder of wheels.</source>
-   <translation>El certificado del índice de paquetes no es de confianza. Pregunte a quien administra su red cómo está configurado pip, o instale desde una carpeta de wheels.</translation>
   </message>
   <message>
    <source>The check has no findings.</source>
@@ -4837,10 +4773,6 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
   </message>
   <message>
    <source>The folder {path} contains no image ({endings}).</source>
-   <translation>La carpeta {path} no contiene ninguna imagen ({endings}).</translation>
-  </message>
-  <message>
-   <source>The folder {path} holds no image ({endings}).</source>
    <translation>La carpeta {path} no contiene ninguna imagen ({endings}).</translation>
   </message>
   <message>
@@ -5200,8 +5132,8 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>La vista general es el mapa de etiquetas reducido en el que busca la correlación de mapas. Sin ella el archivo es varias veces más pequeño.</translation>
   </message>
   <message>
-   <source>The package index cannot be reached. Check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
-   <translation>No se puede acceder al índice de paquetes. Compruebe la red y Configuración ▸ Opciones ▸ Red, o instale desde una carpeta de wheels.</translation>
+   <source>The package index cannot be reached ({reason}). Check network, proxy and certificates under Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
+   <translation>No se puede acceder al índice de paquetes ({reason}). Compruebe la red, el proxy y los certificados en Configuración ▸ Opciones ▸ Red, o instale desde una carpeta de wheels.</translation>
   </message>
   <message>
    <source>The package index contains no {package} for Python {python} on this system.</source>
@@ -5276,10 +5208,6 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>El proyecto no tiene ninguna capa ráster.</translation>
   </message>
   <message>
-   <source>The proxy cannot be used. Check it under Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
-   <translation>No se puede usar el proxy. Compruébelo en Configuración ▸ Opciones ▸ Red, o instale desde una carpeta de wheels.</translation>
-  </message>
-  <message>
    <source>The range of {setting} is {low:g} to {high:g}. Enter two numbers from {least:g} to {most:g}, the smaller one first.</source>
    <translation>El rango de {setting} va de {low:g} a {high:g}. Indique dos números de {least:g} a {most:g}, primero el menor.</translation>
   </message>
@@ -5334,10 +5262,6 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
   <message>
    <source>The sample project needs {packages}.</source>
    <translation>El proyecto de ejemplo necesita {packages}.</translation>
-  </message>
-  <message>
-   <source>The saved state of the flight can't be read.</source>
-   <translation>No se puede leer el estado guardado del vuelo.</translation>
   </message>
   <message>
    <source>The saved state of the flight has version {version}; this SemRef reads version {known}.</source>
@@ -5824,10 +5748,6 @@ Todos los parámetros provienen de la base de datos. Las filas sin cambios conse
    <translation>Usar este modelo</translation>
   </message>
   <message>
-   <source>Used recently</source>
-   <translation>Usados recientemente</translation>
-  </message>
-  <message>
    <source>Used: {features}, {multipart} of them multipart.</source>
    <translation>Se usan: {features}, de ellos {multipart} multiparte.</translation>
   </message>
@@ -6256,10 +6176,6 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>vecinos de una clase</translation>
   </message>
   <message>
-   <source>next most similar windows: {windows}</source>
-   <translation>siguientes ventanas más parecidas: {windows}</translation>
-  </message>
-  <message>
    <source>no area</source>
    <translation>sin superficie</translation>
   </message>
@@ -6344,10 +6260,6 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>posición propia</translation>
   </message>
   <message>
-   <source>pip cannot use the SOCKS proxy of QGIS. Set an HTTP proxy or no proxy under Settings ▸ Options ▸ Network.</source>
-   <translation>pip no puede usar el proxy SOCKS de QGIS. Defina un proxy HTTP o ninguno en Configuración ▸ Opciones ▸ Red.</translation>
-  </message>
-  <message>
    <source>pip could not install {package}: {reason}.</source>
    <translation>pip no pudo instalar {package}: {reason}.</translation>
   </message>
@@ -6426,6 +6338,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>the ground within {radius:g} m of {x:.0f}, {y:.0f}</source>
    <translation>el terreno a menos de {radius:g} m de {x:.0f}, {y:.0f}</translation>
+  </message>
+  <message>
+   <source>the model of SemRef</source>
+   <translation>el modelo de SemRef</translation>
   </message>
   <message>
    <source>the output</source>
@@ -6600,16 +6516,8 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>{database} no tiene vista general, que necesita la correlación de mapas. Expórtela con la vista general.</translation>
   </message>
   <message>
-   <source>{device} ({package})</source>
-   <translation>{device} ({package})</translation>
-  </message>
-  <message>
    <source>{device} could not be started ({reason}); the network runs on {other}.</source>
    <translation>{device} no se pudo iniciar ({reason}); la red se ejecuta en {other}.</translation>
-  </message>
-  <message>
-   <source>{device} from a folder of wheels…</source>
-   <translation>{device} desde una carpeta de wheels…</translation>
   </message>
   <message>
    <source>{device} is not available. It needs the Python package {package}.</source>
@@ -6710,10 +6618,6 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>{layer}: {features} features</source>
    <translation>{layer}: {features} objetos espaciales</translation>
-  </message>
-  <message>
-   <source>{left}, until {time}</source>
-   <translation>{left}, hasta las {time}</translation>
   </message>
   <message>
    <source>{method}, for single images</source>
@@ -7128,10 +7032,6 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>{path} está dañado, incompleto o no es un archivo de a bordo de SemRef ({reason}). Cópielo o expórtelo de nuevo.</translation>
   </message>
   <message>
-   <source>{path} is in ONNX format {found} (IR version), but onnxruntime {version} reads up to {known}; install a newer onnxruntime or export the model with an older ir_version.</source>
-   <translation>{path} está en formato ONNX {found} (versión IR), pero onnxruntime {version} solo lee hasta {known}; instale un onnxruntime más nuevo o exporte el modelo con una ir_version anterior.</translation>
-  </message>
-  <message>
    <source>{path} is in {crs}, which is not in meters. Rasterize or warp it to a projected CRS in meters.</source>
    <translation>{path} está en {crs}, que no está en metros. Rasterícelo o reproyéctelo a un SRC proyectado en metros.</translation>
   </message>
@@ -7266,10 +7166,6 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>{path} takes {kind} values; a segmentation network takes floats.</source>
    <translation>{path} toma valores {kind}; una red de segmentación toma números de coma flotante.</translation>
-  </message>
-  <message>
-   <source>{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} supports up to {known}; install a newer onnxruntime or export the model with an older opset.</source>
-   <translation>{path} usa operadores ONNX de la versión {found} (opset), pero onnxruntime {version} admite hasta la {known}; instale un onnxruntime más reciente o exporte el modelo con un opset anterior.</translation>
   </message>
   <message>
    <source>{path} was changed after the update that {before} belongs to, so that update can't be undone. To go back further, open {before} itself.</source>
@@ -7432,10 +7328,6 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>{source} no tiene clases. Necesita una cabecera value,name,color,role y una línea por clase.</translation>
   </message>
   <message>
-   <source>{source} has no column {missing}; its header is “{header}”.</source>
-   <translation>{source} no tiene la columna {missing}; su cabecera es “{header}”.</translation>
-  </message>
-  <message>
    <source>{source} has no landmark. Build it with other classes or a smaller minimum area.</source>
    <translation>{source} no tiene ningún hito. Créela con otras clases o un área mínima menor.</translation>
   </message>
@@ -7476,12 +7368,8 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>{source} es un modelo de tipo {kind} (clave de metadatos model_type); elija un Segmentor.</translation>
   </message>
   <message>
-   <source>{source} is not a class table: a line has more than {most} characters. Choose another file.</source>
-   <translation>{source} no es una tabla de clases: una línea tiene más de {most} caracteres. Elija otro archivo.</translation>
-  </message>
-  <message>
-   <source>{source} is not a table of rules. It needs a header key,value,class,priority, then 1 to {most} lines of at most {longest} characters.</source>
-   <translation>{source} no es una tabla de reglas. Necesita una cabecera key,value,class,priority y después de 1 a {most} líneas de {longest} caracteres como máximo.</translation>
+   <source>{source} is not a table of rules. It needs a header key,value,class,priority, then 1 to {most} lines.</source>
+   <translation>{source} no es una tabla de reglas. Necesita una cabecera key,value,class,priority y después de 1 a {most} líneas.</translation>
   </message>
   <message>
    <source>{source} outputs {channels} classes, but its metadata (class_names) have {count} class names: {names}. Use the names from its training.</source>

@@ -412,6 +412,10 @@
    <translation>Évaluer la méthode « Automatique » : là où les repères visuels ne donnent pas de position, la corrélation de cartes est testée sur des images de la vue d’ensemble. Cela prend environ 1 s par image sur une grande carte ; un huitième des images au plus est donc testé. Si cette option est désactivée, seule la constellation des repères visuels est évaluée.</translation>
   </message>
   <message>
+   <source>Assessing the database</source>
+   <translation>Évaluation de la base de données</translation>
+  </message>
+  <message>
    <source>Assessment of a reference database</source>
    <translation>Évaluation d’une base de données de référence</translation>
   </message>
@@ -648,10 +652,6 @@ Le GeoPackage contient les fenêtres, les repères visuels, une carte réduite (
    <translation>Choisissez une base de données et ajoutez des images.</translation>
   </message>
   <message>
-   <source>Choose a database from the project or from recent ones</source>
-   <translation>Choisir une base de données du projet ou utilisée récemment</translation>
-  </message>
-  <message>
    <source>Choose a database.</source>
    <translation>Choisissez une base de données.</translation>
   </message>
@@ -680,10 +680,6 @@ Le GeoPackage contient les fenêtres, les repères visuels, une carte réduite (
    <translation>Choisissez d’abord un modèle. Il définit la taille de pixel de l’image.</translation>
   </message>
   <message>
-   <source>Choose a model from the models folder or from recent ones</source>
-   <translation>Choisir un modèle du dossier des modèles ou utilisé récemment</translation>
-  </message>
-  <message>
    <source>Choose a raster layer or file for the test picture.</source>
    <translation>Choisissez une couche raster ou un fichier pour l’image de test.</translation>
   </message>
@@ -706,10 +702,6 @@ Le GeoPackage contient les fenêtres, les repères visuels, une carte réduite (
   <message>
    <source>Choose the land-cover layer and its class field below, under “Update the database”.</source>
    <translation>Choisissez la couche d’occupation du sol et son champ de classe ci-dessous, sous « Mettre à jour la base de données ».</translation>
-  </message>
-  <message>
-   <source>Chosen in the dock</source>
-   <translation>Choisi dans le panneau</translation>
   </message>
   <message>
    <source>Class</source>
@@ -822,10 +814,6 @@ Le GeoPackage contient les fenêtres, les repères visuels, une carte réduite (
   <message>
    <source>Classifying OpenStreetMap</source>
    <translation>Classification d’OpenStreetMap</translation>
-  </message>
-  <message>
-   <source>Clear the dock and delete all settings of SemRef? Files, layers and installed packages do not change.</source>
-   <translation>Vider le panneau et supprimer tous les paramètres de SemRef ? Les fichiers, les couches et les paquets installés ne changent pas.</translation>
   </message>
   <message>
    <source>Click on the map to inspect the window there</source>
@@ -1032,6 +1020,10 @@ L’entrée peut être un extrait (.osm, .osm.pbf), une couche QuickOSM, un shap
    <translation>Positions correctes selon le nombre de repères visuels dans la fenêtre.</translation>
   </message>
   <message>
+   <source>Correct positions by the number of map landmarks that are completely in view.</source>
+   <translation>Positions correctes selon le nombre de repères visuels de la carte entièrement en vue.</translation>
+  </message>
+  <message>
    <source>Correct positions of shifted windows, without noise, scaling or rotation. Bands: 95 % intervals.</source>
    <translation>Positions correctes de fenêtres décalées, sans bruit, changement d’échelle ni rotation. Bandes : intervalles à 95 %.</translation>
   </message>
@@ -1102,10 +1094,6 @@ Des blocs de terrain entiers sont réservés à la validation, et aucun pixel n�
   <message>
    <source>Database {database}, images from {labels}</source>
    <translation>Base de données {database}, images de {labels}</translation>
-  </message>
-  <message>
-   <source>Databases with layers in the project</source>
-   <translation>Bases de données avec des couches dans le projet</translation>
   </message>
   <message>
    <source>Date</source>
@@ -1648,10 +1636,6 @@ L’itinéraire est une couche de lignes ou un fichier : GPX, KML, plan QGroundC
    <translation>Constats par type</translation>
   </message>
   <message>
-   <source>Findings of each kind by severity, on a logarithmic scale.</source>
-   <translation>Constats de chaque type selon la gravité, sur une échelle logarithmique.</translation>
-  </message>
-  <message>
    <source>Finds errors in a land-cover layer: invalid geometries, overlaps, duplicates, gaps, slivers, and missing or unknown classes. It also finds landmarks that touch, are too small, or are lost, merged or split at a pixel size.
 
 Each finding is a feature with a kind, a severity and a message. “Repair land-cover layer” repairs most findings.</source>
@@ -1660,10 +1644,10 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
 Chaque constat est une entité avec un type, une gravité et un message. « Réparer une couche d’occupation du sol » répare la plupart des constats.</translation>
   </message>
   <message>
-   <source>Finds the positions of photos on a map in one run: it builds a reference database, optionally trains the model on imagery of the area, and localizes the photos.
+   <source>Finds the positions of photos on a map in one run: it builds a reference database, optionally trains the model on imagery of the area, assesses how many photos can be expected to get a position, and localizes the photos.
 
 SemRef derives pixel size, window size, stride and minimum area from the map and the photos, and shows them in the log before it starts. Each file in the folder is usable by itself. To continue a canceled run, run it again with the same values.</source>
-   <translation>Trouve les positions de photos sur une carte en une seule exécution : crée une base de données de référence, entraîne au besoin le modèle sur une imagerie de la zone, et localise les photos.
+   <translation>Trouve les positions de photos sur une carte en une seule exécution : crée une base de données de référence, entraîne au besoin le modèle sur une imagerie de la zone, évalue combien de photos devraient obtenir une position, et localise les photos.
 
 SemRef déduit la taille de pixel, la taille de fenêtre, le pas et la surface minimale de la carte et des photos, et les affiche dans le journal avant de commencer. Chaque fichier du dossier est utilisable seul. Pour poursuivre une exécution annulée, relancez-la avec les mêmes valeurs.</translation>
   </message>
@@ -1936,6 +1920,10 @@ Les images sans position sont exclues, de même que les positions probables et l
    <translation>Si beaucoup de photos n’ont pas de position, entraînez le modèle sur une imagerie de cette zone, ou plus longtemps.</translation>
   </message>
   <message>
+   <source>If the model finds 80 % of the landmarks, about {count} of 10 photos that are centered on a landmark can be expected to get a position with an error probability of at most 1 in 10,000. A better model places more.</source>
+   <translation>Si le modèle trouve 80 % des repères visuels, environ {count} photos sur 10 centrées sur un repère visuel devraient obtenir une position avec une probabilité d’erreur d’au plus 1 sur 10 000. Un meilleur modèle en place davantage.</translation>
+  </message>
+  <message>
    <source>Image</source>
    <translation>Image</translation>
   </message>
@@ -2004,14 +1992,6 @@ Les images sans position sont exclues, de même que les positions probables et l
    <translation>Dans le recouvrement des deux images, seules {agreeing} parties sur {cells} concordent.</translation>
   </message>
   <message>
-   <source>In the project</source>
-   <translation>Dans le projet</translation>
-  </message>
-  <message>
-   <source>In the project…</source>
-   <translation>Dans le projet…</translation>
-  </message>
-  <message>
    <source>In the {part} of the image only {agree} of {count} landmarks agree with the map. They may be new, outside the map, or at another place. The position is valid for the rest of the image.</source>
    <translation>Dans la {part} de l’image, seuls {agree} repères visuels sur {count} concordent avec la carte. Ils peuvent être nouveaux, hors de la carte ou à un autre endroit. La position est valable pour le reste de l’image.</translation>
   </message>
@@ -2040,20 +2020,12 @@ Les images sans position sont exclues, de même que les positions probables et l
    <translation>Installer</translation>
   </message>
   <message>
-   <source>Install a package for…</source>
-   <translation>Installer un paquet pour…</translation>
-  </message>
-  <message>
    <source>Install from a folder of wheels…</source>
    <translation>Installer depuis un dossier de wheels…</translation>
   </message>
   <message>
    <source>Installed by SemRef</source>
    <translation>Installé par SemRef</translation>
-  </message>
-  <message>
-   <source>Installed. Restart QGIS to use it.</source>
-   <translation>Installé. Redémarrez QGIS pour l’utiliser.</translation>
   </message>
   <message>
    <source>Installed. You do not need to restart QGIS.</source>
@@ -2768,10 +2740,6 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
    <translation>Modèle avec décalage de classe</translation>
   </message>
   <message>
-   <source>Models folder</source>
-   <translation>Dossier des modèles</translation>
-  </message>
-  <message>
    <source>Models for photos</source>
    <translation>Modèles pour photos</translation>
   </message>
@@ -2900,10 +2868,6 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
    <translation>Aucune base de données n’est indiquée ; créez-en une ou choisissez un fichier.</translation>
   </message>
   <message>
-   <source>No database yet</source>
-   <translation>Pas encore de base de données</translation>
-  </message>
-  <message>
    <source>No feature of “{source}” has a class. Fill the class field first.</source>
    <translation>Aucune entité de « {source} » n’a de classe. Remplissez d’abord le champ de classe.</translation>
   </message>
@@ -2918,10 +2882,6 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   <message>
    <source>No match</source>
    <translation>Aucune correspondance</translation>
-  </message>
-  <message>
-   <source>No model yet</source>
-   <translation>Pas encore de modèle</translation>
   </message>
   <message>
    <source>No pixel of the image is labeled; check that image and labels show the same ground.</source>
@@ -3086,10 +3046,6 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   <message>
    <source>Number of simulated images for each footprint width, spread evenly over the ground. More images give narrower intervals.</source>
    <translation>Nombre d’images simulées pour chaque largeur d’emprise au sol, réparties uniformément sur le terrain. Plus d’images donnent des intervalles plus étroits.</translation>
-  </message>
-  <message>
-   <source>Number of the kind, see the table</source>
-   <translation>Numéro du type, voir le tableau</translation>
   </message>
   <message>
    <source>Number of tiles</source>
@@ -3660,10 +3616,6 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
    <translation>Python avec torch. Par défaut, le Python des options de SemRef est utilisé, ou l’environnement d’entraînement installé par SemRef.</translation>
   </message>
   <message>
-   <source>QGIS finds {path} first, which SemRef did not install. Replace it by {package} in the same way as it was installed.</source>
-   <translation>QGIS trouve d’abord {path}, que SemRef n’a pas installé. Remplacez-le par {package} de la même façon qu’il a été installé.</translation>
-  </message>
-  <message>
    <source>QGIS finds {path} first, which is too old for SemRef. Update or remove it.</source>
    <translation>QGIS trouve d’abord {path}, qui est trop ancien pour SemRef. Mettez-le à jour ou supprimez-le.</translation>
   </message>
@@ -3914,10 +3866,6 @@ Dans un recouvrement, le polygone de priorité supérieure est conservé, sinon 
   <message>
    <source>Resampled to {resolution:g} cm per pixel: {width} × {height} pixels.</source>
    <translation>Rééchantillonnée à {resolution:g} cm par pixel : {width} × {height} pixels.</translation>
-  </message>
-  <message>
-   <source>Reset SemRef: clear the dock and delete its settings…</source>
-   <translation>Réinitialiser SemRef : vider le panneau et supprimer ses paramètres…</translation>
   </message>
   <message>
    <source>Residual</source>
@@ -4248,6 +4196,10 @@ Dans un recouvrement, le polygone de priorité supérieure est conservé, sinon 
    <translation>Part de la carte</translation>
   </message>
   <message>
+   <source>Share of these photos</source>
+   <translation>Part de ces photos</translation>
+  </message>
+  <message>
    <source>Share of trials that show a mirrored part of the map. Such an image has no correct position, so each computed position is false.</source>
    <translation>Part des essais qui montrent un morceau de la carte en miroir. Une telle image n’a pas de position correcte : toute position calculée est donc une fausse position.</translation>
   </message>
@@ -4322,10 +4274,6 @@ L’image est décrite dans son plus grand carré centré, comme les fenêtres d
   <message>
    <source>Simulated images</source>
    <translation>Images simulées</translation>
-  </message>
-  <message>
-   <source>Simulated images by the number of map landmarks that are completely in view. Lines: 95 % intervals.</source>
-   <translation>Images simulées selon le nombre de repères visuels de la carte entièrement en vue. Traits : intervalles à 95 %.</translation>
   </message>
   <message>
    <source>Simulated images per point</source>
@@ -4540,10 +4488,6 @@ L’image est décrite dans son plus grand carré centré, comme les fenêtres d
    <translation>Réussite selon le décalage</translation>
   </message>
   <message>
-   <source>Success by landmarks</source>
-   <translation>Réussite selon les repères visuels</translation>
-  </message>
-  <message>
    <source>Success by offset and landmarks</source>
    <translation>Réussite selon le décalage et les repères visuels</translation>
   </message>
@@ -4554,10 +4498,6 @@ L’image est décrite dans son plus grand carré centré, comme les fenêtres d
   <message>
    <source>Success threshold (%)</source>
    <translation>Seuil de réussite (%)</translation>
-  </message>
-  <message>
-   <source>Success under noise</source>
-   <translation>Réussite sous l’effet du bruit</translation>
   </message>
   <message>
    <source>Suggested shift to the right (m)</source>
@@ -4670,10 +4610,6 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   <message>
    <source>The camera was tilted. Select the footprints layer of the same run as well.</source>
    <translation>La caméra était inclinée. Sélectionnez aussi la couche des emprises au sol de la même exécution.</translation>
-  </message>
-  <message>
-   <source>The certificate of the package index is not trusted. Ask your network administrator how pip is set up, or install from a folder of wheels.</source>
-   <translation>Le certificat de l’index de paquets n’est pas approuvé. Demandez à votre administrateur réseau comment pip est configuré, ou installez depuis un dossier de wheels.</translation>
   </message>
   <message>
    <source>The check has no findings.</source>
@@ -4837,10 +4773,6 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   </message>
   <message>
    <source>The folder {path} contains no image ({endings}).</source>
-   <translation>Le dossier {path} ne contient aucune image ({endings}).</translation>
-  </message>
-  <message>
-   <source>The folder {path} holds no image ({endings}).</source>
    <translation>Le dossier {path} ne contient aucune image ({endings}).</translation>
   </message>
   <message>
@@ -5200,8 +5132,8 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>La vue d’ensemble est la carte d’étiquettes réduite que parcourt la corrélation de cartes. Sans elle, le fichier est plusieurs fois plus petit.</translation>
   </message>
   <message>
-   <source>The package index cannot be reached. Check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
-   <translation>L’index de paquets est inaccessible. Vérifiez le réseau et Préférences ▸ Options ▸ Réseau, ou installez depuis un dossier de wheels.</translation>
+   <source>The package index cannot be reached ({reason}). Check network, proxy and certificates under Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
+   <translation>L’index de paquets est inaccessible ({reason}). Vérifiez le réseau, le proxy et les certificats sous Préférences ▸ Options ▸ Réseau, ou installez depuis un dossier de wheels.</translation>
   </message>
   <message>
    <source>The package index contains no {package} for Python {python} on this system.</source>
@@ -5276,10 +5208,6 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>Le projet n’a pas de couche raster.</translation>
   </message>
   <message>
-   <source>The proxy cannot be used. Check it under Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
-   <translation>Le proxy n’est pas utilisable. Vérifiez-le sous Préférences ▸ Options ▸ Réseau, ou installez depuis un dossier de wheels.</translation>
-  </message>
-  <message>
    <source>The range of {setting} is {low:g} to {high:g}. Enter two numbers from {least:g} to {most:g}, the smaller one first.</source>
    <translation>La plage de {setting} va de {low:g} à {high:g}. Entrez deux nombres compris entre {least:g} et {most:g}, le plus petit d’abord.</translation>
   </message>
@@ -5334,10 +5262,6 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   <message>
    <source>The sample project needs {packages}.</source>
    <translation>Le projet d’exemple a besoin de {packages}.</translation>
-  </message>
-  <message>
-   <source>The saved state of the flight can't be read.</source>
-   <translation>L’état enregistré du vol ne peut pas être lu.</translation>
   </message>
   <message>
    <source>The saved state of the flight has version {version}; this SemRef reads version {known}.</source>
@@ -5824,10 +5748,6 @@ Tous les paramètres viennent de la base de données. Les lignes inchangées gar
    <translation>Utiliser ce modèle</translation>
   </message>
   <message>
-   <source>Used recently</source>
-   <translation>Utilisés récemment</translation>
-  </message>
-  <message>
    <source>Used: {features}, {multipart} of them multipart.</source>
    <translation>Utilisées : {features}, dont {multipart} multiparties.</translation>
   </message>
@@ -6256,10 +6176,6 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>voisins d’une même classe</translation>
   </message>
   <message>
-   <source>next most similar windows: {windows}</source>
-   <translation>fenêtres les plus semblables suivantes : {windows}</translation>
-  </message>
-  <message>
    <source>no area</source>
    <translation>sans surface</translation>
   </message>
@@ -6344,10 +6260,6 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>position propre</translation>
   </message>
   <message>
-   <source>pip cannot use the SOCKS proxy of QGIS. Set an HTTP proxy or no proxy under Settings ▸ Options ▸ Network.</source>
-   <translation>pip ne peut pas utiliser le proxy SOCKS de QGIS. Définissez un proxy HTTP ou aucun proxy sous Préférences ▸ Options ▸ Réseau.</translation>
-  </message>
-  <message>
    <source>pip could not install {package}: {reason}.</source>
    <translation>pip n’a pas pu installer {package} : {reason}.</translation>
   </message>
@@ -6426,6 +6338,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>the ground within {radius:g} m of {x:.0f}, {y:.0f}</source>
    <translation>le terrain à moins de {radius:g} m de {x:.0f}, {y:.0f}</translation>
+  </message>
+  <message>
+   <source>the model of SemRef</source>
+   <translation>le modèle de SemRef</translation>
   </message>
   <message>
    <source>the output</source>
@@ -6600,16 +6516,8 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>{database} n’a pas de vue d’ensemble, requise par la corrélation de cartes. Exportez-la avec la vue d’ensemble.</translation>
   </message>
   <message>
-   <source>{device} ({package})</source>
-   <translation>{device} ({package})</translation>
-  </message>
-  <message>
    <source>{device} could not be started ({reason}); the network runs on {other}.</source>
    <translation>{device} n’a pas pu démarrer ({reason}) ; le réseau s’exécute sur {other}.</translation>
-  </message>
-  <message>
-   <source>{device} from a folder of wheels…</source>
-   <translation>{device} depuis un dossier de wheels…</translation>
   </message>
   <message>
    <source>{device} is not available. It needs the Python package {package}.</source>
@@ -6710,10 +6618,6 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>{layer}: {features} features</source>
    <translation>{layer} : {features} entités</translation>
-  </message>
-  <message>
-   <source>{left}, until {time}</source>
-   <translation>{left}, jusqu’à {time}</translation>
   </message>
   <message>
    <source>{method}, for single images</source>
@@ -7128,10 +7032,6 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>{path} est endommagé, incomplet ou n’est pas un fichier embarqué de SemRef ({reason}). Copiez-le ou exportez-le de nouveau.</translation>
   </message>
   <message>
-   <source>{path} is in ONNX format {found} (IR version), but onnxruntime {version} reads up to {known}; install a newer onnxruntime or export the model with an older ir_version.</source>
-   <translation>{path} est au format ONNX {found} (version IR), mais onnxruntime {version} ne lit que jusqu’à {known} ; installez un onnxruntime plus récent ou exportez le modèle avec une ir_version plus ancienne.</translation>
-  </message>
-  <message>
    <source>{path} is in {crs}, which is not in meters. Rasterize or warp it to a projected CRS in meters.</source>
    <translation>{path} est en {crs}, qui n’est pas en mètres. Rastérisez-le ou reprojetez-le dans un SCR projeté en mètres.</translation>
   </message>
@@ -7266,10 +7166,6 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>{path} takes {kind} values; a segmentation network takes floats.</source>
    <translation>{path} prend des valeurs {kind} ; un réseau de segmentation prend des nombres à virgule flottante.</translation>
-  </message>
-  <message>
-   <source>{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} supports up to {known}; install a newer onnxruntime or export the model with an older opset.</source>
-   <translation>{path} utilise des opérateurs ONNX de la version {found} (opset), mais onnxruntime {version} les prend en charge jusqu’à {known} ; installez un onnxruntime plus récent ou exportez le modèle avec un opset plus ancien.</translation>
   </message>
   <message>
    <source>{path} was changed after the update that {before} belongs to, so that update can't be undone. To go back further, open {before} itself.</source>
@@ -7432,10 +7328,6 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>{source} n’a pas de classes. Il lui faut un en-tête value,name,color,role et une ligne par classe.</translation>
   </message>
   <message>
-   <source>{source} has no column {missing}; its header is “{header}”.</source>
-   <translation>{source} n’a pas de colonne {missing} ; son en-tête est « {header} ».</translation>
-  </message>
-  <message>
    <source>{source} has no landmark. Build it with other classes or a smaller minimum area.</source>
    <translation>{source} n’a aucun repère visuel. Créez-la avec d’autres classes ou une surface minimale plus petite.</translation>
   </message>
@@ -7476,12 +7368,8 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>{source} est un modèle de type {kind} (clé de métadonnées model_type) ; choisissez un Segmentor.</translation>
   </message>
   <message>
-   <source>{source} is not a class table: a line has more than {most} characters. Choose another file.</source>
-   <translation>{source} n’est pas une table des classes : une ligne dépasse {most} caractères. Choisissez un autre fichier.</translation>
-  </message>
-  <message>
-   <source>{source} is not a table of rules. It needs a header key,value,class,priority, then 1 to {most} lines of at most {longest} characters.</source>
-   <translation>{source} n’est pas une table de règles. Il lui faut un en-tête key,value,class,priority, puis de 1 à {most} lignes de {longest} caractères au plus.</translation>
+   <source>{source} is not a table of rules. It needs a header key,value,class,priority, then 1 to {most} lines.</source>
+   <translation>{source} n’est pas une table de règles. Il lui faut un en-tête key,value,class,priority, puis de 1 à {most} lignes.</translation>
   </message>
   <message>
    <source>{source} outputs {channels} classes, but its metadata (class_names) have {count} class names: {names}. Use the names from its training.</source>

@@ -412,6 +412,10 @@
    <translation>评价“自动”方法：在地标无法给出位置之处，用概览的影像测试地图相关。在大地图上每幅影像约需 1 s，因此最多测试八分之一的影像。如果关闭，则只评价地标的星座匹配。</translation>
   </message>
   <message>
+   <source>Assessing the database</source>
+   <translation>正在评价数据库</translation>
+  </message>
+  <message>
    <source>Assessment of a reference database</source>
    <translation>参考数据库的评价</translation>
   </message>
@@ -648,10 +652,6 @@ GeoPackage 包含窗口、地标、缩小的地图（概览）、类别和参数
    <translation>请选择数据库并添加影像。</translation>
   </message>
   <message>
-   <source>Choose a database from the project or from recent ones</source>
-   <translation>从工程或最近使用的数据库中选择数据库</translation>
-  </message>
-  <message>
    <source>Choose a database.</source>
    <translation>请选择数据库。</translation>
   </message>
@@ -680,10 +680,6 @@ GeoPackage 包含窗口、地标、缩小的地图（概览）、类别和参数
    <translation>请先选择模型。模型决定影像的像元大小。</translation>
   </message>
   <message>
-   <source>Choose a model from the models folder or from recent ones</source>
-   <translation>从模型文件夹或最近使用的模型中选择模型</translation>
-  </message>
-  <message>
    <source>Choose a raster layer or file for the test picture.</source>
    <translation>请为测试图片选择栅格图层或文件。</translation>
   </message>
@@ -706,10 +702,6 @@ GeoPackage 包含窗口、地标、缩小的地图（概览）、类别和参数
   <message>
    <source>Choose the land-cover layer and its class field below, under “Update the database”.</source>
    <translation>请在下方“更新数据库”中选择土地覆盖图层及其类别字段。</translation>
-  </message>
-  <message>
-   <source>Chosen in the dock</source>
-   <translation>面板中选用</translation>
   </message>
   <message>
    <source>Class</source>
@@ -822,10 +814,6 @@ GeoPackage 包含窗口、地标、缩小的地图（概览）、类别和参数
   <message>
    <source>Classifying OpenStreetMap</source>
    <translation>正在对 OpenStreetMap 分类</translation>
-  </message>
-  <message>
-   <source>Clear the dock and delete all settings of SemRef? Files, layers and installed packages do not change.</source>
-   <translation>清空面板并删除 SemRef 的所有设置吗？文件、图层和已安装的软件包不会更改。</translation>
   </message>
   <message>
    <source>Click on the map to inspect the window there</source>
@@ -1032,6 +1020,10 @@ The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shap
    <translation>按窗口中的地标数统计的正确位置。</translation>
   </message>
   <message>
+   <source>Correct positions by the number of map landmarks that are completely in view.</source>
+   <translation>按视野内完整的地图地标数统计的正确位置。</translation>
+  </message>
+  <message>
    <source>Correct positions of shifted windows, without noise, scaling or rotation. Bands: 95 % intervals.</source>
    <translation>偏移窗口的正确位置，无噪声、缩放或旋转。色带：95 % 区间。</translation>
   </message>
@@ -1102,10 +1094,6 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   <message>
    <source>Database {database}, images from {labels}</source>
    <translation>数据库 {database}，影像取自 {labels}</translation>
-  </message>
-  <message>
-   <source>Databases with layers in the project</source>
-   <translation>在工程中有图层的数据库</translation>
   </message>
   <message>
    <source>Date</source>
@@ -1648,10 +1636,6 @@ The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also 
    <translation>按种类统计的问题</translation>
   </message>
   <message>
-   <source>Findings of each kind by severity, on a logarithmic scale.</source>
-   <translation>各种类按严重程度统计的问题，采用对数刻度。</translation>
-  </message>
-  <message>
    <source>Finds errors in a land-cover layer: invalid geometries, overlaps, duplicates, gaps, slivers, and missing or unknown classes. It also finds landmarks that touch, are too small, or are lost, merged or split at a pixel size.
 
 Each finding is a feature with a kind, a severity and a message. “Repair land-cover layer” repairs most findings.</source>
@@ -1660,10 +1644,10 @@ Each finding is a feature with a kind, a severity and a message. “Repair land-
 每个问题是一个要素，带有种类、严重程度和说明。“修复土地覆盖图层”可修复大多数问题。</translation>
   </message>
   <message>
-   <source>Finds the positions of photos on a map in one run: it builds a reference database, optionally trains the model on imagery of the area, and localizes the photos.
+   <source>Finds the positions of photos on a map in one run: it builds a reference database, optionally trains the model on imagery of the area, assesses how many photos can be expected to get a position, and localizes the photos.
 
 SemRef derives pixel size, window size, stride and minimum area from the map and the photos, and shows them in the log before it starts. Each file in the folder is usable by itself. To continue a canceled run, run it again with the same values.</source>
-   <translation>一次运行即可在地图上找到照片的位置：构建参考数据库，可选择用该区域的底图影像训练模型，并定位照片。
+   <translation>一次运行即可在地图上找到照片的位置：构建参考数据库，可选择用该区域的底图影像训练模型，评价有多少照片可望获得位置，并定位照片。
 
 SemRef 根据地图和照片确定像元大小、窗口大小、步长和最小面积，并在开始前显示在日志中。文件夹中的每个文件都可单独使用。要继续已取消的运行，请使用相同的值再次运行。</translation>
   </message>
@@ -1936,6 +1920,10 @@ Images without a position are left out, and so are likely positions and position
    <translation>如果许多照片没有位置，请用该区域的底图影像训练模型，或延长训练时间。</translation>
   </message>
   <message>
+   <source>If the model finds 80 % of the landmarks, about {count} of 10 photos that are centered on a landmark can be expected to get a position with an error probability of at most 1 in 10,000. A better model places more.</source>
+   <translation>如果模型能找到 80 % 的地标，每 10 幅以地标为中心的照片中约有 {count} 幅可望获得错误概率不超过万分之一的位置。模型越好，获得位置的照片越多。</translation>
+  </message>
+  <message>
    <source>Image</source>
    <translation>影像</translation>
   </message>
@@ -2004,14 +1992,6 @@ Images without a position are left out, and so are likely positions and position
    <translation>在两幅影像的重叠部分中，{cells} 个部分里只有 {agreeing} 个匹配。</translation>
   </message>
   <message>
-   <source>In the project</source>
-   <translation>工程中</translation>
-  </message>
-  <message>
-   <source>In the project…</source>
-   <translation>工程中的数据库…</translation>
-  </message>
-  <message>
    <source>In the {part} of the image only {agree} of {count} landmarks agree with the map. They may be new, outside the map, or at another place. The position is valid for the rest of the image.</source>
    <translation>在影像的{part}，{count} 个地标中只有 {agree} 个与地图一致。它们可能是新出现的、位于地图之外，或者这是另一地点。位置对影像的其余部分有效。</translation>
   </message>
@@ -2040,20 +2020,12 @@ Images without a position are left out, and so are likely positions and position
    <translation>安装</translation>
   </message>
   <message>
-   <source>Install a package for…</source>
-   <translation>安装软件包以使用…</translation>
-  </message>
-  <message>
    <source>Install from a folder of wheels…</source>
    <translation>从 wheel 文件夹安装…</translation>
   </message>
   <message>
    <source>Installed by SemRef</source>
    <translation>由 SemRef 安装</translation>
-  </message>
-  <message>
-   <source>Installed. Restart QGIS to use it.</source>
-   <translation>已安装。请重启 QGIS 以使用。</translation>
   </message>
   <message>
    <source>Installed. You do not need to restart QGIS.</source>
@@ -2768,10 +2740,6 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation>带类别偏移的模型</translation>
   </message>
   <message>
-   <source>Models folder</source>
-   <translation>模型文件夹</translation>
-  </message>
-  <message>
    <source>Models for photos</source>
    <translation>照片用模型</translation>
   </message>
@@ -2900,10 +2868,6 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation>未指定数据库；请构建一个或选择文件。</translation>
   </message>
   <message>
-   <source>No database yet</source>
-   <translation>尚无数据库</translation>
-  </message>
-  <message>
    <source>No feature of “{source}” has a class. Fill the class field first.</source>
    <translation>“{source}”中没有要素带有类别。请先填写类别字段。</translation>
   </message>
@@ -2918,10 +2882,6 @@ The result is too optimistic if the real errors are larger or the ground has cha
   <message>
    <source>No match</source>
    <translation>无匹配</translation>
-  </message>
-  <message>
-   <source>No model yet</source>
-   <translation>尚无模型</translation>
   </message>
   <message>
    <source>No pixel of the image is labeled; check that image and labels show the same ground.</source>
@@ -3086,10 +3046,6 @@ The result is too optimistic if the real errors are larger or the ground has cha
   <message>
    <source>Number of simulated images for each footprint width, spread evenly over the ground. More images give narrower intervals.</source>
    <translation>每个覆盖范围宽度的模拟影像数，均匀分布在地面上。影像越多，区间越窄。</translation>
-  </message>
-  <message>
-   <source>Number of the kind, see the table</source>
-   <translation>种类编号，见表</translation>
   </message>
   <message>
    <source>Number of tiles</source>
@@ -3660,10 +3616,6 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation>带有 torch 的 Python。如果未设置，则使用 SemRef 选项中的 Python，或 SemRef 安装的训练环境。</translation>
   </message>
   <message>
-   <source>QGIS finds {path} first, which SemRef did not install. Replace it by {package} in the same way as it was installed.</source>
-   <translation>QGIS 首先找到 {path}，它不是由 SemRef 安装的。请按当初的安装方式将其替换为 {package}。</translation>
-  </message>
-  <message>
    <source>QGIS finds {path} first, which is too old for SemRef. Update or remove it.</source>
    <translation>QGIS 首先找到 {path}，其版本对 SemRef 而言过旧。请更新或移除它。</translation>
   </message>
@@ -3914,10 +3866,6 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
   <message>
    <source>Resampled to {resolution:g} cm per pixel: {width} × {height} pixels.</source>
    <translation>已重采样到每像元 {resolution:g} cm：{width} × {height} 个像元。</translation>
-  </message>
-  <message>
-   <source>Reset SemRef: clear the dock and delete its settings…</source>
-   <translation>重置 SemRef：清空面板并删除其设置…</translation>
   </message>
   <message>
    <source>Residual</source>
@@ -4248,6 +4196,10 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
    <translation>占地图的比例</translation>
   </message>
   <message>
+   <source>Share of these photos</source>
+   <translation>占这些照片的比例</translation>
+  </message>
+  <message>
    <source>Share of trials that show a mirrored part of the map. Such an image has no correct position, so each computed position is false.</source>
    <translation>显示地图镜像部分的试验占比。这类影像没有正确位置，因此算出的任何位置都是错误的。</translation>
   </message>
@@ -4322,10 +4274,6 @@ The image is described in its largest centered square, like the windows of a dat
   <message>
    <source>Simulated images</source>
    <translation>模拟影像数</translation>
-  </message>
-  <message>
-   <source>Simulated images by the number of map landmarks that are completely in view. Lines: 95 % intervals.</source>
-   <translation>按视野内完整的地图地标数统计的模拟影像。竖线：95 % 区间。</translation>
   </message>
   <message>
    <source>Simulated images per point</source>
@@ -4540,10 +4488,6 @@ The image is described in its largest centered square, like the windows of a dat
    <translation>成功率与偏移的关系</translation>
   </message>
   <message>
-   <source>Success by landmarks</source>
-   <translation>成功率与地标数的关系</translation>
-  </message>
-  <message>
    <source>Success by offset and landmarks</source>
    <translation>成功率与偏移和地标数的关系</translation>
   </message>
@@ -4554,10 +4498,6 @@ The image is described in its largest centered square, like the windows of a dat
   <message>
    <source>Success threshold (%)</source>
    <translation>成功率阈值（%）</translation>
-  </message>
-  <message>
-   <source>Success under noise</source>
-   <translation>噪声下的成功率</translation>
   </message>
   <message>
    <source>Suggested shift to the right (m)</source>
@@ -4670,10 +4610,6 @@ Use a label map of another date than that of the database, with a map displaceme
   <message>
    <source>The camera was tilted. Select the footprints layer of the same run as well.</source>
    <translation>相机有倾斜。请同时选择同一次运行的覆盖范围图层。</translation>
-  </message>
-  <message>
-   <source>The certificate of the package index is not trusted. Ask your network administrator how pip is set up, or install from a folder of wheels.</source>
-   <translation>软件包索引的证书不受信任。请向网络管理员询问 pip 的设置方法，或从 wheel 文件夹安装。</translation>
   </message>
   <message>
    <source>The check has no findings.</source>
@@ -4837,10 +4773,6 @@ Use a label map of another date than that of the database, with a map displaceme
   </message>
   <message>
    <source>The folder {path} contains no image ({endings}).</source>
-   <translation>文件夹 {path} 中没有影像（{endings}）。</translation>
-  </message>
-  <message>
-   <source>The folder {path} holds no image ({endings}).</source>
    <translation>文件夹 {path} 中没有影像（{endings}）。</translation>
   </message>
   <message>
@@ -5200,8 +5132,8 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>概览是地图相关所搜索的缩小标签图。没有它，文件会小数倍。</translation>
   </message>
   <message>
-   <source>The package index cannot be reached. Check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
-   <translation>无法访问软件包索引。请检查网络以及 设置 ▸ 选项 ▸ 网络，或从 wheel 文件夹安装。</translation>
+   <source>The package index cannot be reached ({reason}). Check network, proxy and certificates under Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
+   <translation>无法访问软件包索引（{reason}）。请在 设置 ▸ 选项 ▸ 网络 中检查网络、代理和证书，或从 wheel 文件夹安装。</translation>
   </message>
   <message>
    <source>The package index contains no {package} for Python {python} on this system.</source>
@@ -5276,10 +5208,6 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>项目中没有栅格图层。</translation>
   </message>
   <message>
-   <source>The proxy cannot be used. Check it under Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
-   <translation>无法使用代理。请在 设置 ▸ 选项 ▸ 网络 中检查，或从 wheel 文件夹安装。</translation>
-  </message>
-  <message>
    <source>The range of {setting} is {low:g} to {high:g}. Enter two numbers from {least:g} to {most:g}, the smaller one first.</source>
    <translation>{setting} 的区间为 {low:g} 到 {high:g}。请输入 {least:g} 到 {most:g} 之间的两个数，较小者在前。</translation>
   </message>
@@ -5334,10 +5262,6 @@ Use a label map of another date than that of the database, with a map displaceme
   <message>
    <source>The sample project needs {packages}.</source>
    <translation>示例工程需要 {packages}。</translation>
-  </message>
-  <message>
-   <source>The saved state of the flight can't be read.</source>
-   <translation>无法读取已保存的航飞状态。</translation>
   </message>
   <message>
    <source>The saved state of the flight has version {version}; this SemRef reads version {known}.</source>
@@ -5824,10 +5748,6 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
    <translation>使用此模型</translation>
   </message>
   <message>
-   <source>Used recently</source>
-   <translation>最近使用</translation>
-  </message>
-  <message>
    <source>Used: {features}, {multipart} of them multipart.</source>
    <translation>已使用：{features}，其中 {multipart} 个为多部件。</translation>
   </message>
@@ -6256,10 +6176,6 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>同类相邻</translation>
   </message>
   <message>
-   <source>next most similar windows: {windows}</source>
-   <translation>其次最相似的窗口：{windows}</translation>
-  </message>
-  <message>
    <source>no area</source>
    <translation>无面积</translation>
   </message>
@@ -6344,10 +6260,6 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>自身位置</translation>
   </message>
   <message>
-   <source>pip cannot use the SOCKS proxy of QGIS. Set an HTTP proxy or no proxy under Settings ▸ Options ▸ Network.</source>
-   <translation>pip 无法使用 QGIS 的 SOCKS 代理。请在 设置 ▸ 选项 ▸ 网络 中设置 HTTP 代理或不使用代理。</translation>
-  </message>
-  <message>
    <source>pip could not install {package}: {reason}.</source>
    <translation>pip 无法安装 {package}：{reason}。</translation>
   </message>
@@ -6426,6 +6338,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>the ground within {radius:g} m of {x:.0f}, {y:.0f}</source>
    <translation>{x:.0f}, {y:.0f} 周围 {radius:g} m 以内的地面</translation>
+  </message>
+  <message>
+   <source>the model of SemRef</source>
+   <translation>SemRef 的模型</translation>
   </message>
   <message>
    <source>the output</source>
@@ -6600,16 +6516,8 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>{database} 没有地图相关所需的概览。请连同概览一起导出。</translation>
   </message>
   <message>
-   <source>{device} ({package})</source>
-   <translation>{device}（{package}）</translation>
-  </message>
-  <message>
    <source>{device} could not be started ({reason}); the network runs on {other}.</source>
    <translation>{device} 无法启动（{reason}）；网络在 {other} 上运行。</translation>
-  </message>
-  <message>
-   <source>{device} from a folder of wheels…</source>
-   <translation>{device}，从 wheel 文件夹…</translation>
   </message>
   <message>
    <source>{device} is not available. It needs the Python package {package}.</source>
@@ -6710,10 +6618,6 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>{layer}: {features} features</source>
    <translation>{layer}：{features} 个要素</translation>
-  </message>
-  <message>
-   <source>{left}, until {time}</source>
-   <translation>{left}，到 {time}</translation>
   </message>
   <message>
    <source>{method}, for single images</source>
@@ -7128,10 +7032,6 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>{path} 已损坏、不完整或不是 SemRef 的机载文件（{reason}）。请重新复制或导出。</translation>
   </message>
   <message>
-   <source>{path} is in ONNX format {found} (IR version), but onnxruntime {version} reads up to {known}; install a newer onnxruntime or export the model with an older ir_version.</source>
-   <translation>{path} 为 ONNX 格式 {found}（IR 版本），但 onnxruntime {version} 最高读取 {known}；请安装更新的 onnxruntime，或以较旧的 ir_version 导出模型。</translation>
-  </message>
-  <message>
    <source>{path} is in {crs}, which is not in meters. Rasterize or warp it to a projected CRS in meters.</source>
    <translation>{path} 采用 {crs}，不以米为单位。请栅格化或重投影到以米为单位的投影坐标参照系。</translation>
   </message>
@@ -7266,10 +7166,6 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>{path} takes {kind} values; a segmentation network takes floats.</source>
    <translation>{path} 接受 {kind} 值；分割网络接受浮点数。</translation>
-  </message>
-  <message>
-   <source>{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} supports up to {known}; install a newer onnxruntime or export the model with an older opset.</source>
-   <translation>{path} 使用版本 {found} 的 ONNX 算子 (opset)，但 onnxruntime {version} 最高支持 {known}；请安装更新的 onnxruntime，或以较旧的 opset 导出模型。</translation>
   </message>
   <message>
    <source>{path} was changed after the update that {before} belongs to, so that update can't be undone. To go back further, open {before} itself.</source>
@@ -7432,10 +7328,6 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>{source} 没有类别。它需要表头 value,name,color,role，并且每个类别一行。</translation>
   </message>
   <message>
-   <source>{source} has no column {missing}; its header is “{header}”.</source>
-   <translation>{source} 没有列 {missing}；其表头为“{header}”。</translation>
-  </message>
-  <message>
    <source>{source} has no landmark. Build it with other classes or a smaller minimum area.</source>
    <translation>{source} 没有地标。请用其他类别或更小的最小面积构建。</translation>
   </message>
@@ -7476,12 +7368,8 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>{source} 是 {kind} 类型的模型（元数据键 model_type）；请选择 Segmentor。</translation>
   </message>
   <message>
-   <source>{source} is not a class table: a line has more than {most} characters. Choose another file.</source>
-   <translation>{source} 不是类别表：有一行超过 {most} 个字符。请选择其他文件。</translation>
-  </message>
-  <message>
-   <source>{source} is not a table of rules. It needs a header key,value,class,priority, then 1 to {most} lines of at most {longest} characters.</source>
-   <translation>{source} 不是规则表。它需要表头 key,value,class,priority，然后是 1 到 {most} 行，每行最多 {longest} 个字符。</translation>
+   <source>{source} is not a table of rules. It needs a header key,value,class,priority, then 1 to {most} lines.</source>
+   <translation>{source} 不是规则表。它需要表头 key,value,class,priority，然后是 1 到 {most} 行。</translation>
   </message>
   <message>
    <source>{source} outputs {channels} classes, but its metadata (class_names) have {count} class names: {names}. Use the names from its training.</source>
