@@ -142,7 +142,10 @@ class Trainer:
         self._trained = 1 - min(seconds / (60 * self.settings.minutes), 0.5)
 
     def run(self, reader: TileReader, validation: TileReader) -> None:
-        """Train until a limit is reached, and load the best weights."""
+        """Train until a limit is reached, and load the best weights: those of the start if training does not help."""
+        if not self.epoch:
+            confusion = self.confusion(self.network, validation)
+            self._save_best(self.network, self._shown(confusion)["mean_iou"], confusion)
         while not self._is_over():
             started = time.monotonic()
             loss = self._train_epoch(reader)
@@ -240,11 +243,15 @@ class Trainer:
             writer.writeheader()
             writer.writerows(self.history)
 
-    def _save(self, score: float, confusion: np.ndarray) -> None:
-        """Save the best weights (without validation tiles the last ones) and all data for resuming."""
+    def _save_best(self, network: torch.nn.Module, score: float, confusion: np.ndarray) -> None:
+        """Save the weights if they are the best ones, or the last ones without validation tiles."""
         if score > self.best_score or score == 0.0:
             self.best_score, self.best_epoch, self.best_confusion = score, self.epoch, confusion
-            self._write(BEST, self.average.module.state_dict())
+            self._write(BEST, network.state_dict())
+
+    def _save(self, score: float, confusion: np.ndarray) -> None:
+        """Save the best weights and all data for resuming."""
+        self._save_best(self.average.module, score, confusion)
         state = {
             "network": self.network.state_dict(),
             "average": self.average.state_dict(),

@@ -188,6 +188,16 @@ def test_training_continues_from_the_base_model(training_python, first, tiles, t
     assert (answers[0] == answers[1]).mean() > 0.95
 
 
+def test_a_base_model_that_training_makes_poorer_stays_as_it_is(training_python, first, tiles, tmp_path):
+    job = job_of(tiles, tmp_path, base_model=first[0].output, epochs=1, pieces=8, learning_rate=0.3)
+    events = trained(training_python, job)
+    assert events[-1]["event"] == "done" and events[-1]["best_epoch"] == 0
+    old, new = (SegmentationModel(path, 1) for path in (first[0].output, job.output))
+    photo = np.clip(np.random.default_rng(3).normal(120, 50, (128, 128, 3)), 0, 255).astype(np.uint8)
+    answers = [PhotoLabels(model, ArrayImage(photo), model.classes.values).found() for model in (old, new)]
+    assert (answers[0] == answers[1]).mean() > 0.95
+
+
 def with_encoder(path: Path, base: Path, encoder: str) -> Path:
     """Return the same model with the name of another encoder."""
     import onnx
