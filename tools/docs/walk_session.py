@@ -128,7 +128,7 @@ class Walk:
         if dialog.isVisible():
             raise RuntimeError(dialog.summary.text())
         report = (self.work / "results" / "report.html").read_text(encoding="utf-8")
-        self.seen["expected"] = re.search(r"About \d+ of 10 [^<]*", report)[0]
+        self.seen["expected"] = re.search(r"If the model finds [^<]*", report)[0]
 
     def look(self) -> None:
         tab = self.session.dock.content.localize
