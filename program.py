@@ -6,6 +6,7 @@ loads the folder as the package ``semref`` and removes it from Python's path.
 
 import importlib
 import importlib.util
+import os
 import sys
 from pathlib import Path
 
@@ -23,6 +24,9 @@ def load_package() -> None:
 
 
 if __name__ == "__main__":
+    if hasattr(os, "setpgrp"):
+        # QGIS ends this process together with all processes that it starts.
+        os.setpgrp()
     sys.path[:] = [entry for entry in sys.path if Path(entry or ".").resolve() != ROOT]
     load_package()
     sys.exit(importlib.import_module(f"semref.{sys.argv[1]}").main(sys.argv[2:]))

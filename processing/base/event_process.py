@@ -71,7 +71,7 @@ class EventProcess:
             yield from self._events()
 
     def end(self, asked_ms: int = 0) -> None:
-        """End the process, if it runs, and all processes that it and they started.
+        """End the process, if it runs, and all processes that it and they started: on Unix, those of its group.
 
         Args:
             asked_ms: Time to end by itself and clean up; not on Windows.
@@ -87,7 +87,9 @@ class EventProcess:
             taskkill = os.path.join(os.environ.get("SYSTEMROOT", "C:\\Windows"), "System32", "taskkill.exe")
             QProcess.execute(taskkill, ["/F", "/T", "/PID", str(self._process.processId())])
         else:
-            _kill(self._process.processId())
+            # It has no group yet if it has just been started.
+            with contextlib.suppress(ProcessLookupError):
+                os.killpg(self._process.processId(), signal.SIGKILL)
         self._process.kill()
         self._process.waitForFinished(_KILLED_WITHIN_MS)
 
@@ -129,43 +131,3 @@ def _is(value: object, kind: type) -> bool:
         # Neither infinite nor NaN.
         return isinstance(value, (int, float)) and abs(value) <= _LARGEST_NUMBER
     return isinstance(value, kind)
-
-
-def _kill(root: int) -> None:
-    """Kill a process and its descendants: stop them first, so that they start no others."""
-    stopped: set[int] = set()
-    while new := _descendants(root) - stopped:
-        _send(new, signal.SIGSTOP)
-        stopped |= new
-    _send(stopped, signal.SIGKILL)
-
-
-def _send(processes: set[int], number: signal.Signals) -> None:
-    for process in processes:
-        # Processes that have ended, or run as another user.
-        with contextlib.suppress(ProcessLookupError, PermissionError):
-            os.kill(process, number)
-
-
-def _descendants(root: int) -> set[int]:
-    """Return a process and all processes that it and they started."""
-    parents, found = _parents(), [root]
-    for process in found:
-        found += [child for child, parent in parents.items() if parent == process]
-    return set(found)
-
-
-def _parents() -> dict[int, int]:
-    """Return the parent of each process of the machine, from /proc on Linux, otherwise from ``ps``."""
-    if os.path.isdir("/proc/self"):
-        parents = {}
-        for file in Path("/proc").glob("[0-9]*/stat"):
-            with contextlib.suppress(OSError):
-                # The name before may contain spaces and brackets.
-                parents[int(file.parent.name)] = int(file.read_bytes().rpartition(b")")[2].split()[1])
-        return parents
-    listing = QProcess()
-    listing.start("ps", ["-A", "-o", "pid=,ppid="])
-    listing.waitForFinished(_KILLED_WITHIN_MS)
-    rows = (line.split() for line in bytes(listing.readAllStandardOutput()).splitlines())
-    return {int(row[0]): int(row[1]) for row in rows if len(row) == 2}

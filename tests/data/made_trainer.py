@@ -11,6 +11,7 @@ TRAINER = """\
 '''exec' "{python}" "$0" "$@"
 ' '''
 import json, os, shutil, sys, time
+os.setpgrp()  # As in program.py.
 def tell(event, **values):
     print(json.dumps({{"event": event, **values}}), flush=True)
 if len(sys.argv) == 3:
