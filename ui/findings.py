@@ -183,6 +183,21 @@ def _read_matches(layer: QgsVectorLayer | None) -> dict[str, MatchPoints]:
     return {image: MatchPoints(*zip(*rows)) for image, rows in found.items()}
 
 
+def lon_lat_text(finding: Finding, decimals: int = 7) -> str:
+    """Return longitude and latitude with a decimal point in every language, as programs read them; empty if unknown.
+
+    Seven decimals of a degree are about 1 cm, five are about 1 m.
+    """
+    if finding.longitude is None or finding.latitude is None:
+        return ""
+    return f"{finding.longitude:.{decimals}f}, {finding.latitude:.{decimals}f}"
+
+
+def x_y_text(finding: Finding) -> str:
+    """Return the position in the CRS of the database."""
+    return f"{finding.x:.2f}, {finding.y:.2f}"
+
+
 def error_text(finding: Finding) -> str:
     """Return the error probability in words, such as "below 1 in 10,000"; empty where it is unknown."""
     return "" if finding.probability is None else error_probability(finding.probability)

@@ -55,13 +55,6 @@ def _edges(extent: QgsRectangle) -> tuple[float, ...]:
     return extent.xMinimum(), extent.yMinimum(), extent.xMaximum(), extent.yMaximum()
 
 
-def drawn_layers(project: QgsProject) -> list[QgsRasterLayer]:
-    """Return raster layers that are not files, such as map tiles, sorted by name."""
-    layers = [layer for layer in project.mapLayers().values() if isinstance(layer, QgsRasterLayer)]
-    found = [layer for layer in layers if layer.isValid() and layer.providerType() != "gdal"]
-    return sorted(found, key=lambda layer: layer.name().lower())
-
-
 def dropped_files(data: QMimeData) -> tuple[list[str], list[str]]:
     """Return (dropped files and folders, names of dropped layers that are not files)."""
     if not QgsMimeDataUtils.isUriList(data):

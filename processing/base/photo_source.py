@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Callable
+from typing import TYPE_CHECKING
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -15,7 +15,7 @@ from qgis.core import (
     QgsRectangle,
 )
 
-from ...core.errors import ImageError, ModelError, ParameterError
+from ...core.errors import ImageError, ParameterError
 from ..translation import tr
 from .algorithm import follow
 
@@ -230,52 +230,6 @@ def drawn_file(
     path = QgsProcessingUtils.generateTempFilename(f"{_stem(layer.name())}.tif")
     follow(draw(drawing, path, context, feedback.isCanceled), feedback)
     return path, drawing.crs
-
-
-def draw_for_model(
-    layer: QgsRasterLayer,
-    extent: QgsRectangle,
-    crs: QgsCoordinateReferenceSystem,
-    model_path: str,
-    context: QgsCoordinateTransformContext,
-    canceled: Callable[[], bool],
-) -> str:
-    """Draw a part of a layer at the resolution of a network; for a background thread.
-
-    Args:
-        layer: A layer of ``rendering.drawable``.
-        extent: The ground to draw.
-        crs: CRS of the extent.
-        model_path: Path of the network.
-        context: Coordinate transforms of the project.
-        canceled: Function that is called several times per second.
-
-    Returns:
-        The path of a GeoTIFF that exists as long as QGIS runs.
-
-    Raises:
-        SemRefError: The model cannot be read or lacks a resolution, or the layer cannot be drawn.
-    """
-    from ...core.segmentation.model_card import read_card
-    from ..layers.rendering import draw, plan_drawing
-
-    # Only its metadata are read, without starting it.
-    card = read_card(model_path)
-    if card.fault is not None:
-        raise ModelError(card.fault)
-    if card.resolution_m is None:
-        raise ImageError(
-            "“{layer}” has no resolution of its own, and neither have the metadata of {model}. Select a model with a "
-            "resolution.",
-            layer=layer.name(),
-            model=model_path,
-        )
-    drawing = plan_drawing(layer, extent, crs, card.resolution_m, context)
-    path = QgsProcessingUtils.generateTempFilename(f"{_stem(layer.name())}.tif")
-    for _ in draw(drawing, path, context, canceled):
-        if canceled():
-            break
-    return path
 
 
 def _stem(name: str) -> str:

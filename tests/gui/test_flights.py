@@ -62,17 +62,6 @@ def test_a_flight_is_shown_with_its_track_and_what_each_image_rests_on(flown, do
 
 
 @pytest.mark.slow
-def test_playing_goes_through_the_images_and_the_map_follows(flown, iface, monkeypatch):
-    flown.results._player.setInterval(20)
-    flown.results.table.selectRow(COUNT - 3)
-    flown.results.play.click()
-    wait_until(lambda: not flown.results.play.isChecked(), "the end of playing")
-    assert flown.results.table.selected().name == f"{COUNT - 1}.png"
-    center = flown.results.table.selected().center
-    assert iface.canvas.extent().contains(center)
-
-
-@pytest.mark.slow
 def test_its_layers_are_saved_with_their_style(flown, tmp_path, monkeypatch):
     from qgis.core import QgsProject, QgsRuleBasedRenderer
     from qgis.PyQt.QtWidgets import QFileDialog

@@ -36,7 +36,7 @@ def test_a_dialog_that_was_closed_stays_closed_when_boxes_unfold_and_tabs_change
 def test_what_is_hidden_in_a_box_stays_hidden_when_it_unfolds(dock, tab):
     wait_until(tab.images.isVisible, "the dock")
     correct = dock.content.correct.updating
-    parts = tab.results.play, correct.progress, correct.undo
+    parts = tab.progress, correct.progress, correct.undo
     assert [part.isHidden() for part in parts] == [True] * 3
     fold_each_box_and_change_tabs(dock)
     assert [part.isHidden() for part in parts] == [True] * 3

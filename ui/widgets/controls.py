@@ -1,4 +1,4 @@
-"""Icon buttons, buttons with a menu, shortcuts, and a combo box that may be narrow."""
+"""Icon buttons, shortcuts, and a combo box that may be narrow."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from qgis.PyQt.QtGui import QKeySequence, QPaintEvent
 from qgis.PyQt.QtWidgets import (
     QComboBox,
     QShortcut,
-    QSizePolicy,
     QStyle,
     QStyleOptionComboBox,
     QStylePainter,
@@ -34,16 +33,6 @@ def tool_button(icon: str, text: str, checkable: bool = False, made: QToolButton
     button.setToolTip(text)
     button.setAccessibleName(text)
     button.setCheckable(checkable)
-    return button
-
-
-def split_button(text: str, help_text: str) -> QToolButton:
-    """Return a button with a menu beside it."""
-    button = QToolButton()
-    button.setText(text)
-    button.setToolTip(help_text)
-    button.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
-    button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
     return button
 
 

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from html import escape
 
-from qgis.core import QgsProject
 from qgis.PyQt.QtCore import QSize
 from qgis.PyQt.QtGui import QTextOption
 from qgis.PyQt.QtWidgets import QFrame, QTextEdit
 
 from ....processing.messages.numbers import LocalTemplate
 from ....processing.translation import tr
-from ...findings import Finding, error_text, status_text
-from .position_formats import DATABASE, DEGREES, position_text
+from ...findings import Finding, error_text, lon_lat_text, status_text, x_y_text
 
 _LINES, _LEAST_LINES = 5, 2
 
@@ -61,9 +59,8 @@ def _lines(finding: Finding) -> list[str]:
             escape(tr("The search was limited: common patterns were left out, so a better place may have been missed."))
         )
     if finding.center is not None:
-        project = QgsProject.instance()
-        lines.append(f"{tr('lon, lat')}: {position_text(finding, DEGREES, project)}")
-        lines.append(f"x, y: {position_text(finding, DATABASE, project)} ({escape(finding.crs.authid())})")
+        lines.append(f"{tr('lon, lat')}: {lon_lat_text(finding)}")
+        lines.append(f"x, y: {x_y_text(finding)} ({escape(finding.crs.authid())})")
     lines += _measures(finding)
     if finding.camera:
         lines.append(escape(tr("camera: {camera}").format(camera=finding.camera)))

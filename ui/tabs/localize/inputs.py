@@ -26,7 +26,7 @@ from ....processing.inspection.chosen import ChosenImages, count_images
 from ....processing.inspection.models import PHOTO_MODEL
 from ....processing.messages.sentences import worded
 from ....processing.translation import tr
-from ...layer_files import drawn_layers, layer_file, raster_layers
+from ...layer_files import layer_file, raster_layers
 from ...model_list import ModelsDialog
 from ...project_state import MODEL_SETTING
 from ...proposals import training_at_hand
@@ -48,14 +48,12 @@ class ImageBox(FoldingBox):
         chosen: Properties of the images; None while folders are being read.
         fault: Why a folder can't be used; otherwise empty.
 
-    looked: ``chosen`` or ``fault`` changed; drawAsked: layer, such as map tiles, to make an image from its map view;
-    trained: report of a trained model, which is now the chosen one.
+    looked: ``chosen`` or ``fault`` changed; trained: report of a trained model, which is now the chosen one.
     """
 
     changed = pyqtSignal()
     looked = pyqtSignal()
     trained = pyqtSignal(str)
-    drawAsked = pyqtSignal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Images"), parent)
@@ -210,22 +208,11 @@ class ImageBox(FoldingBox):
             action = self.layers.addAction(QgsApplication.getThemeIcon("/mIconRaster.svg"), layer.name())
             # The file, because the layer may be removed while the menu is open.
             action.triggered.connect(partial(self._add_layer, layer_file(layer)))
-        for layer in drawn_layers(QgsProject.instance()):
-            action = self.layers.addAction(
-                QgsApplication.getThemeIcon("/mActionZoomToArea.svg"),
-                tr("{layer}: current map view").format(layer=layer.name()),
-            )
-            action.triggered.connect(partial(self._ask_to_draw, layer.id()))
         if self.layers.isEmpty():
             self.layers.addAction(tr("The project has no raster layer.")).setEnabled(False)
 
     def _add_layer(self, path: str, *_checked) -> None:
         self.list.add([path])
-
-    def _ask_to_draw(self, layer_id: str, *_checked) -> None:
-        layer = QgsProject.instance().mapLayer(layer_id)
-        if layer is not None:
-            self.drawAsked.emit(layer)
 
     def _add(self, paths: list[str]) -> None:
         if any(paths):

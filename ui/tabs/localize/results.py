@@ -2,31 +2,24 @@
 
 from __future__ import annotations
 
-from functools import partial
-
-from qgis.core import QgsApplication, QgsProject, QgsSettings
+from qgis.core import QgsApplication, QgsSettings
 from qgis.gui import QgsCollapsibleGroupBox
-from qgis.PyQt.QtCore import QByteArray, Qt, QTimer, pyqtSignal
+from qgis.PyQt.QtCore import QByteArray, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QResizeEvent
-from qgis.PyQt.QtWidgets import QMenu, QPushButton, QSplitter, QToolButton, QVBoxLayout, QWidget
+from qgis.PyQt.QtWidgets import QMenu, QPushButton, QSizePolicy, QSplitter, QToolButton, QVBoxLayout, QWidget
 
 from ....processing.translation import tr
-from ...findings import Finding
-from ...widgets.controls import shortcut, split_button, tool_button
+from ...findings import Finding, lon_lat_text, x_y_text
+from ...widgets.controls import shortcut, tool_button
 from ...widgets.layouts import FoldingRow, content_of, name_fold, narrow, row_of
 from .details import Details
 from .image_view import ImageView
-from .position_formats import DATABASE, FORMATS, format_title, position_text, possible_formats
 from .results_table import ResultsTable
 
 _ZOOM_SETTING = "semref/dock/zoom_to_hit"
-_FORMAT_SETTING = "semref/dock/position_format"
 _PARTS_SETTING = "semref/dock/results_parts_2"
 _SHARES = 1, 5, 0
 """Shares of table, image and details in the remaining height."""
-
-_PLAY_EVERY_MS = 700
-"""Long enough to see each position, short enough for a hundred images."""
 
 
 class _Parts(QSplitter):
@@ -64,34 +57,27 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.after.clicked.connect(lambda: self.table.step(1))
         self.save.clicked.connect(self._ask_to_save)
         self.drape.clicked.connect(self._drape)
-        self.copy.clicked.connect(self._copy_as_before)
-        self.formats.aboutToShow.connect(self._list_formats)
+        self.copy.clicked.connect(self._copy)
         self._select(None)
         self._allow_saving(False)
-        self.play.setVisible(False)
 
     def _make_buttons(self) -> None:
         self.before = tool_button("/mActionArrowLeft.svg", tr("Previous image (Alt+Up)"))
         self.after = tool_button("/mActionArrowRight.svg", tr("Next image (Alt+Down)"))
-        self.play = tool_button("/mTaskRunning.svg", tr("Show one image after the other"), checkable=True)
-        self._player = QTimer(self)
-        self._player.setInterval(_PLAY_EVERY_MS)
-        self._player.timeout.connect(self._play_on)
-        self.play.toggled.connect(self._play)
         for keys, button in (("Alt+Up", self.before), ("Alt+Down", self.after)):
             shortcut(keys, self).activated.connect(button.click)
-        self.copy = split_button(
-            tr("Copy position"), tr("Copy the position in the format used last. The arrow shows all formats.")
-        )
-        self.formats = QMenu(self.copy)
-        self.copy.setMenu(self.formats)
-        self.save = split_button(
-            tr("Save results…"),
+        self.copy = QPushButton(tr("Copy position"))
+        self.copy.setToolTip(tr("Copy longitude and latitude (WGS 84)"))
+        self.save = QToolButton()
+        self.save.setText(tr("Save results…"))
+        self.save.setToolTip(
             tr(
                 "Save positions, footprints and possible places in a GeoPackage. The dock shows them again with "
                 "the project."
-            ),
+            )
         )
+        self.save.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.save.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
         # The dock needs the same width with and without results.
         self.save.setMinimumWidth(self.save.sizeHint().width())
         more = QMenu(self.save)
@@ -113,7 +99,7 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.parts.splitterMoved.connect(self._remember_parts)
         layout = narrow(QVBoxLayout(content_of(self)), 0)
         layout.addWidget(self.parts, 1)
-        layout.addLayout(row_of(self.before, self.after, self.play, self.zoom, (self.copy, 1)))
+        layout.addLayout(row_of(self.before, self.after, self.zoom, (self.copy, 1)))
         layout.addWidget(FoldingRow(self.drape, self.save))
         name_fold(self)
 
@@ -135,8 +121,6 @@ class ResultsBox(QgsCollapsibleGroupBox):
         """Replace the results, and select the first one."""
         self.table.show_findings(findings)
         self._allow_saving(bool(findings))
-        self.play.setChecked(False)
-        self.play.setVisible(any(finding.track for finding in findings))
 
     def _allow_saving(self, on: bool) -> None:
         """Make the button save, or only open its menu of earlier results."""
@@ -144,17 +128,6 @@ class ResultsBox(QgsCollapsibleGroupBox):
         mode = QToolButton.ToolButtonPopupMode
         self.save.setPopupMode(mode.MenuButtonPopup if on else mode.InstantPopup)
         self.save.setText(tr("Save results…") if on else tr("Earlier results"))
-
-    def _play(self, checked: bool) -> None:
-        if checked:
-            self._player.start()
-        else:
-            self._player.stop()
-
-    def _play_on(self) -> None:
-        """Select the next image; stop at the last one."""
-        if not self.table.step_on():
-            self.play.setChecked(False)
 
     def _select(self, finding: Finding | None) -> None:
         self.details.show_finding(finding)
@@ -178,24 +151,9 @@ class ResultsBox(QgsCollapsibleGroupBox):
     def _drape(self) -> None:
         self.drapeAsked.emit(self.table.selected())
 
-    # --- copying ---
-
-    def _list_formats(self) -> None:
-        self.formats.clear()
-        finding, project = self.table.selected(), QgsProject.instance()
-        for name in [] if finding is None else possible_formats(finding, project):
-            text = position_text(finding, name, project)
-            action = self.formats.addAction(f"{format_title(name, project)}: {text}")
-            action.triggered.connect(partial(self._copy, name))
-
-    def _copy_as_before(self) -> None:
-        self._copy(QgsSettings().value(_FORMAT_SETTING, FORMATS[0], type=str))
-
-    def _copy(self, name: str, *_checked) -> None:
-        finding, project = self.table.selected(), QgsProject.instance()
-        text = "" if finding is None else position_text(finding, name, project)
-        # The database's CRS is always possible.
-        text = text or position_text(finding, DATABASE, project)
-        QgsSettings().setValue(_FORMAT_SETTING, name)
+    def _copy(self) -> None:
+        """Copy longitude and latitude; without them, as with a local CRS, x and y."""
+        finding = self.table.selected()
+        text = lon_lat_text(finding) or x_y_text(finding)
         QgsApplication.clipboard().setText(text)
         self.copied.emit(text)

@@ -13,7 +13,7 @@ from ....core.localization import Status
 from ....processing.base.localized_image import ERROR as UNREAD
 from ....processing.layers.palette import WARNING
 from ....processing.translation import tr
-from ...findings import Finding, error_text, status_text
+from ...findings import Finding, error_text, lon_lat_text, status_text
 from ...widgets.tables import LIKELY, sign_icon
 from ...widgets.texts import number_text, plain_tip
 
@@ -24,7 +24,6 @@ ORDER = (SUMMARY, IMAGE, STATUS, POSITION, ERROR, PROBABILITY, HEADING, WINDOW, 
 
 _DECIMALS = {ERROR: 1, HEADING: 1, DISTANCE: 3}
 _DEGREE_DECIMALS = 5
-"""Five decimals of a degree are about 1 m."""
 
 SORT_ROLE = Qt.ItemDataRole.UserRole
 NAME_ROLE = SORT_ROLE + 1
@@ -135,7 +134,7 @@ def _text(finding: Finding, column: int) -> str:
     if column == PROBABILITY:
         return error_text(finding)
     if column == POSITION:
-        return _position(finding)
+        return lon_lat_text(finding, _DEGREE_DECIMALS)
     if column == SUMMARY:
         return _summary(finding)
     return _number(_figure(finding, column), _DECIMALS[column])
@@ -152,16 +151,9 @@ def _number(value: float | None, decimals: int) -> str:
     return "" if value is None else number_text(value, decimals)
 
 
-def _position(finding: Finding) -> str:
-    """Return longitude and latitude with a decimal point in every language, as programs read them."""
-    if finding.longitude is None or finding.latitude is None:
-        return ""
-    return f"{finding.longitude:.{_DEGREE_DECIMALS}f}, {finding.latitude:.{_DEGREE_DECIMALS}f}"
-
-
 def _summary(finding: Finding) -> str:
     """Return two lines: name, status and error probability; position and 95 % radius, or the reason."""
-    position, error = _position(finding), error_text(finding)
+    position, error = lon_lat_text(finding, _DEGREE_DECIMALS), error_text(finding)
     if position and finding.error_95 is not None:
         position = f"{position} ± {number_text(finding.error_95, 1)} m"
     sure = tr("error {probability}").format(probability=error) if error else ""

@@ -130,14 +130,6 @@ class ResultsTable(QTableView):
             self.selectRow(row % count)
             self.scrollTo(self.model().index(row % count, SUMMARY if self.is_narrow else IMAGE))
 
-    def step_on(self) -> bool:
-        """Select the next row. Returns False at the last row."""
-        rows = self.selectionModel().selectedRows()
-        if rows and rows[0].row() + 1 >= self.model().rowCount():
-            return False
-        self.step(1)
-        return True
-
     def sizeHint(self) -> QSize:
         return QSize(200, self._height_of(_ROWS))
 

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import os
 from functools import partial
-from threading import Event
 from typing import Callable
 
-from qgis.core import QgsProject, QgsRasterLayer, QgsSettings
+from qgis.core import QgsProject, QgsSettings
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtWidgets import QFileDialog, QPushButton, QVBoxLayout, QWidget
@@ -55,9 +54,6 @@ class LocalizeTab(QWidget):
         self._used = self._found_with = self._chosen = "", ""
         self.run = LocalizationRun(self)
         self._reader = Reader(self)
-        self._drawer = Reader(self)
-        self._drawing_canceled = Event()
-        self._canvas = canvas
         self.images = ImageBox()
         self.method = MethodRow()
         self.prior = PriorRow(canvas)
@@ -87,9 +83,7 @@ class LocalizeTab(QWidget):
         self.images.looked.connect(self._show_looked)
         self.images.collapsedStateChanged.connect(self._show_choices)
         self.images.list.refused.connect(self._refuse_layers)
-        self.images.drawAsked.connect(self._draw)
         self.images.trained.connect(self._show_trained)
-        self._drawer.answered.connect(self._add_drawn)
         self.localize_button.clicked.connect(self._localize_or_cancel)
         self.results.saveAsked.connect(self._save_results)
         self.results.earlier.aboutToShow.connect(self._list_earlier)
@@ -98,8 +92,8 @@ class LocalizeTab(QWidget):
         self.run.textChanged.connect(self.state.show_text)
         self.run.logged.connect(self._messages.log)
         self.run.found.connect(self._show_found)
-        self._messages.show_failures(self.run, self._drawer)
-        for ended in (self.run.failed, self.run.broke, self.run.canceled, self._drawer.failed, self._drawer.broke):
+        self._messages.show_failures(self.run)
+        for ended in (self.run.failed, self.run.broke, self.run.canceled):
             ended.connect(self._show_idle)
         self.run.canceled.connect(lambda: self.state.show_text(tr("Canceled.")))
 
@@ -107,8 +101,6 @@ class LocalizeTab(QWidget):
         """Cancel runs and clear the canvas."""
         self.run.abandon()
         self._reader.shut_down()
-        self._drawing_canceled.set()
-        self._drawer.shut_down()
         self.images.shut_down()
         self.hit.shut_down()
         self.prior.shut_down()
@@ -324,25 +316,6 @@ class LocalizeTab(QWidget):
     def _show_copied(self, text: str) -> None:
         self.state.show_text(tr("Copied: {command}").format(command=text))
 
-    def _draw(self, layer: QgsRasterLayer) -> None:
-        """Make an image of the map's extent from a layer that is not a file, at the model's pixel size."""
-        model = self.images.model_path()
-        if not model:
-            self._messages.error(tr("Choose a model first. It defines the pixel size of the image."))
-            return
-        # Imported here because it loads GDAL's arrays, which would delay the opening of the dock.
-        from ....processing.base.photo_source import draw_for_model
-        from ....processing.layers.rendering import drawable
-
-        self.state.show_text(tr("Drawing “{layer}” as the map shows it…").format(layer=layer.name()))
-        settings, context = self._canvas.mapSettings(), QgsProject.instance().transformContext()
-        arguments = drawable(layer), settings.visibleExtent(), settings.destinationCrs(), model, context
-        self._drawer.read(tr("Drawing the layer"), draw_for_model, *arguments, self._drawing_canceled.is_set)
-
-    def _add_drawn(self, path: str) -> None:
-        self.images.list.add([path])
-        self._messages.info(tr("The map view is now in the list of images. It is kept until you close QGIS."))
-
     def _show_trained(self, report: str) -> None:
         sentence = tr("The model is trained and selected in the dock.")
         if report:
@@ -351,8 +324,5 @@ class LocalizeTab(QWidget):
             self._messages.success(sentence)
 
     def _refuse_layers(self, names: list[str]) -> None:
-        sentence = tr(
-            "Not added, because they are not image files: {layers}. Use the layer button to add the current "
-            "map view of a layer."
-        )
+        sentence = tr("Not added, because they are not image files: {layers}.")
         self._messages.warning(sentence.format(layers=", ".join(names)))
