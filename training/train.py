@@ -302,7 +302,6 @@ def finish(
         "confusion": trainer.best_confusion[: len(ground.classes)].tolist(),
         "stopped_by": trainer.stopped_by,
         "seconds": round(trainer.seconds, 1),
-        "seconds_a_piece": round(sum(row["seconds"] for row in trainer.history) / max(trainer.step * job.batch, 1), 4),
         "device": _device_name(trainer.device),
         "training": len(ground.training),
         "validation": len(ground.validation),

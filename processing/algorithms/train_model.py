@@ -153,7 +153,6 @@ class TrainModel(AnnotationAlgorithm):
                     "Time from the start until the model is written. 10 minutes are enough for a test, 60 minutes "
                     "give a better model. 0 means no limit."
                 ),
-                widget="TimeLimitWidget",
             ),
             parameters.resolution(
                 tr(
@@ -317,7 +316,6 @@ class TrainModel(AnnotationAlgorithm):
     ) -> TrainingReport:
         """Cut the tiles, train, write the model, and return the report."""
         from ...training.job import EXAMPLES, JOB, RESULT
-        from ..base.training_estimate import remember_speed
         from ..base.training_process import TrainingProgress, training_events
         from ..reports.training_report import TrainingReport
 
@@ -345,7 +343,6 @@ class TrainModel(AnnotationAlgorithm):
                 python=python,
                 reason=error,
             ) from None
-        remember_speed(job.encoder, result)
         examples = [path.read_bytes() for path in sorted((run.folder / EXAMPLES).glob("*.png"))]
         return TrainingReport(os.path.basename(values.target(self.OUTPUT)), result, job.ground, examples)
 

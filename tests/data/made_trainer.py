@@ -28,7 +28,6 @@ shutil.copy({model!r}, job["output"])
 classes = [dict(value=n, name=name, color="#3366cc", role="reference")
            for n, name in enumerate(["unlabeled", "building", "water"])]
 json.dump(dict(classes=classes, history=[row, {{**row, "epoch": 2}}], best_epoch=2, mean_iou=0.4, seconds=60,
-               seconds_a_piece=0.1,
                stopped_by="minutes",
                confusion=[[0, 0, 0], [0, 90, 10], [0, 20, 80]], device="CPU", training=7, validation=2, bytes=10 ** 6,
                difference=0.0, encoder="x", depth=5), open(os.path.join(folder, "result.json"), "w"))

@@ -183,21 +183,3 @@ def test_the_box_of_photos_begins_with_no_label_map_and_is_empty_when_unsure(add
     assert chosen() == photo.id()
     add.photo("another")
     assert not chosen()
-
-
-def test_the_dialog_shows_how_many_epochs_fit_in_the_time_limit(ground, project, open_dialog):
-    from qgis.core import QgsProcessingContext
-    from qgis.PyQt.QtWidgets import QLabel
-
-    from semref.ui.proposals import training_at_hand
-
-    ground([5.0, 12.0, 12.0])
-    wrappers = open_dialog("trainmodel", training_at_hand(project)).mainWidget().wrappers
-    line = wrappers["MINUTES"].wrappedWidget().findChild(QLabel, "SemRefEpochs")
-    assert line.text() == "Epochs within the time limit on this computer: about 69"
-    wrappers["MINUTES"].setParameterValue(1, QgsProcessingContext())
-    assert line.text().startswith("Epochs within the time limit: about 1. ")
-    wrappers["MINUTES"].setParameterValue(0.4, QgsProcessingContext())
-    assert line.text().startswith("The time limit is too short for one epoch.")
-    wrappers["MINUTES"].setParameterValue(0, QgsProcessingContext())
-    assert line.text() == ""

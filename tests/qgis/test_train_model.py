@@ -418,16 +418,3 @@ def test_the_time_limit_counts_from_the_start_and_so_does_the_time_left(train, t
     # Shares 0.2 and 0.5 of the training; before it, there is no basis for an estimate.
     assert max(percent for percent in percents if percent < passed - 1) <= 1
     assert percents[-2:] == pytest.approx([passed + 0.2 * (100 - passed), passed + 0.5 * (100 - passed)], abs=1)
-
-
-def test_how_fast_a_training_was_is_remembered_for_the_next_estimate(train):
-    from semref.processing.base.training_estimate import CAUTIOUS_S, epochs_within, seconds_a_piece
-    from semref.training.job import LITE0
-
-    QgsSettings().remove("semref/training")
-    assert seconds_a_piece(LITE0) == CAUTIOUS_S
-    before = epochs_within(10, (1000, 1000), 0.2, LITE0)
-    train()
-    assert seconds_a_piece(LITE0) == 0.1
-    assert epochs_within(10, (1000, 1000), 0.2, LITE0) == pytest.approx(3 * before)
-    QgsSettings().remove("semref/training")

@@ -15,7 +15,6 @@ from qgis.core import (
 )
 from qgis.gui import (
     QgsAbstractProcessingParameterWidgetWrapper,
-    QgsDoubleSpinBox,
     QgsFieldComboBox,
     QgsFileWidget,
     QgsGui,
@@ -23,16 +22,14 @@ from qgis.gui import (
     QgsProcessingMapLayerComboBox,
 )
 from qgis.PyQt import sip
-from qgis.PyQt.QtWidgets import QLabel, QVBoxLayout, QWidget
+from qgis.PyQt.QtWidgets import QWidget
 
 from ...processing.base import parameters
 from ...processing.layers.guess_fields import class_field_of, class_of_all
 from ..class_table import EditButton
 from ..layer_files import photo_layer
 from ..project_state import DATABASE_SETTING, MODEL_SETTING, remembered_file
-from ..widgets.layouts import narrow
 from .class_name_box import ClassNameBox
-from .epochs import TRAINING_VALUES, epochs_text
 
 _BATCH, _MODELER = "BatchAlgorithmDialog", "ModelerParametersDialog"
 """Class names of Processing's dialogs, which Processing itself uses to distinguish them."""
@@ -238,48 +235,6 @@ class PhotoWidget(_Widget):
 
     def widgetValue(self):
         return self._box().value()
-
-
-class TimeLimitWidget(_Widget):
-    """Box of minutes above a line that estimates the epochs within that time from the other values."""
-
-    def createWidget(self):
-        widget = QWidget()
-        self._minutes = QgsDoubleSpinBox()
-        self._minutes.setRange(0, 100_000)
-        self._minutes.setValue(self.parameterDefinition().defaultValue())
-        self._minutes.setClearValue(self.parameterDefinition().defaultValue())
-        self._minutes.valueChanged.connect(self._report)
-        self._line = QLabel()
-        self._line.setWordWrap(True)
-        self._line.setObjectName("SemRefEpochs")
-        layout = narrow(QVBoxLayout(widget), 0)
-        layout.addWidget(self._minutes)
-        layout.addWidget(self._line)
-        self._others = []
-        return self._prepare(widget)
-
-    def postInitialize(self, wrappers):
-        super().postInitialize(wrappers)
-        self._others = [wrapper for wrapper in wrappers if wrapper is not self]
-        for wrapper in self._others:
-            if wrapper.parameterDefinition().name() in TRAINING_VALUES:
-                wrapper.widgetValueHasChanged.connect(self._show)
-        self._show()
-
-    def setWidgetValue(self, value, context):
-        self._minutes.setValue(0.0 if value in (None, "") else float(value))
-
-    def widgetValue(self):
-        return self._minutes.value()
-
-    def _report(self, *_value) -> None:
-        super()._report()
-        self._show()
-
-    def _show(self, *_value) -> None:
-        values = {one.parameterDefinition().name(): one.parameterValue() for one in self._others}
-        self._line.setText(epochs_text(self._minutes.value(), values))
 
 
 def _same(layer: QgsVectorLayer, before: QgsVectorLayer | None) -> bool:
