@@ -62,27 +62,22 @@ def test_a_flight_is_shown_with_its_track_and_what_each_image_rests_on(flown, do
 
 
 @pytest.mark.slow
-def test_its_layers_are_saved_with_their_style(flown, tmp_path, monkeypatch):
+def test_its_layers_are_saved_with_their_style_and_bring_the_track_back(flown, tmp_path, monkeypatch):
     from qgis.core import QgsProject, QgsRuleBasedRenderer
     from qgis.PyQt.QtWidgets import QFileDialog
 
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "flown.gpkg"), ""))
+    from semref.processing.layers.results_file import open_results
+    from semref.ui.findings import ResultLayers, read_findings
+
+    path = str(tmp_path / "flown.gpkg")
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (path, ""))
     flown.results.save.click()
     layers = list(QgsProject.instance().mapLayers().values())
     positions = next(layer for layer in layers if layer.geometryType() == 0)
     assert len(layers) == 2 and isinstance(positions.renderer(), QgsRuleBasedRenderer)
-
-
-@pytest.mark.slow
-def test_saved_results_bring_the_track_back(flown, tmp_path):
-    from semref.processing.layers.results_file import open_results, write_results
-    from semref.ui.findings import ResultLayers, read_findings
-
-    path = str(tmp_path / "results.gpkg")
-    write_results(path, flown._layers)
-    layers = ResultLayers(*open_results(path))
-    assert layers.track is not None and layers.track.featureCount() == 1
-    assert [finding.source for finding in read_findings(layers)][BLANK] == "flight"
+    saved = ResultLayers(*open_results(path))
+    assert saved.track is not None and saved.track.featureCount() == 1
+    assert [finding.source for finding in read_findings(saved)][BLANK] == "flight"
 
 
 def test_photos_taken_one_after_the_other_are_offered_as_a_flight(tab, tmp_path):

@@ -80,6 +80,15 @@ def test_runs_that_came_to_nothing_displace_no_results(qgis_app):
     Path(found.file).unlink()
 
 
+def test_results_that_the_profile_cannot_store_are_shown_as_well(dock, area, tab, monkeypatch, tmp_path):
+    from semref.ui.running import run_history
+
+    monkeypatch.setattr(run_history, "runs_folder", lambda: tmp_path / "it's here")
+    choose_method(dock, CONSTELLATION)
+    localize(dock, area.database, [area.image])
+    assert [row[4] for row in table(dock)] == ["Position"] and not list(tmp_path.iterdir())
+
+
 def test_a_plugin_that_is_loaded_again_restores_the_dock_of_the_open_project(plugin, dock, iface, area, tab):
     from qgis.core import QgsProject
 

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from qgis.core import QgsProcessingContext, QgsProcessingUtils, QgsVectorLayer
-from qgis.PyQt.QtCore import QObject, pyqtSignal
+from qgis.core import QgsProcessingContext, QgsVectorLayer
+from qgis.PyQt.QtCore import QObject
 
-from ...core.errors import ParameterError
 from ...processing.layers.results_file import TABLES, open_results
 from ...processing.messages.numbers import LocalTemplate
-from ...processing.messages.sentences import worded
 from ...processing.translation import tr
-from ..findings import ResultLayers
 from .algorithm_run import AlgorithmRun
-from .run_history import RunRecord, begin_run, destination, labels_folder
+from .run_history import begin_run, destination, labels_folder
 
 ALGORITHM, FLIGHT_ALGORITHM = "semref:localizeimages", "semref:localizeflight"
 
@@ -24,21 +21,16 @@ _KEYS = "OUTPUT", "FOOTPRINTS", "ALTERNATIVES", "MATCHES", "TRACK"
 
 
 class LocalizationRun(AlgorithmRun):
-    """AlgorithmRun that emits ``found`` when it is done.
-
-    found: ResultLayers, which the receiver owns, and the folder of the photos' label images, empty without photos.
+    """AlgorithmRun that writes all results to one file.
 
     Attributes:
-        file: GeoPackage of the results; empty for layers in memory.
+        file: GeoPackage of the results.
         pace: Sentence on device and speed of the model; empty without a model.
     """
 
-    found = pyqtSignal(object, str)
-
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self.done.connect(self._take_layers)
-        self._kept: RunRecord | None = None
+        self.done.connect(self._take_pace)
         self.pace = self.file = ""
 
     def start(self, database: str, images: list[str], method: int, settings: dict, is_flight: bool = False) -> bool:
@@ -50,39 +42,21 @@ class LocalizationRun(AlgorithmRun):
             is_flight: Whether the images are one flight.
         """
         run = begin_run(database, settings.get("MODEL", ""), len(images))
-        # QGIS can't write tables to a file with an apostrophe in its path.
-        self._kept = None if run is None or "'" in run.folder else run
+        self.file = run.file
         left_out = "ALTERNATIVES" if is_flight else "TRACK"
-        outputs = {
-            key: f"memory:{title}" if self._kept is None else destination(self._kept, table)
-            for key, table, title in zip(_KEYS, TABLES, _titles())
-            if key != left_out
-        }
+        outputs = {key: destination(run, table) for key, table in zip(_KEYS, TABLES) if key != left_out}
         parameters = {"DATABASE": database, "IMAGES": images, "METHOD": method, "RISK": RISK, **settings, **outputs}
         if settings.get("MODEL"):
-            kept = self._kept
-            parameters["LABELS"] = (
-                QgsProcessingUtils.generateTempFilename("labels") if kept is None else labels_folder(kept)
-            )
+            parameters["LABELS"] = labels_folder(run)
         if is_flight:
             return self.start_algorithm(FLIGHT_ALGORITHM, parameters, tr("Localizing a flight"))
         return self.start_algorithm(ALGORITHM, parameters, tr("Localizing images"))
 
-    def _take_layers(self, results: dict, context: QgsProcessingContext) -> None:
-        self.pace, self.file = "", "" if self._kept is None else self._kept.file
+    def _take_pace(self, results: dict, _context: QgsProcessingContext) -> None:
+        self.pace = ""
         if results.get("DEVICE"):
             text = tr("{device}, {rate:.3g} tiles per second.")
             self.pace = LocalTemplate(text).format(device=results["DEVICE"], rate=results["TILES_PER_SECOND"])
-        if self._kept is None:
-            layers = [context.takeResultLayer(results.get(key, "")) for key in _KEYS]
-        else:
-            try:
-                layers = named_results(self.file)
-            except ParameterError as error:
-                # Another program removed the file.
-                self.failed.emit(worded(error))
-                return
-        self.found.emit(ResultLayers(*layers), results.get("LABELS", ""))
 
 
 def named_results(file: str) -> list[QgsVectorLayer | None]:

@@ -9,7 +9,7 @@ import time
 from pathlib import Path
 from typing import NamedTuple
 
-from qgis.core import QgsApplication
+from qgis.core import QgsApplication, QgsProcessingUtils
 
 from ...processing.layers.results_file import TABLES
 
@@ -43,15 +43,19 @@ def runs_folder() -> Path:
     return Path(QgsApplication.qgisSettingsDirPath()) / "semref" / "runs"
 
 
-def begin_run(database: str, model: str, images: int) -> RunRecord | None:
-    """Create the folder of a new run; None if it can't be written."""
+def begin_run(database: str, model: str, images: int) -> RunRecord:
+    """Create the folder of a new run, in the profile if possible, otherwise among QGIS's temporary files."""
     folder = runs_folder() / f"{time.time_ns()}"
     about = {"database": database, "model": model, "images": images}
     try:
+        # QGIS can't write tables to a file with an apostrophe in its path.
+        if "'" in str(folder):
+            raise OSError
         folder.mkdir(parents=True)
         (folder / _ABOUT).write_text(json.dumps(about), encoding="utf-8")
     except OSError:
-        return None
+        folder = Path(QgsProcessingUtils.generateTempFilename("run"))
+        folder.mkdir(parents=True)
     return RunRecord(str(folder), database, model, images)
 
 

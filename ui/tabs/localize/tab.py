@@ -14,9 +14,7 @@ from qgis.PyQt.QtWidgets import QFileDialog, QPushButton, QVBoxLayout, QWidget
 from ....core.errors import ParameterError
 from ....core.named_files import named_file
 from ....processing.base.localized_image import count_sentence
-from ....processing.compat import is_null
-from ....processing.layers.output_style import Look
-from ....processing.layers.results_file import write_results
+from ....processing.layers.results_file import open_results, save_results
 from ....processing.messages.sentences import worded
 from ....processing.translation import tr
 from ...findings import Finding, ResultLayers, read_findings
@@ -48,7 +46,6 @@ class LocalizeTab(QWidget):
     def __init__(self, canvas: QgsMapCanvas, database: DatabaseBox, messages: Messages, shelf: DatabaseShelf) -> None:
         super().__init__()
         self._database, self._messages = database, messages
-        self._layers = ResultLayers()
         self._findings: list[Finding] = []
         self._results_file = self._idle_shown = ""
         self._used = self._found_with = self._chosen = "", ""
@@ -91,7 +88,7 @@ class LocalizeTab(QWidget):
         self.run.progressed.connect(self.progress.show_percent)
         self.run.textChanged.connect(self.state.show_text)
         self.run.logged.connect(self._messages.log)
-        self.run.found.connect(self._show_found)
+        self.run.done.connect(lambda *_: self._show_found())
         self._messages.show_failures(self.run)
         for ended in (self.run.failed, self.run.broke, self.run.canceled):
             ended.connect(self._show_idle)
@@ -104,7 +101,6 @@ class LocalizeTab(QWidget):
         self.images.shut_down()
         self.hit.shut_down()
         self.prior.shut_down()
-        self._layers = ResultLayers()
 
     # --- project ---
 
@@ -124,7 +120,7 @@ class LocalizeTab(QWidget):
     def show_state(self, state: DockState) -> None:
         """Restore a state; a message reports missing results."""
         self.run.cancel()
-        self._show_layers(ResultLayers(), "", state.model)
+        self._show_results("", state.model)
         self.method.choose(state.method)
         self._database.file.setFilePath(state.database)
         self.images.model.setFilePath(state.model)
@@ -135,11 +131,10 @@ class LocalizeTab(QWidget):
         if not state.results:
             return
         try:
-            layers = ResultLayers(*named_results(state.results))
             # Results in the profile come from the user's own runs.
             is_own = bool(named_file(state.results, [str(runs_folder())]))
             chosen = None if is_own else lambda: [os.path.dirname(state.results), *self.images.paths()]
-            self._show_layers(layers, state.results, state.model, labels_of(state.results), chosen=chosen)
+            self._show_results(state.results, state.model, chosen=chosen)
             self._collapse_inputs()
         except ParameterError as error:
             self._messages.warning(worded(error))
@@ -207,40 +202,42 @@ class LocalizeTab(QWidget):
 
     # --- results ---
 
-    def _show_found(self, layers: ResultLayers, labels: str) -> None:
+    def _show_found(self) -> None:
         self._set_running(False)
         database, model = self._used
-        self._show_layers(layers, self.run.file, model, labels, database)
+        try:
+            self._show_results(self.run.file, model, database)
+        except ParameterError as error:
+            # Another program removed the file.
+            self._messages.error(worded(error))
+            self._show_idle()
+            return
         self._reader.read(tr("Removing old results"), forget_old_runs)
         self._collapse_inputs()
         if self.run.pace:
             self.state.show_text(self.state.text_shown, self.run.pace)
         self.found.emit(self.state.text_shown)
 
-    def _show_layers(
-        self,
-        layers: ResultLayers,
-        file: str,
-        model: str,
-        labels: str = "",
-        database: str = "",
-        chosen: Callable[[], list[str]] | None = None,
+    def _show_results(
+        self, file: str, model: str, database: str = "", chosen: Callable[[], list[str]] | None = None
     ) -> None:
         """Show the results of a run.
 
         Args:
-            layers: Layers of the results.
-            file: GeoPackage of the layers; empty for layers in memory.
+            file: GeoPackage of the results; empty for no results.
             model: Model of the run; empty for label images.
-            labels: Folder of the photos' label images; may be empty.
             database: Database of the run; empty for the chosen one.
             chosen: Returns files and folders with images that may be opened; None if the user chose all images.
+
+        Raises:
+            ParameterError: The file has no results.
         """
-        self._layers, self._results_file = layers, file
+        layers = ResultLayers(*open_results(file)) if file else ResultLayers()
+        self._results_file = file
         self._found_with = database or self._database.path(), model
         self._chosen = self._now_chosen()
         self.hit.use(*self._found_with, chosen)
-        self._findings = findings = read_findings(layers, labels)
+        self._findings = findings = read_findings(layers, labels_of(file))
         if findings:
             self.state.show_text(count_sentence([finding.status for finding in findings]))
         self._show_findings(findings)
@@ -262,7 +259,7 @@ class LocalizeTab(QWidget):
 
     def _forget_results(self) -> None:
         """Clear the results, because the database has new content. The earlier results still list them."""
-        self._show_layers(ResultLayers(), "", self.images.model_path())
+        self._show_results("", self.images.model_path())
 
     def _collapse_inputs(self) -> None:
         """Collapse the inputs, so that the results have room."""
@@ -281,11 +278,8 @@ class LocalizeTab(QWidget):
             return
         path = path if path.lower().endswith(".gpkg") else f"{path}.gpkg"
         QgsSettings().setValue(_RESULTS_FOLDER_SETTING, os.path.dirname(path))
-        if self._layers.track is not None:
-            positions = self._layers.positions
-            Look("poses", is_timed=any(not is_null(one["time"]) for one in positions.getFeatures())).apply(positions)
         try:
-            write_results(path, self._layers)
+            save_results(self._results_file, path)
             positions, *_others, track = named_results(path)
         except ParameterError as error:
             self._messages.error(worded(error))
@@ -306,11 +300,10 @@ class LocalizeTab(QWidget):
 
     def _show_earlier(self, kept: RunRecord, *_checked) -> None:
         try:
-            layers = ResultLayers(*named_results(kept.file))
+            self._show_results(kept.file, kept.model, kept.database)
         except ParameterError as error:
             self._messages.error(worded(error))
             return
-        self._show_layers(layers, kept.file, kept.model, labels_of(kept.file), kept.database)
         self._collapse_inputs()
 
     def _show_copied(self, text: str) -> None:
