@@ -104,10 +104,11 @@ def localize(dock, database: str, images: list[str]) -> None:
     wait_until(lambda: not dock.content.localize.run.running, "the end of the run")
 
 
-def table(dock) -> list[list[str]]:
-    """Return image, odds, error, heading, status, window and distance of each result."""
-    model = dock.content.localize.results.table.model()
-    return [[model.index(row, column).data() for column in range(7)] for row in range(model.rowCount())]
+def results_of(dock) -> list[tuple[str, str]]:
+    """Return image and status of each result."""
+    from semref.ui.findings import status_text
+
+    return [(finding.name, status_text(finding)) for finding in dock.content.localize.results.list.findings]
 
 
 def messages(iface) -> list[str]:

@@ -106,18 +106,15 @@ def findings() -> list:
     return [make(**{**nothing, **changed}) for changed in (fix, vector, {})]
 
 
-def results_table():
-    from PyQt6.QtCore import Qt
-
-    table = module("ui.tabs.localize.results_table").ResultsTable()
-    table.show_findings(findings())
-    table.sortByColumn(1, Qt.SortOrder.AscendingOrder)
-    table.step(1)
-    return table
+def results_list():
+    made = module("ui.tabs.localize.results_list").ResultsList()
+    made.show_findings(findings())
+    made.step(1)
+    return made
 
 
-def empty_table():
-    return module("ui.tabs.localize.results_table").ResultsTable()
+def empty_list():
+    return module("ui.tabs.localize.results_list").ResultsList()
 
 
 def details():
@@ -153,7 +150,7 @@ def row_of_buttons():
 
 
 WIDGETS = (
-    vector_plot, empty_plot, status_line, image_view, results_table, empty_table, details, components_page,
+    vector_plot, empty_plot, status_line, image_view, results_list, empty_list, details, components_page,
     missing_notice, row_of_buttons,
 )  # fmt: skip
 

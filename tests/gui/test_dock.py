@@ -14,11 +14,11 @@ from dock_area import (
     from_the_layer_tree,
     localize,
     messages,
+    results_of,
     settle,
     shown_center,
     shown_outline,
     start,
-    table,
     wait_until,
 )
 
@@ -148,10 +148,10 @@ def test_layers_removed_and_the_project_closed_while_everything_is_shown_break_n
     settle()
     tab.results.after.click()
     wait_until(lambda: tab.results.image.canvas.scene().items(), "the picture")
-    assert len(table(dock)) == 1
+    assert len(results_of(dock)) == 1
     QgsProject.instance().clear()
     settle()
-    assert table(dock) == []
+    assert results_of(dock) == []
     assert [text for text in messages(iface) if "error in SemRef" in text] == []
 
 

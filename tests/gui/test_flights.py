@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from dock_area import CONSTELLATION, choose_method, start, table, wait_until
+from dock_area import CONSTELLATION, choose_method, results_of, start, wait_until
 from made_inputs import WEST, write_raster
 from onboard_area import MAP
 from PIL import Image
@@ -51,9 +51,9 @@ def flown(dock, tab, database, flight):
 
 @pytest.mark.slow
 def test_a_flight_is_shown_with_its_track_and_what_each_image_rests_on(flown, dock, iface):
-    rows = table(dock)
+    rows = results_of(dock)
     assert [row[0] for row in rows] == [f"{n}.png" for n in range(COUNT)]
-    assert rows[BLANK][4] == "Position from the flight" and rows[BLANK - 1][4] == "Position"
+    assert rows[BLANK][1] == "Position from the flight" and rows[BLANK - 1][1] == "Position"
     track = flown.hit.track.drawn("track").asPolyline()
     truth = WEST + 60 + SIZE / 2 + STEP * np.arange(COUNT)
     assert [point.x() for point in track] == pytest.approx(truth[-len(track) :], abs=12)

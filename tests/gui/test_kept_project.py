@@ -7,7 +7,7 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from dock_area import messages, settle, shown_outline, table, wait_until
+from dock_area import messages, results_of, settle, shown_outline, wait_until
 
 KEPT = Path(__file__).resolve().parents[1] / "data" / "kept" / "v1"
 
@@ -32,9 +32,10 @@ def test_a_project_of_version_1_brings_dock_layers_and_results_back(dock, iface,
     assert [Path(path) for path in state.images] == [kept / "here.png", kept / "nothing.png"]
     assert (Path(state.results), state.opacity) == (kept / "results.gpkg", 35)
     assert state.prior == (600200.0, 5199600.0, 600700.0, 5199600.0, "EPSG:25832")
-    assert [row[0] for row in table(dock)] == ["here.png", "nothing.png"]
-    assert table(dock)[0][4] == "Position" and table(dock)[1][4] != "Position"
-    assert tab.results.table.selected().confidence > 0.9
+    (first, found), (second, not_found) = results_of(dock)
+    assert (first, second) == ("here.png", "nothing.png")
+    assert found == "Position" != not_found
+    assert tab.results.list.selected().confidence > 0.9
     assert shown_outline(iface) is not None
     layers = {layer.name(): layer for layer in project.mapLayers().values()}
     assert set(layers) == {"Landmarks", "Windows", "Overview", "results"}

@@ -22,11 +22,11 @@ from dock_area import (
     label_map,
     localize,
     messages,
+    results_of,
     rubber_bands,
     shown_center,
     shown_outline,
     start,
-    table,
     wait_until,
     write_raster,
 )
@@ -56,7 +56,8 @@ def test_photos_without_a_model_are_not_ready(dock, area, tab, tmp_path):
 
 def test_an_image_cut_from_a_window_is_found_there(dock, area, tab):
     localize(dock, area.database, [area.image])
-    assert table(dock) == [["on_window.tif", "", "", "", "Unverified match", "150_250", "0.000"]]
+    assert results_of(dock) == [("on_window.tif", "Unverified match")]
+    assert tab.results.list.selected().window == "150_250"
     assert tab.state.text() == "1 of 1 images have a position."
     details = tab.results.details.toPlainText()
     assert "x, y: 400250.00, 5399650.00 (EPSG:25832)" in details
@@ -90,24 +91,12 @@ def test_the_hit_is_outlined_and_its_center_marked_in_any_crs_of_the_canvas(dock
 @pytest.mark.slow
 def test_an_unreadable_image_has_a_row_with_its_reason_and_no_outline(dock, iface, area, tab):
     localize(dock, area.database, [area.image, area.unreadable])
-    tab.results.table.selectRow(1)
-    assert table(dock)[1] == ["broken.tif", "", "", "", "Unreadable", "", ""]
+    tab.results.list.setCurrentRow(1)
+    assert results_of(dock)[1] == ("broken.tif", "Unreadable")
     assert "broken.tif can't be read" in tab.results.details.toPlainText()
     assert (shown_outline(iface), shown_center(iface)) == (None, None)
     assert not tab.results.copy.isEnabled()
     assert messages(iface) == []
-
-
-@pytest.mark.slow
-def test_a_click_on_a_header_sorts_and_the_selection_stays_true(dock, iface, area, tab):
-    from qgis.PyQt.QtCore import Qt
-
-    localize(dock, area.database, [area.image, area.unreadable])
-    tab.results.table.sortByColumn(0, Qt.SortOrder.AscendingOrder)
-    assert [row[0] for row in table(dock)] == ["broken.tif", "on_window.tif"]
-    tab.results.table.selectRow(1)
-    assert "on_window.tif" in tab.results.details.toPlainText()
-    assert shown_outline(iface) is not None
 
 
 def test_the_position_can_be_copied(dock, area, tab):
@@ -129,7 +118,7 @@ def test_cancel_ends_the_run_without_results(dock, iface, area, slow, tab):
     wait_until(lambda: not tab.run.running, "the end of the run")
     assert tab.state.text() == "Canceled."
     assert tab.localize_button.text() == "Localize"
-    assert (table(dock), messages(iface)) == ([], [])
+    assert (results_of(dock), messages(iface)) == ([], [])
 
 
 @pytest.mark.slow
@@ -175,39 +164,37 @@ def test_a_likely_position_is_amber_and_counted_apart(dock, iface, area, tab, mo
 
     from semref.ui.canvas.marks import ORANGE, RED
     from semref.ui.running import localization_run
-    from semref.ui.tabs.localize.results_model import IMAGE, SUMMARY
     from semref.ui.widgets.tables import sign_icon
 
     column, row = CUT
     small = write_raster(tmp_path / "small.tif", label_map()[row : row + 100, column : column + 100], False)
     choose_method(dock, CONSTELLATION)
-    results = tab.results.table
+    results = tab.results.list
     localize(dock, area.database, [small, area.image])
     # Between the error probabilities of both images, whatever the calibration is.
     risks = [1 - finding.confidence for finding in tab._findings]
     assert risks[0] > 10 * risks[1]
     monkeypatch.setattr(localization_run, "RISK", float(np.sqrt(np.prod(risks))))
     localize(dock, area.database, [])
-    assert [results.model().index(n, 4).data() for n in range(2)] == ["Likely position", "Position"]
+    assert [status for _, status in results_of(dock)] == ["Likely position", "Position"]
     assert tab.state.text() == "1 of 2 images have a position. Likely positions: 1."
     finding = results.selected()
     assert finding.is_likely and finding.error_95 > 0 and finding.reason
     assert (finding.x, finding.y) == pytest.approx((ORIGIN[0] + column + 50, ORIGIN[1] - row - 50), abs=3)
     text = tab.results.details.toPlainText()
     assert "small.tif: Likely position, error probability " in text and "95 % radius" in text
-    first, second = (results.model().index(n, SUMMARY) for n in range(2))
-    assert first.data().startswith("small.tif · Likely position · error ") and " ± " in first.data()
+    first, second = (results.item(n) for n in range(2))
+    assert first.text().startswith("small.tif · Likely position · error ") and " ± " in first.text()
     assert first.data(Qt.ItemDataRole.BackgroundRole) is not None
     assert second.data(Qt.ItemDataRole.BackgroundRole) is None
-    icon = results.model().index(0, IMAGE).data(Qt.ItemDataRole.DecorationRole)
-    assert icon.pixmap(16).toImage() == sign_icon("likely").pixmap(16).toImage() and not icon.isNull()
+    assert first.icon().pixmap(16).toImage() == sign_icon("likely").pixmap(16).toImage() and not first.icon().isNull()
 
     def colors():
         bands = [item for item in iface.canvas.scene().items() if isinstance(item, QgsRubberBand)]
         return {band.strokeColor().name() for band in bands if band.numberOfVertices()}
 
     assert colors() == {ORANGE.name()} and shown_center(iface).x() == pytest.approx(finding.x)
-    results.selectRow(1)
+    results.setCurrentRow(1)
     assert colors() == {RED.name()}
 
 
@@ -309,7 +296,7 @@ def test_the_places_where_an_ambiguous_image_may_lie_are_outlined(dock, iface, r
     image = write_raster(tmp_path / "image.tif", twins[200:400, 50:250], False)
     choose_method(dock, CONSTELLATION)
     localize(dock, parameters["DATABASE"], [image])
-    assert table(dock)[0][4] == "No position: ambiguous"
+    assert results_of(dock)[0][1] == "No position: ambiguous"
     (places,) = rubber_bands(iface, "Polygon")
     lefts = sorted(part.boundingBox().xMinimum() - ORIGIN[0] for part in places.asGeometryCollection())
     assert lefts == pytest.approx([50, 350], abs=2)
@@ -323,15 +310,15 @@ def test_a_key_goes_from_image_to_image(dock, iface, area, tab):
 
     localize(dock, area.database, [area.image, area.unreadable])
     iface.window.activateWindow()
-    tab.results.table.setFocus()
-    wait_until(tab.results.table.hasFocus, "the focus")
+    tab.results.list.setFocus()
+    wait_until(tab.results.list.hasFocus, "the focus")
     names = []
     for key in (Qt.Key.Key_Down, Qt.Key.Key_Down, Qt.Key.Key_Up):
-        QTest.keyClick(tab.results.table, key, Qt.KeyboardModifier.AltModifier)
-        names.append(tab.results.table.selected().name)
+        QTest.keyClick(tab.results.list, key, Qt.KeyboardModifier.AltModifier)
+        names.append(tab.results.list.selected().name)
     assert names == ["broken.tif", "on_window.tif", "broken.tif"]
     tab.results.after.click()
-    assert tab.results.table.selected().name == "on_window.tif"
+    assert tab.results.list.selected().name == "on_window.tif"
 
 
 @pytest.mark.slow
@@ -342,7 +329,7 @@ def test_a_leveled_image_is_laid_on_the_map_as_the_trapezoid_it_shows(dock, area
     left, bottom, right, top = corners(cut_extent())
     trapezoid = [(left, top), (right, top), (right - 40, bottom), (left + 40, bottom)]
     outline = QgsGeometry.fromPolygonXY([[QgsPointXY(*corner) for corner in trapezoid]])
-    finding = tab.results.table.selected()
+    finding = tab.results.list.selected()
     tab.hit.drape(replace(finding, method="constellation", heading=0.0, pixel_size=1.0, outline=outline))
     wait_until(QgsProject.instance().mapLayers, "the layer")
     (layer,) = QgsProject.instance().mapLayers().values()

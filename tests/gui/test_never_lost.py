@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from dock_area import CONSTELLATION, choose_method, localize, settle, table, wait_until
+from dock_area import CONSTELLATION, choose_method, localize, results_of, settle, wait_until
 
 pytestmark = pytest.mark.slow  # plugins and projects are loaded again
 
@@ -27,10 +27,10 @@ def test_two_projects_in_turn_have_each_their_own_results_without_anybody_saving
         project.clear()
         localize(dock, area.database, images)
         project.write(str(tmp_path / f"{number}.qgs"))
-        states.append((tab.state_now(), table(dock)))
+        states.append((tab.state_now(), results_of(dock)))
     for number in (0, 1, 0):
         project.read(str(tmp_path / f"{number}.qgs"))
-        assert (tab.state_now(), table(dock)) == states[number]
+        assert (tab.state_now(), results_of(dock)) == states[number]
 
 
 def test_results_of_a_project_that_was_never_saved_are_among_the_earlier_ones(plugin, dock, iface, area, tab):
@@ -38,16 +38,16 @@ def test_results_of_a_project_that_was_never_saved_are_among_the_earlier_ones(pl
 
     choose_method(dock, CONSTELLATION)
     localize(dock, area.database, [area.image])
-    shown = table(dock)
+    shown = results_of(dock)
     QgsProject.instance().clear()
     again = reloaded(plugin, iface)
     results = again.content.localize.results
-    assert table(again) == [] and results.save.text() == "Earlier results"
+    assert results_of(again) == [] and results.save.text() == "Earlier results"
     results.earlier.aboutToShow.emit()
     first = results.earlier.actions()[0]
     assert first.text().endswith(" · area (1)")
     first.trigger()
-    assert table(again) == shown and results.save.text() == "Save results…"
+    assert results_of(again) == shown and results.save.text() == "Save results…"
     wait_until(lambda: results.image.canvas.scene().items(), "the picture")
 
 
@@ -86,7 +86,7 @@ def test_results_that_the_profile_cannot_store_are_shown_as_well(dock, area, tab
     monkeypatch.setattr(run_history, "runs_folder", lambda: tmp_path / "it's here")
     choose_method(dock, CONSTELLATION)
     localize(dock, area.database, [area.image])
-    assert [row[4] for row in table(dock)] == ["Position"] and not list(tmp_path.iterdir())
+    assert results_of(dock) == [("on_window.tif", "Position")] and not list(tmp_path.iterdir())
 
 
 def test_a_plugin_that_is_loaded_again_restores_the_dock_of_the_open_project(plugin, dock, iface, area, tab):
@@ -95,9 +95,9 @@ def test_a_plugin_that_is_loaded_again_restores_the_dock_of_the_open_project(plu
     choose_method(dock, CONSTELLATION)
     localize(dock, area.database, [area.image])
     QgsProject.instance().setDirty(False)
-    shown, state = table(dock), tab.state_now()
+    shown, state = results_of(dock), tab.state_now()
     again = reloaded(plugin, iface)
-    assert (table(again), again.content.localize.state_now()) == (shown, state)
+    assert (results_of(again), again.content.localize.state_now()) == (shown, state)
     assert not QgsProject.instance().isDirty()
 
 

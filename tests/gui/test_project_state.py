@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from dock_area import corners, localize, messages, settle, shown_outline, start, table, wait_until
+from dock_area import corners, localize, messages, results_of, settle, shown_outline, start, wait_until
 
 
 @pytest.fixture
@@ -30,7 +30,7 @@ def test_a_project_closed_while_a_run_works_ends_the_run(dock, area, tab):
     start(dock, area.database, [area.image])
     QgsProject.instance().clear()
     wait_until(lambda: not tab.run.running, "the end of the run")
-    assert table(dock) == []
+    assert results_of(dock) == []
 
 
 def test_a_run_that_ended_just_before_its_project_was_closed_shows_nothing(dock, area, tab):
@@ -41,7 +41,7 @@ def test_a_run_that_ended_just_before_its_project_was_closed_shows_nothing(dock,
     time.sleep(2)
     QgsProject.instance().clear()
     wait_until(lambda: not tab.run.running, "the end of the run")
-    assert table(dock) == []
+    assert results_of(dock) == []
 
 
 @pytest.mark.slow
@@ -52,7 +52,7 @@ def test_clearing_the_project_clears_the_dock(dock, iface, area, tab):
     assert shown_outline(iface) is not None
     QgsProject.instance().clear()
     state = tab.state_now()
-    assert (state.database, state.images, state.results, table(dock)) == ("", [], "", [])
+    assert (state.database, state.images, state.results, results_of(dock)) == ("", [], "", [])
     assert shown_outline(iface) is None
     # The next session offers it again.
     assert QgsSettings().value("semref/dock/database", "", type=str) == area.database
@@ -70,19 +70,19 @@ def test_the_project_brings_the_dock_back_as_it_was_saved(dock, iface, area, tmp
     tab.results.image.opacity.setValue(35)
     tab.images.model.setFilePath("")
     tab.prior.set_circle(QgsPointXY(400_100, 5_399_900), QgsPointXY(400_160, 5_399_900))
-    shown, before = table(dock), tab.state_now()
+    shown, before = results_of(dock), tab.state_now()
     project = QgsProject.instance()
     assert project.write(str(tmp_path / "project.qgs"))
     assert "/" + Path(area.database).name in (tmp_path / "project.qgs").read_text(encoding="utf-8")
 
     dock.prepare("", "", [])
     project.clear()
-    assert (table(dock), tab.prior.circle()) == ([], None)
+    assert (results_of(dock), tab.prior.circle()) == ([], None)
     assert project.read(str(tmp_path / "project.qgs"))
     assert not project.isDirty()
     assert tab.state_now() == before
     assert before.opacity == 35 and before.prior[:2] == (400_100, 5_399_900) and before.results == saved
-    assert table(dock) == shown
+    assert results_of(dock) == shown
     assert corners(shown_outline(iface)) is not None
     assert tab.prior.text.text_shown == "Search area: radius 60 m"
 
@@ -97,7 +97,7 @@ def test_a_project_whose_results_are_gone_is_opened_with_a_sentence(dock, iface,
     iface.bar.clearWidgets()
     QgsProject.instance().read(str(tmp_path / "project.qgs"))
     assert "results.gpkg has no results" in messages(iface)[0]
-    assert table(dock) == []
+    assert results_of(dock) == []
 
 
 def test_a_project_without_the_dock_gets_an_empty_one(dock, area, tmp_path):
@@ -106,7 +106,7 @@ def test_a_project_without_the_dock_gets_an_empty_one(dock, area, tmp_path):
     (tmp_path / "other.qgs").write_text("<qgis version='3.22.0'/>", encoding="utf-8")
     localize(dock, area.database, [area.image])
     QgsProject.instance().read(str(tmp_path / "other.qgs"))
-    assert table(dock) == []
+    assert results_of(dock) == []
     assert dock.content.database.path() == ""
 
 
@@ -127,34 +127,34 @@ def test_a_project_of_another_profile_works_with_the_model_that_ships_here(dock,
 
 def test_results_go_with_their_database_and_come_back_with_it(dock, iface, area, tab, tmp_path):
     localize(dock, area.database, [area.image])
-    shown, other = table(dock), str(shutil.copy(area.database, tmp_path / "other.gpkg"))
+    shown, other = results_of(dock), str(shutil.copy(area.database, tmp_path / "other.gpkg"))
     dock.content.database.file.setFilePath(other)
-    assert (table(dock), shown_outline(iface), tab.state_now().results) == ([], None, "")
+    assert (results_of(dock), shown_outline(iface), tab.state_now().results) == ([], None, "")
     dock.content.database.file.setFilePath(area.database)
-    assert table(dock) == shown and shown_outline(iface) is not None and tab.state_now().results
+    assert results_of(dock) == shown and shown_outline(iface) is not None and tab.state_now().results
 
 
 def test_other_images_leave_the_results_where_they_are(dock, area, tab):
     localize(dock, area.database, [area.image])
-    shown = table(dock)
+    shown = results_of(dock)
     tab.images.list.add([area.unreadable])
-    assert table(dock) == shown
+    assert results_of(dock) == shown
 
 
 @pytest.mark.slow
 def test_earlier_results_are_shown_until_another_choice(dock, area, tab, tmp_path):
     localize(dock, area.database, [area.image])
-    shown = table(dock)
+    shown = results_of(dock)
     # The database is replaced, then another one is chosen.
     dock.choose_database(area.database)
-    assert table(dock) == []
+    assert results_of(dock) == []
     dock.content.database.file.setFilePath(str(shutil.copy(area.database, tmp_path / "other.gpkg")))
     tab.results.earlier.aboutToShow.emit()
     tab.results.earlier.actions()[0].trigger()
     tab.images.list.add([area.unreadable])
-    assert table(dock) == shown
+    assert results_of(dock) == shown
     tab.images.model.setFilePath("/models/other.onnx")
-    assert table(dock) == []
+    assert results_of(dock) == []
 
 
 def test_a_message_that_waits_for_a_click_goes_with_its_project(dock, iface, tab):
@@ -188,7 +188,7 @@ def test_results_from_a_stranger_show_only_images_in_their_folder_or_in_the_list
     monkeypatch.setattr(tab.hit._picture_reader, "read", lambda *given: drawn.append(given[2].image))
     tab.show_state(replace(state, images=[]))
     assert drawn == [] and "not in the folder of the results" in tab.results.image.canvas._text
-    tab.hit.drape(tab.results.table.selected())
+    tab.hit.drape(tab.results.list.selected())
     assert any("not in the folder of the results" in text for text in messages(iface))
     tab.show_state(replace(state, images=[area.image]))
     assert drawn == [area.image]

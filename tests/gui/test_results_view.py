@@ -1,11 +1,11 @@
-"""Results in the dock: columns in a wide dock, two lines a row in a narrow one, and a large image."""
+"""Results in the dock: two lines a row at any width, and a large image."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
 import pytest
-from dock_area import AUTOMATIC, CONSTELLATION, choose_method, localize, settle, wait_until
+from dock_area import AUTOMATIC, CONSTELLATION, choose_method, localize, results_of, settle, wait_until
 
 pytestmark = pytest.mark.slow  # a dock is made for each test; test_localize_tab.py has results, too
 
@@ -25,38 +25,13 @@ def as_wide_as(dock, iface, width: int) -> None:
     settle()
 
 
-def headings(table) -> list[str]:
-    """Of the columns that are seen, from left to right."""
-    header = table.horizontalHeader()
-    columns = sorted(range(table.model().columnCount()), key=header.visualIndex)
-    model = table.model()
-    return [model.headerData(c, header.orientation()) for c in columns if not table.isColumnHidden(c)]
-
-
-def test_a_wide_dock_shows_all_columns_that_are_not_empty(dock, iface, found):
-    as_wide_as(dock, iface, 800)
-    table = found.results.table
-    assert not table.is_narrow and table.horizontalHeader().isVisible()
-    assert headings(table) == [
-        "Image",
-        "Status",
-        "Longitude, latitude",
-        "Radius (m)",
-        "Error probability",
-        "Heading",
-    ]
-    assert table.horizontalScrollBar().maximum() == 0
-
-
-def test_a_narrow_dock_has_two_lines_a_row_with_position_radius_and_error_probability(dock, iface, found):
-    as_wide_as(dock, iface, 320)
-    table = found.results.table
-    assert table.is_narrow and not table.horizontalHeader().isVisible()
-    assert table.rowHeight(0) >= 2 * table.fontMetrics().height()
-    assert table.horizontalScrollBar().maximum() == 0
-    from semref.ui.tabs.localize.results_model import SUMMARY
-
-    first, second = (table.model().index(row, SUMMARY).data().split("\n") for row in range(2))
+@pytest.mark.parametrize("width", [320, 800])
+def test_a_row_has_two_lines_with_position_radius_and_error_probability(dock, iface, found, width):
+    as_wide_as(dock, iface, width)
+    results = found.results.list
+    assert results.visualItemRect(results.item(0)).height() >= 2 * results.fontMetrics().height()
+    assert results.visualItemRect(results.item(0)).width() == results.viewport().width()
+    first, second = (results.item(row).text().split("\n") for row in range(2))
     assert first[0] == "on_window.tif · Position · error below 1 in 10,000"
     assert first[1].startswith("7.6") and " ± " in first[1] and first[1].endswith(" m")
     assert second[0] == "broken.tif · Unreadable" and "can't be read" in second[1]
@@ -65,25 +40,25 @@ def test_a_narrow_dock_has_two_lines_a_row_with_position_radius_and_error_probab
 @pytest.mark.parametrize("odds", ["error below 1 in 10,000", "Irrtum unter 1 : 10.000", "erreur < 1 sur 10 000"])
 @pytest.mark.parametrize("width", [320, 400])
 def test_how_surely_it_was_found_is_never_cut_off(dock, iface, found, odds, width):
-    from semref.ui.tabs.localize.results_table import _ICON_AND_MARGINS_PX, fit_name
+    from semref.ui.tabs.localize.results_list import _ICON_AND_MARGINS_PX, fit_name
 
     as_wide_as(dock, iface, width)
-    table = found.results.table
-    metrics, room = table.fontMetrics(), table.viewport().width() - _ICON_AND_MARGINS_PX
+    results = found.results.list
+    metrics, room = results.fontMetrics(), results.viewport().width() - _ICON_AND_MARGINS_PX
     for name in ("photo_01.jpg", "DJI_20261122_143201_0018_Wide_Mission_7.JPG"):
         above, below = fit_name(f"{name} · Position · {odds}\n9.69348, 48.95194 ± 2.2 m", name, metrics, room).split(
             "\n"
         )
         assert above.endswith(f" · {odds}") and above[:2] == name[:2]
         assert max(metrics.horizontalAdvance(line) for line in (above, below)) <= room
-    assert not table.horizontalScrollBar().isVisible()
+    assert not results.horizontalScrollBar().isVisible()
 
 
 @pytest.mark.parametrize("status", ["Position", "Position trouvée", "Posición encontrada"])
 def test_an_image_s_name_is_kept_rather_than_a_status_that_its_mark_shows(dock, iface, found, status):
-    from semref.ui.tabs.localize.results_table import fit_name
+    from semref.ui.tabs.localize.results_list import fit_name
 
-    metrics, odds = found.results.table.fontMetrics(), "error inferior a 1 de 10.000"
+    metrics, odds = found.results.list.fontMetrics(), "error inferior a 1 de 10.000"
     text = f"photo_01.jpg · {status} · {odds}"
     wide = metrics.horizontalAdvance(text)
     # A text is a little less wide than its parts together, which are measured.
@@ -95,9 +70,9 @@ def test_an_image_s_name_is_kept_rather_than_a_status_that_its_mark_shows(dock, 
 
 
 def test_photos_of_a_flight_are_distinguishable_if_their_names_do_not_fit(dock, iface, found):
-    from semref.ui.tabs.localize.results_table import fit_name
+    from semref.ui.tabs.localize.results_list import fit_name
 
-    metrics, odds = found.results.table.fontMetrics(), " · error below 1 in 10,000"
+    metrics, odds = found.results.list.fontMetrics(), " · error below 1 in 10,000"
     room = metrics.horizontalAdvance("photo_01" + odds) + 4
     shown = [fit_name(f"photo_0{n}.jpg{odds}", f"photo_0{n}.jpg", metrics, room).strip() for n in (1, 2)]
     assert shown == [f"photo_01{odds}", f"photo_02{odds}"]
@@ -114,32 +89,24 @@ def test_photos_of_a_flight_are_distinguishable_if_their_names_do_not_fit(dock, 
         ({"jump": True}, "Position, too far from other images"),
     ],
 )
-@pytest.mark.parametrize("width", [320, 800])
-def test_a_fix_that_something_speaks_against_has_no_check_mark(dock, iface, found, doubt, status, width):
+def test_a_fix_that_something_speaks_against_has_no_check_mark(dock, found, doubt, status):
     from qgis.core import QgsApplication
-    from qgis.PyQt.QtCore import Qt
 
-    from semref.ui.tabs.localize.results_model import IMAGE, STATUS, SUMMARY
-
-    table = found.results.table
-    fix = table.selected()
+    results = found.results.list
+    fix = results.selected()
     assert fix.status == "fix"
     reason = "The GPS position of this photo is 42 km from the ground of the database."
-    table.show_findings([fix, replace(fix, reason=reason, **doubt)])
-    as_wide_as(dock, iface, width)
+    results.show_findings([fix, replace(fix, reason=reason, **doubt)])
     marks = [QgsApplication.getThemeIcon(name) for name in ("/mIconSuccess.svg", "/mIconWarning.svg")]
     for row, mark in enumerate(marks):
-        for column in (IMAGE, SUMMARY):
-            icon = table.model().index(row, column).data(Qt.ItemDataRole.DecorationRole)
-            assert icon.pixmap(16).toImage() == mark.pixmap(16).toImage()
-    statuses = [table.model().index(row, STATUS).data() for row in range(2)]
-    assert statuses == ["Position", status]
+        assert results.item(row).icon().pixmap(16).toImage() == mark.pixmap(16).toImage()
+    assert [shown for _, shown in results_of(dock)] == ["Position", status]
     # The start of the second line is never cut off.
-    _, below = table.model().index(1, SUMMARY).data().split("\n")
+    _, below = results.item(1).text().split("\n")
     assert below.startswith(f"{status.partition(', ')[2]} · 7.6")
-    tip = table.model().index(1, IMAGE).data(Qt.ItemDataRole.ToolTipRole)
+    tip = results.item(1).toolTip()
     assert status in tip and reason in tip
-    table.selectRow(1)
+    results.setCurrentRow(1)
     assert status in found.results.details.toPlainText()
 
 
@@ -172,7 +139,7 @@ def test_the_details_have_one_decimal_sign(found):
     before = QLocale()
     QLocale.setDefault(QLocale("de_DE"))
     try:
-        found.results.details.show_finding(found.results.table.selected())
+        found.results.details.show_finding(found.results.list.selected())
     finally:
         QLocale.setDefault(before)
     lines = found.results.details.toPlainText().splitlines()
@@ -209,68 +176,6 @@ def test_all_tabs_are_seen_in_a_narrow_dock_in_other_languages(dock, iface, titl
     assert tabs.tabToolTip(0) == "Localize"
 
 
-def test_at_every_width_there_are_headings_just_where_there_are_columns(qgis_app, made_findings):
-    from qgis.PyQt.QtWidgets import QApplication
-
-    from semref.ui.tabs.localize.results_table import ResultsTable
-
-    table = ResultsTable()
-    table.resize(300, 92)
-    table.show()
-    table.show_findings(made_findings(4))
-    seen = set()
-    for width in (*range(300, 900, 8), *range(900, 300, -8)):
-        table.resize(width, 92)
-        QApplication.processEvents()
-        assert table.horizontalHeader().isVisible() != table.is_narrow, width
-        # The gap beside the other scroll bar at most, for which there is no bar.
-        assert table.horizontalScrollBar().maximum() <= 4 and not table.horizontalScrollBar().isVisible(), width
-        seen.add(table.is_narrow)
-    assert seen == {True, False}
-    table.deleteLater()
-
-
-@pytest.fixture
-def made_findings(qgis_app):
-    """`made_findings(count)`: fixes that differ by their numbers."""
-    from qgis.core import QgsCoordinateReferenceSystem
-
-    from semref.ui.findings import Finding
-
-    def make(count: int) -> list:
-        nothing = dict.fromkeys(Finding.__dataclass_fields__)
-        known = {
-            "status": "fix",
-            "x": 5e5,
-            "y": 5e6,
-            "longitude": 9.68160,
-            "latitude": 48.94774,
-            "heading": 90.6,
-            "confidence": 0.999999,
-            "error_95": 1.4,
-            "method": "constellation",
-            "crs": QgsCoordinateReferenceSystem("EPSG:32632"),
-            "possible": (),
-            "labels": "",
-        }
-        return [Finding(**{**nothing, **known, "image": f"/photos/photo_{n:02d}.jpg"}) for n in range(count)]
-
-    return make
-
-
-def test_what_the_picture_leaves_blank_is_the_tables(dock, iface, found):
-    from qgis.core import QgsSettings
-
-    QgsSettings().remove("semref/dock/results_parts_2")
-    as_wide_as(dock, iface, 320)
-    iface.window.resize(1000, 1400)
-    settle()
-    table, canvas = found.results.table, found.results.image.canvas
-    shown = table.verticalHeader().length()
-    assert table.viewport().height() >= shown
-    assert canvas.height() > canvas.width() * 0.8
-
-
 def test_right_to_left_a_selected_result_is_shown_as_well(dock, area, tab, qgis_app):
     from qgis.PyQt.QtCore import Qt
 
@@ -278,11 +183,11 @@ def test_right_to_left_a_selected_result_is_shown_as_well(dock, area, tab, qgis_
     try:
         choose_method(dock, AUTOMATIC)
         localize(dock, area.database, [area.image, area.unreadable])
-        table = tab.results.table
-        assert table.model().rowCount() == 2 and table.selected() is not None
-        table.selectRow(1)
-        table.selectRow(0)
-        assert table.selected().image.endswith("on_window.tif")
+        results = tab.results.list
+        assert results.count() == 2 and results.selected() is not None
+        results.setCurrentRow(1)
+        results.setCurrentRow(0)
+        assert results.selected().image.endswith("on_window.tif")
         wait_until(lambda: tab.results.image.canvas.scene().items(), "the picture")
     finally:
         qgis_app.setLayoutDirection(Qt.LayoutDirection.LeftToRight)

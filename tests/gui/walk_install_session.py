@@ -186,7 +186,7 @@ def localized():
     wait_until(lambda: not tab.run.running, "the localization")
     settle(3.0)
     picture("first_fix")
-    return tab.results.table.model().rowCount()
+    return tab.results.list.count()
 
 
 def timed(function, *arguments):

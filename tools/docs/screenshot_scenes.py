@@ -53,18 +53,17 @@ def localized(session: Session) -> None:
         dock.content.localize.localize_button.click()
         wait_for_results(dock.content.localize, "the localization")
         session.localized = True
-    table = dock.content.localize.results.table
-    for row in range(table.model().rowCount()):
-        index = table.model().index(row, 0)
-        if index.data() == SHOWN_PHOTO:
-            table.selectRow(row)
+    results = dock.content.localize.results.list
+    for row, finding in enumerate(results.findings):
+        if finding.name == SHOWN_PHOTO:
+            results.setCurrentRow(row)
     wait_until(lambda: dock.content.localize.results.image.canvas.scene().items(), "the selected image")
 
 
 def wait_for_results(tab, what: str) -> None:
     """Wait for a run. If it has no results, end the session with the text of the message bar."""
     wait_until(lambda: not tab.run.running, what)
-    if not tab.results.table.model().rowCount():
+    if not tab.results.list.count():
         raise RuntimeError(f"{what} left no results: {failures()}")
 
 
@@ -87,7 +86,7 @@ def with_results_in_view(session: Session, name: str) -> None:
 def flight(session: Session) -> None:
     """Show the flight of the sample on the map with a selected photo."""
     with localized_flight(session) as tab:
-        tab.results.table.selectRow(tab.results.table.model().rowCount() // 2)
+        tab.results.list.setCurrentRow(tab.results.list.count() // 2)
         wait_until(lambda: tab.results.image.canvas.scene().items(), "the selected image")
         session.take("flight")
 
@@ -139,7 +138,7 @@ def moving_fix(session: Session) -> None:
         box.setCollapsed(True)
     session.frame("first_fix", 1200)
     for row in STEPS:
-        tab.results.table.selectRow(row)
+        tab.results.list.setCurrentRow(row)
         wait_until(lambda: tab.results.image.canvas.scene().items(), "the selected image")
         session.frame("first_fix", 1600)
     for box in boxes:
@@ -153,8 +152,8 @@ def moving_flight(session: Session) -> None:
     session.resize(*FILMED)
     session.show_layers(False)
     with localized_flight(session) as tab:
-        for row in range(tab.results.table.model().rowCount()):
-            tab.results.table.selectRow(row)
+        for row in range(tab.results.list.count()):
+            tab.results.list.setCurrentRow(row)
             wait_until(lambda: tab.results.image.canvas.scene().items(), "the selected image")
             session.frame("flight", 700)
     session.show_layers(True)
@@ -188,7 +187,7 @@ def own_photos(session: Session) -> None:
         tab.localize_button.click()
         wait_for_results(tab, "the localization")
         session.localized = False
-        tab.results.table.selectRow(1)
+        tab.results.list.setCurrentRow(1)
         wait_until(lambda: tab.results.image.canvas.scene().items(), "the selected image")
         session.take("own_photos", session.dock)
         tab.images.list.show_only(listed)

@@ -132,14 +132,12 @@ class Walk:
 
     def look(self) -> None:
         tab = self.session.dock.content.localize
-        shown = tab.results.table.model()
-        results = shown.sourceModel()
-        findings = [results.finding(row) for row in range(results.rowCount())]
+        findings = tab.results.list.findings
         self.seen |= compared(findings, self.ground / "photos.csv")
         fixes = [row for row, finding in enumerate(findings) if finding.status == "fix"]
         with self.step("look"):
             self.hand.clicks += 1
-            tab.results.table.selectRow(shown.mapFromSource(results.index(fixes[0] if fixes else 0, 0)).row())
+            tab.results.list.setCurrentRow(fixes[0] if fixes else 0)
         if fixes:
             wait_until(lambda: tab.results.image.canvas.scene().items(), "the selected image")
         self.close_what_lies_over()

@@ -87,12 +87,6 @@ class ImageView(QWidget):
         """Show a text instead of a picture."""
         self.canvas.clear(text)
 
-    def height_for_all(self, width: int) -> int:
-        """Return the height for the whole picture at this width; 0 without a picture."""
-        scene = self.canvas.sceneRect()
-        beside = self.height() - self.canvas.height()
-        return round(width * scene.height() / scene.width()) + beside if self.canvas.scene().items() else 0
-
     def point_at(self, number: int) -> None:
         """Highlight one of the matched landmarks; 0 clears the highlight."""
         self.canvas.point_at(number)

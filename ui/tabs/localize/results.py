@@ -1,11 +1,10 @@
-"""Lower part of the tab *Localize*: table of results, selected image, and its details."""
+"""Lower part of the tab *Localize*: list of results, selected image, and its details."""
 
 from __future__ import annotations
 
 from qgis.core import QgsApplication, QgsSettings
 from qgis.gui import QgsCollapsibleGroupBox
 from qgis.PyQt.QtCore import QByteArray, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import QMenu, QPushButton, QSizePolicy, QSplitter, QToolButton, QVBoxLayout, QWidget
 
 from ....processing.translation import tr
@@ -14,22 +13,12 @@ from ...widgets.controls import shortcut, tool_button
 from ...widgets.layouts import FoldingRow, content_of, name_fold, narrow, row_of
 from .details import Details
 from .image_view import ImageView
-from .results_table import ResultsTable
+from .results_list import ResultsList
 
 _ZOOM_SETTING = "semref/dock/zoom_to_hit"
-_PARTS_SETTING = "semref/dock/results_parts_2"
-_SHARES = 1, 5, 0
-"""Shares of table, image and details in the remaining height."""
-
-
-class _Parts(QSplitter):
-    """Splitter that emits ``resized`` after its parts are resized."""
-
-    resized = pyqtSignal()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self.resized.emit()
+_PARTS_SETTING = "semref/dock/results_parts_3"
+_SHARES = 2, 3, 0
+"""Shares of list, image and details in the remaining height."""
 
 
 class ResultsBox(QgsCollapsibleGroupBox):
@@ -43,7 +32,7 @@ class ResultsBox(QgsCollapsibleGroupBox):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Results"), parent)
         self.setObjectName("SemRefResults")
-        self.table = ResultsTable()
+        self.list = ResultsList()
         self.image = ImageView()
         self.details = Details()
         # Icon only: in French its text is as wide as the rest of the row.
@@ -51,10 +40,10 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.zoom.setChecked(QgsSettings().value(_ZOOM_SETTING, True, type=bool))
         self._make_buttons()
         self._lay_out()
-        self.table.findingSelected.connect(self._select)
+        self.list.findingSelected.connect(self._select)
         self.zoom.toggled.connect(self._remember_zoom)
-        self.before.clicked.connect(lambda: self.table.step(-1))
-        self.after.clicked.connect(lambda: self.table.step(1))
+        self.before.clicked.connect(lambda: self.list.step(-1))
+        self.after.clicked.connect(lambda: self.list.step(1))
         self.save.clicked.connect(self._ask_to_save)
         self.drape.clicked.connect(self._drape)
         self.copy.clicked.connect(self._copy)
@@ -87,12 +76,10 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.drape.setToolTip(tr("Add the image to the project as a half-transparent layer at its position"))
 
     def _lay_out(self) -> None:
-        self.parts = _Parts(Qt.Orientation.Vertical)
-        self.parts.resized.connect(self.share_room)
+        self.parts = QSplitter(Qt.Orientation.Vertical)
         self.parts.setChildrenCollapsible(False)
-        for part in (self.table, self.image, self.details):
+        for part in (self.list, self.image, self.details):
             self.parts.addWidget(part)
-        # The image gets most of the height.
         for number, share in enumerate(_SHARES):
             self.parts.setStretchFactor(number, share)
         self.parts.restoreState(QgsSettings().value(_PARTS_SETTING, QByteArray(), type=QByteArray))
@@ -103,23 +90,9 @@ class ResultsBox(QgsCollapsibleGroupBox):
         layout.addWidget(FoldingRow(self.drape, self.save))
         name_fold(self)
 
-    def share_room(self) -> None:
-        """Give height that the picture does not need to table and details, unless the user moved the splitter."""
-        if QgsSettings().contains(_PARTS_SETTING):
-            return
-        room = sum(self.parts.sizes())
-        # The details get less than they need only if the height is small.
-        details = max(self.details.minimumSizeHint().height(), min(self.details.sizeHint().height(), room // 5))
-        both = room - details
-        wanted = self.image.height_for_all(self.parts.width())
-        least = max(self.table.minimumSizeHint().height(), both // (_SHARES[0] + _SHARES[1]))
-        height = max(least, min(both - wanted, self.table.height_of_all())) if wanted else least
-        spare = min(max(0, both - height - wanted), self.details.sizeHint().height()) if wanted else 0
-        self.parts.setSizes([height, both - height - spare, details + spare])
-
     def show_findings(self, findings: list[Finding]) -> None:
         """Replace the results, and select the first one."""
-        self.table.show_findings(findings)
+        self.list.show_findings(findings)
         self._allow_saving(bool(findings))
 
     def _allow_saving(self, on: bool) -> None:
@@ -149,11 +122,11 @@ class ResultsBox(QgsCollapsibleGroupBox):
         QgsSettings().setValue(_PARTS_SETTING, self.parts.saveState())
 
     def _drape(self) -> None:
-        self.drapeAsked.emit(self.table.selected())
+        self.drapeAsked.emit(self.list.selected())
 
     def _copy(self) -> None:
         """Copy longitude and latitude; without them, as with a local CRS, x and y."""
-        finding = self.table.selected()
+        finding = self.list.selected()
         text = lon_lat_text(finding) or x_y_text(finding)
         QgsApplication.clipboard().setText(text)
         self.copied.emit(text)

@@ -108,9 +108,8 @@ class ShownHit(QObject):
         self._picture_reader.read(tr("Reading an image"), self._pictures.read, query, self._database)
 
     def _show_picture(self, picture: ImagePicture) -> None:
-        finding = self._results.table.selected()
+        finding = self._results.list.selected()
         self._results.image.show_picture(picture, () if finding.matches is None else finding.matches.pixels)
-        self._results.share_room()
         self.described.emit(os.path.basename(picture.path), picture.seen.vector)
 
     def _zoom_if_asked(self) -> None:
