@@ -7,15 +7,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from dock_area import CONSTELLATION, CUT, DEADLINE_S, ORIGIN, WINDOW, choose_method, localize, settle, wait_until
+from dock_area import CONSTELLATION, CUT, DEADLINE_S, ORIGIN, WINDOW, choose_method, localize, wait_until
 from made_models import RGB, metadata, painted, write_model
-
-
-def pointed_numbers(dock) -> tuple:
-    return (
-        dock.content.localize.results.image.canvas._landmarks._pointed,
-        dock.content.localize.hit.matches._item._pointed,
-    )
 
 
 @pytest.mark.slow
@@ -81,24 +74,6 @@ def test_landmarks_that_agree_are_joined_between_the_image_and_the_map(dock, ifa
     assert tab.hit.matches.pairs == []
     iface.tool_bar_actions[0].trigger()
     assert len(tab.hit.matches.pairs) == len(marks)
-
-
-@pytest.mark.slow
-def test_the_landmark_under_the_mouse_is_stressed_on_both_sides(dock, iface, area, tab):
-    from qgis.PyQt.QtCore import QPoint
-    from qgis.PyQt.QtTest import QTest
-
-    choose_method(dock, CONSTELLATION)
-    localize(dock, area.database, [area.image])
-    wait_until(lambda: tab.results.image.canvas.scene().items(), "the picture")
-    settle()
-    view = tab.results.image.canvas
-    number, pixel = view._landmarks.matched[2]
-    QTest.mouseMove(view.viewport(), view.mapFromScene(pixel))
-    wait_until(lambda: pointed_numbers(dock) == (number, number), "the stressed landmark")
-    place = iface.canvas.getCoordinateTransform().transform(tab.hit.matches.pairs[4][1])
-    QTest.mouseMove(iface.canvas.viewport(), QPoint(round(place.x()), round(place.y())))
-    wait_until(lambda: pointed_numbers(dock) == (5, 5), "the other stressed landmark")
     # Drawn without an error, which pytest would see.
     tab.results.image.grab()
     iface.canvas.grab()

@@ -4,31 +4,23 @@ from __future__ import annotations
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsCsException, QgsPointXY
 from qgis.gui import QgsMapCanvas, QgsMapCanvasItem
-from qgis.PyQt.QtCore import QPointF, QRectF, pyqtSignal
+from qgis.PyQt.QtCore import QPointF, QRectF
 from qgis.PyQt.QtGui import QPainter, QPen
 
 from ..findings import MatchPoints
 from .marks import RED, RIM, Marks, to_canvas
-from .numbers import nearest_number, paint_numbers, paint_ring
+from .numbers import paint_numbers, paint_ring
 
 _RING_PX = 6.0
-_POINTED_RING_PX = 11.0
-_REACH_PX = 12.0
 
 
 class MatchMarks(Marks):
-    """Pairs of matched landmarks.
-
-    pointed: number of the landmark under the mouse; otherwise 0.
-    """
-
-    pointed = pyqtSignal(int)
+    """Pairs of matched landmarks."""
 
     def __init__(self, canvas: QgsMapCanvas) -> None:
         super().__init__(canvas, {})
         self._item: _Item | None = _Item(canvas)
         self._matches: MatchPoints | None = None
-        canvas.xyCoordinates.connect(self._look)
 
     @property
     def pairs(self) -> list[tuple[QgsPointXY, QgsPointXY]]:
@@ -44,20 +36,10 @@ class MatchMarks(Marks):
         self._matches = None
         self._place()
 
-    def point_at(self, number: int) -> None:
-        """Highlight one landmark; 0 clears the highlight."""
-        self._item.point_at(number)
-
     def remove(self) -> None:
         super().remove()
-        self._canvas.xyCoordinates.disconnect(self._look)
         self._canvas.scene().removeItem(self._item)
         self._item = None
-
-    def _look(self, place: QgsPointXY) -> None:
-        if self._item.pairs:
-            position = self._item.toCanvasCoordinates(place)
-            self.pointed.emit(nearest_number(self._item.places(), QPointF(position), _REACH_PX) or 0)
 
     def _place(self) -> bool:
         pairs = self._pairs_on_canvas() if self._matches is not None and self._visible else []
@@ -82,17 +64,11 @@ class _Item(QgsMapCanvasItem):
         super().__init__(canvas)
         self._canvas = canvas
         self.pairs: list[tuple[QgsPointXY, QgsPointXY]] = []
-        self._pointed = 0
 
     def show_pairs(self, pairs: list[tuple[QgsPointXY, QgsPointXY]]) -> None:
-        self.pairs, self._pointed = pairs, 0
+        self.pairs = pairs
         self.setVisible(bool(pairs))
         self.updatePosition()
-
-    def point_at(self, number: int) -> None:
-        if number != self._pointed:
-            self._pointed = number
-            self.update()
 
     def places(self) -> list[tuple[int, QPointF]]:
         """Return numbers and canvas pixels of the map's landmarks."""
@@ -112,9 +88,9 @@ class _Item(QgsMapCanvasItem):
             return
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         places = self.places()
-        for (seen, _), (number, place) in zip(self.pairs, places):
+        for (seen, _), (_, place) in zip(self.pairs, places):
             for color, width in ((RIM, 4), (RED, 2)):
                 painter.setPen(QPen(color, width))
                 painter.drawLine(self.toCanvasCoordinates(seen), place)
-            paint_ring(painter, place, _POINTED_RING_PX if number == self._pointed else _RING_PX, RED)
-        paint_numbers(painter, self._canvas.font(), places, self._pointed)
+            paint_ring(painter, place, _RING_PX, RED)
+        paint_numbers(painter, self._canvas.font(), places)

@@ -10,30 +10,28 @@ from qgis.PyQt.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPainterPath
 from .marks import RIM
 
 _INK = QColor("#000000")
-_POINTED = QColor("#ffd400")
 _AWAY_PX = 6.0
 _CELL_PX = 16.0
 
 
-def paint_numbers(painter: QPainter, font: QFont, places: Iterable[tuple[int, QPointF]], pointed: int) -> None:
+def paint_numbers(painter: QPainter, font: QFont, places: Iterable[tuple[int, QPointF]]) -> None:
     """Write each number next to its place (pixels of ``painter``); numbers that would overlap are left out."""
     small = QFont(font)
     small.setPointSizeF(max(font.pointSizeF() * 0.85, 6.0))
     metrics = QFontMetricsF(small)
     taken: set[tuple[int, int]] = set()
-    # The pointed one first, so that it gets room.
-    for number, place in sorted(places, key=lambda entry: entry[0] != pointed):
+    for number, place in places:
         text = str(number)
         box = QRectF(
             place.x() + _AWAY_PX, place.y() - metrics.height(), metrics.horizontalAdvance(text), metrics.height()
         )
         cells = _cells(box)
-        if number != pointed and not taken.isdisjoint(cells):
+        if not taken.isdisjoint(cells):
             continue
         taken.update(cells)
         path = QPainterPath()
         path.addText(QPointF(box.left(), box.bottom() - metrics.descent()), small, text)
-        painter.setPen(QPen(_POINTED if number == pointed else RIM, 3))
+        painter.setPen(QPen(RIM, 3))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawPath(path)
         painter.fillPath(path, _INK)
@@ -45,13 +43,6 @@ def paint_ring(painter: QPainter, place: QPointF, radius: float, color: QColor) 
     for pen_color, width in ((RIM, 3.5), (color, 1.5)):
         painter.setPen(QPen(pen_color, width))
         painter.drawEllipse(place, radius, radius)
-
-
-def nearest_number(places: Iterable[tuple[int, QPointF]], position: QPointF, reach: float) -> int | None:
-    """Return the number of the nearest place within ``reach``; None without one."""
-    away = [((place.x() - position.x()) ** 2 + (place.y() - position.y()) ** 2, number) for number, place in places]
-    squared, number = min(away, default=(float("inf"), None))
-    return number if squared <= reach**2 else None
 
 
 def _cells(box: QRectF) -> set[tuple[int, int]]:

@@ -13,7 +13,7 @@ from ...canvas.numbers import paint_numbers, paint_ring
 from .picture import ImagePicture
 
 _LANDMARK_PX = 7
-_RING_PX, _POINTED_RING_PX = 4.0, 9.0
+_RING_PX = 4.0
 
 
 class LandmarkDots(QGraphicsItem):
@@ -32,13 +32,6 @@ class LandmarkDots(QGraphicsItem):
         ]
         self.matched = [(number, QPointF(*pixel)) for number, pixel in enumerate(matched, start=1)]
         self._font = font
-        self._pointed = 0
-
-    def point_at(self, number: int) -> None:
-        """Highlight one of the matched landmarks; 0 clears the highlight."""
-        if number != self._pointed:
-            self._pointed = number
-            self.update()
 
     def boundingRect(self) -> QRectF:
         return self._rect
@@ -51,13 +44,9 @@ class LandmarkDots(QGraphicsItem):
             painter.setBrush(Qt.BrushStyle.NoBrush if cut else color)
             painter.drawEllipse(transform.map(center), _LANDMARK_PX / 2, _LANDMARK_PX / 2)
         places = [(number, transform.map(center)) for number, center in self.matched]
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(QPen(RED, 2))
-        for number, place in places:
-            painter.drawEllipse(place, _RING_PX, _RING_PX)
-            if number == self._pointed:
-                paint_ring(painter, place, _POINTED_RING_PX, RED)
-        paint_numbers(painter, self._font, places, self._pointed)
+        for _, place in places:
+            paint_ring(painter, place, _RING_PX, RED)
+        paint_numbers(painter, self._font, places)
         painter.setWorldTransform(transform)
 
 

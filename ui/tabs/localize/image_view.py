@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from qgis.core import QgsSettings
-from qgis.PyQt.QtCore import QEvent, QRectF, QSize, Qt, pyqtSignal
+from qgis.PyQt.QtCore import QRectF, QSize, Qt
 from qgis.PyQt.QtGui import (
     QImage,
     QKeyEvent,
@@ -29,7 +29,6 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ....processing.translation import tr
-from ...canvas.numbers import nearest_number
 from ...widgets.layouts import FoldingRow, narrow, row_of
 from ...widgets.tables import paint_placeholder
 from .image_marks import LandmarkDots, VectorStar
@@ -39,18 +38,12 @@ _LANDMARKS_SETTING = "semref/dock/show_landmarks"
 _STAR_SETTING = "semref/dock/show_star"
 _OPACITY_SETTING = "semref/dock/label_opacity"
 
-_REACH_PX = 12
 _ZOOM_STEP = 1.25
 _MOST_ZOOM = 40.0
 
 
 class ImageView(QWidget):
-    """Image view: wheel zooms, drag moves, double click shows the whole image.
-
-    pointed: number of the matched landmark under the mouse; otherwise 0.
-    """
-
-    pointed = pyqtSignal(int)
+    """Image view: wheel zooms, drag moves, double click shows the whole image."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -75,7 +68,6 @@ class ImageView(QWidget):
         self.opacity.valueChanged.connect(self._apply)
         self.landmarks.toggled.connect(self._apply)
         self.star.toggled.connect(self._apply)
-        self.canvas.pointed.connect(self.pointed)
         self.clear("")
 
     def show_picture(self, picture: ImagePicture, matched: Sequence[tuple[float, float]]) -> None:
@@ -86,10 +78,6 @@ class ImageView(QWidget):
     def clear(self, text: str) -> None:
         """Show a text instead of a picture."""
         self.canvas.clear(text)
-
-    def point_at(self, number: int) -> None:
-        """Highlight one of the matched landmarks; 0 clears the highlight."""
-        self.canvas.point_at(number)
 
     def _apply(self) -> None:
         settings = QgsSettings()
@@ -108,8 +96,6 @@ def _side_by_side(*widgets: QWidget | tuple[QWidget, int]) -> QWidget:
 class _Canvas(QGraphicsView):
     """Graphics view; its scene has the pixels of the image."""
 
-    pointed = pyqtSignal(int)
-
     def __init__(self) -> None:
         super().__init__()
         self.setScene(QGraphicsScene(self))
@@ -118,7 +104,6 @@ class _Canvas(QGraphicsView):
         self.setTransformationAnchor(QGraphicsView.ViewportAnchor.AnchorUnderMouse)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setMouseTracking(True)
         self.setAccessibleName(tr("Selected image. Press + or - to zoom, and 0 to show the whole image."))
         self._text = ""
         self._labels: QGraphicsItem | None = None
@@ -159,10 +144,6 @@ class _Canvas(QGraphicsView):
             self._landmarks.setVisible(landmarks)
             self._star.setVisible(star)
 
-    def point_at(self, number: int) -> None:
-        if self._landmarks is not None:
-            self._landmarks.point_at(number)
-
     def fit(self) -> None:
         self.fitInView(self.sceneRect(), Qt.AspectRatioMode.KeepAspectRatio)
 
@@ -178,17 +159,6 @@ class _Canvas(QGraphicsView):
         super().resizeEvent(event)
         if self._labels is not None:
             self.fit()
-
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        super().mouseMoveEvent(event)
-        if self._landmarks is not None and self._landmarks.isVisible():
-            # In scene pixels, so that the distance on the screen is the same at any zoom.
-            reach = _REACH_PX / max(self.transform().m11(), 1e-9)
-            self.pointed.emit(nearest_number(self._landmarks.matched, self.mapToScene(event.pos()), reach) or 0)
-
-    def leaveEvent(self, event: QEvent) -> None:
-        super().leaveEvent(event)
-        self.pointed.emit(0)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         self.fit()

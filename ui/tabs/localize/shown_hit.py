@@ -52,8 +52,6 @@ class ShownHit(QObject):
         self._results.findingSelected.connect(self._show)
         self._results.zoom.toggled.connect(self._zoom_if_asked)
         self._results.drapeAsked.connect(self.drape)
-        self._results.image.pointed.connect(self._point_at)
-        self.matches.pointed.connect(self._point_at)
         self._picture_reader.answered.connect(self._show_picture)
         self._picture_reader.failed.connect(self._results.image.clear)
         self._drape_reader.answered.connect(self._show_drape)
@@ -115,11 +113,6 @@ class ShownHit(QObject):
     def _zoom_if_asked(self) -> None:
         if self._results.zoom.isChecked():
             self.highlight.zoom()
-
-    def _point_at(self, number: int) -> None:
-        """Highlight one of the matched landmarks, in the image and on the map."""
-        self._results.image.point_at(number)
-        self.matches.point_at(number)
 
     # --- image on the map ---
 
