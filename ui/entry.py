@@ -64,7 +64,7 @@ class DockEntry:
         self._add_to_menu(*copy, self._copy_diagnostics)
         # The page does not own them: an installation continues when the options are closed.
         self._installer, self._training_installer = ComponentInstaller(window), ComponentInstaller(window)
-        self._options = OptionsFactory(self._installer, self._training_installer, self._diagnostics)
+        self._options = OptionsFactory(self._installer, self._training_installer)
         iface.registerOptionsWidgetFactory(self._options)
         self._dock.notice.installAsked.connect(self._show_options)
         self._options.changed.connect(self._dock.refresh_notice)
@@ -131,11 +131,8 @@ class OptionsFactory(QgsOptionsWidgetFactory):
 
     changed = pyqtSignal()
 
-    def __init__(
-        self, installer: ComponentInstaller, training_installer: ComponentInstaller, diagnostics: Diagnostics
-    ) -> None:
+    def __init__(self, installer: ComponentInstaller, training_installer: ComponentInstaller) -> None:
         super().__init__("SemRef", QIcon(str(ICON_PATH)))
-        self._diagnostics = diagnostics
         self._installer, self._training_installer = installer, training_installer
 
     def createWidget(self, parent=None) -> ComponentsPage:
@@ -145,7 +142,6 @@ class OptionsFactory(QgsOptionsWidgetFactory):
         page = ComponentsPage(self._installer, self._training_installer, parent)
         page.setObjectName(PAGE)
         page.removed.connect(self.changed)
-        page.diagnosticsAsked.connect(lambda: page.state.setText(self._diagnostics.copy()))
         return page
 
 

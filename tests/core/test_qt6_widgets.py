@@ -22,7 +22,7 @@ PAINTED = {
     "details": 1000,
     "components_page": 20_000,
     "missing_notice": 1000,
-    "row_of_buttons": 2000,
+    "row_of_buttons": 350,
 }
 """Least number of pixels that differ from the background: about a third of those with one style and font."""
 

@@ -135,7 +135,9 @@ def row_of_buttons():
 
     buttons, layouts = module("ui.widgets.controls"), module("ui.widgets.layouts")
     made = QWidget()
-    row = layouts.row_of(buttons.tool_button("/mActionAdd.svg", "Add", True), (buttons.split_button("More", "help"), 1))
+    row = layouts.row_of(
+        buttons.tool_button("/mActionAdd.svg", "Add", True), (buttons.tool_button("/mActionRemove.svg", "Remove"), 1)
+    )
     made.setLayout(layouts.narrow(row))
     buttons.shortcut("Ctrl+Right", made)
     return made

@@ -55,7 +55,6 @@ class ComponentsPage(QgsOptionsPageWidget):
     """Options page. ``installer`` outlives it, so a page that is opened later shows a running installation."""
 
     removed = pyqtSignal()
-    diagnosticsAsked = pyqtSignal()
 
     def __init__(
         self, installer: ComponentInstaller, training_installer: ComponentInstaller | None = None, parent=None
@@ -71,8 +70,6 @@ class ComponentsPage(QgsOptionsPageWidget):
         self.copy = QPushButton(QgsApplication.getThemeIcon("/mActionEditCopy.svg"), tr("Copy command"))
         self.remove = QPushButton(tr("Remove SemRef’s packages"))
         self.models = QPushButton(tr("Show models…"))
-        self.diagnostics = QPushButton(QgsApplication.getThemeIcon("/mActionEditCopy.svg"), tr("Copy diagnostics"))
-        self.diagnostics.setToolTip(tr("Copy the information that a bug report needs"))
         self.cancel = QPushButton(tr("Cancel"))
         self.progress = QProgressBar()
         self.state = QLabel()
@@ -108,7 +105,6 @@ class ComponentsPage(QgsOptionsPageWidget):
         buttons.addWidget(self.install_wheels, 0, 1)
         buttons.addWidget(self.copy, 1, 0)
         buttons.addWidget(self.remove, 1, 1)
-        buttons.addWidget(self.diagnostics, 2, 0)
         buttons.setColumnStretch(2, 1)
         group = QGroupBox(tr("Python packages"))
         layout = QVBoxLayout(group)
@@ -165,7 +161,6 @@ class ComponentsPage(QgsOptionsPageWidget):
         self.remove.clicked.connect(self._remove)
         self.cancel.clicked.connect(self._installer.cancel)
         self.models.clicked.connect(self._show_models)
-        self.diagnostics.clicked.connect(self.diagnosticsAsked)
         self._installer.began.connect(self.state.setText)
         self._installer.outputRead.connect(self._add_to_log)
         self._installer.installed.connect(self._show_installed)

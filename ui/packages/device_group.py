@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtWidgets import QComboBox, QGroupBox, QLabel, QVBoxLayout
 
 from ...processing.packages.devices import (
     AUTO,
     DEVICES,
-    Device,
     available_devices,
     choose_device,
     chosen_device,
@@ -58,17 +56,9 @@ class DeviceGroup(QGroupBox):
         for device in DEVICES:
             self.device.addItem(device.title, device.key)
             if device not in there:
-                place = self.device.count() - 1
-                self.device.model().item(place).setEnabled(device.key == chosen)
-                self.device.setItemData(place, _where(device), Qt.ItemDataRole.ToolTipRole)
+                self.device.model().item(self.device.count() - 1).setEnabled(device.key == chosen)
         self.device.setCurrentIndex(max(0, self.device.findData(chosen)))
         lacking = [device for device in DEVICES if device not in there]
         each = ", ".join(f"{device.title} ({package_name(device)})" for device in lacking)
         self.missing.setText(tr("Not available (required Python package in brackets): {devices}.").format(devices=each))
         self.missing.setVisible(bool(lacking))
-
-
-def _where(device: Device) -> str:
-    """Return the package that a device needs."""
-    text = tr("{device} is not available. It needs the Python package {package}.")
-    return text.format(device=device.title, package=package_name(device))

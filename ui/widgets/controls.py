@@ -4,20 +4,15 @@ from __future__ import annotations
 
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import Qt
-from qgis.PyQt.QtGui import QKeySequence, QPaintEvent
+from qgis.PyQt.QtGui import QKeySequence
 from qgis.PyQt.QtWidgets import (
     QComboBox,
     QShortcut,
-    QStyle,
-    QStyleOptionComboBox,
-    QStylePainter,
     QToolButton,
     QWidget,
 )
 
 _LEAST_LETTERS = 8
-_BESIDE_ICON_PX, _MARGINS_PX = 4, 2
-"""Widths that Qt's styles use."""
 
 
 def tool_button(icon: str, text: str, checkable: bool = False, made: QToolButton | None = None) -> QToolButton:
@@ -44,24 +39,9 @@ def shortcut(keys: str, parent: QWidget) -> QShortcut:
 
 
 class ChoiceBox(QComboBox):
-    """Combo box that elides its text; Qt would cut it off."""
+    """Combo box that may be narrower than its longest text."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.setMinimumContentsLength(_LEAST_LETTERS)
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter, option = QStylePainter(self), QStyleOptionComboBox()
-        self.initStyleOption(option)
-        painter.drawComplexControl(QStyle.ComplexControl.CC_ComboBox, option)
-        room = (
-            self.style()
-            .subControlRect(QStyle.ComplexControl.CC_ComboBox, option, QStyle.SubControl.SC_ComboBoxEditField, self)
-            .width()
-        )
-        if not option.currentIcon.isNull():
-            room -= option.iconSize.width() + _BESIDE_ICON_PX
-        text = option.fontMetrics.elidedText(option.currentText, Qt.TextElideMode.ElideRight, room - _MARGINS_PX)
-        option.currentText = text
-        painter.drawControl(QStyle.ControlElement.CE_ComboBoxLabel, option)

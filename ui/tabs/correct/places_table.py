@@ -17,7 +17,7 @@ from ....processing.translation import tr
 from ...widgets.tables import changes_font, paint_placeholder, select_row, severity_icon
 from ...widgets.texts import number_text, plain_tip
 
-SEVERITY_COLUMN, KIND_COLUMN, MESSAGE_COLUMN, POSITION_COLUMN = range(4)
+SEVERITY_COLUMN, KIND_COLUMN, MESSAGE_COLUMN = range(3)
 
 SEVERITY = "severity"
 """Severity field of the issues of *Check land-cover layer*."""
@@ -34,8 +34,6 @@ _COLUMNS = ((KIND, "annotated_class"), ("message", "predicted_class"))
 _LINES = 2
 """Lines of a message before it is cut off; enough for most in a dock of usual width."""
 _MARGIN_PX = 6
-_WIDE_LETTERS = 70
-"""Least width in letters at which the list shows positions beside messages."""
 
 
 class PlaceRow(NamedTuple):
@@ -59,10 +57,8 @@ class PlaceRow(NamedTuple):
 class PlacesTable(QTableWidget):
     """Table of places; done ones are struck through."""
 
-    _positions_beside = True
-
     def __init__(self) -> None:
-        super().__init__(0, 2 + len(_COLUMNS))
+        super().__init__(0, 1 + len(_COLUMNS))
         self._icons = {severity: severity_icon(severity) for severity in SEVERITIES}
         self.setObjectName("SemRefPlaces")
         self.setAccessibleName(tr("Places"))
@@ -85,10 +81,9 @@ class PlacesTable(QTableWidget):
     def show_titles(self, layer: QgsVectorLayer | None) -> None:
         """Set the headings for a layer, or those of issues without one."""
         names = _fields(layer) if layer is not None else [choices[0] for choices in _COLUMNS]
-        self.setHorizontalHeaderLabels(["", *(_title(name) for name in names), tr("Position")])
+        self.setHorizontalHeaderLabels(["", *(_title(name) for name in names)])
         self.horizontalHeaderItem(SEVERITY_COLUMN).setToolTip(tr("Severity"))
         self.horizontalHeaderItem(SEVERITY_COLUMN).setIcon(self._icons[WARNING])
-        self._positions_beside = layer is None or _has_messages(layer)
         self.setColumnHidden(SEVERITY_COLUMN, layer is not None and not has_severity(layer))
         self.setColumnWidth(SEVERITY_COLUMN, 2 * self.fontMetrics().height())
 
@@ -106,8 +101,6 @@ class PlacesTable(QTableWidget):
             item.setData(Qt.ItemDataRole.UserRole, place.id)
             if column == MESSAGE_COLUMN:
                 item.setToolTip(plain_tip(item.text()))
-            if column == POSITION_COLUMN:
-                item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             self.setItem(number, column, item)
         return number
 
@@ -133,20 +126,12 @@ class PlacesTable(QTableWidget):
 
     def fit_columns(self) -> None:
         """Fit the column of kinds to its content, up to a third of the width."""
-        for column in (KIND_COLUMN, POSITION_COLUMN):
-            self.resizeColumnToContents(column)
+        self.resizeColumnToContents(KIND_COLUMN)
         self._fit_width()
 
     def _fit_width(self) -> None:
-        width = self.viewport().width()
-        self.setColumnWidth(KIND_COLUMN, min(max(self.columnWidth(KIND_COLUMN), 1), width // 3))
-        # The line below the list also shows the position.
-        has_room = self._positions_beside and width >= _WIDE_LETTERS * self.fontMetrics().averageCharWidth()
-        if has_room and self.isColumnHidden(POSITION_COLUMN):
-            self.setColumnHidden(POSITION_COLUMN, False)
-            # The width of a hidden column ignores its heading.
-            self.resizeColumnToContents(POSITION_COLUMN)
-        self.setColumnHidden(POSITION_COLUMN, not has_room)
+        width = self.viewport().width() // 3
+        self.setColumnWidth(KIND_COLUMN, min(max(self.columnWidth(KIND_COLUMN), 1), width))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -192,8 +177,9 @@ def places_of(layer: QgsVectorLayer) -> Iterator[PlaceRow]:
         # All disagreements may have the same classes, so area and position are shown below.
         title, key = (kind, feature[KIND]) if with_messages else (f"{kind} → {message}",) * 2
         second = _joined(area, message) if with_messages else f"{message}\n{_joined(area, position)}"
-        texts = [kind, second, position]
-        yield PlaceRow(feature.id(), "" if is_null(severity) else severity, texts, "" if is_null(key) else key, title)
+        yield PlaceRow(
+            feature.id(), "" if is_null(severity) else severity, [kind, second], "" if is_null(key) else key, title
+        )
 
 
 def place_text(feature: QgsFeature, layer: QgsVectorLayer) -> str:
