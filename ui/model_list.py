@@ -147,21 +147,19 @@ class ModelsDialog(QDialog):
 
     chosen = pyqtSignal(str)
 
-    def __init__(self, current: str = "", parent: QWidget | None = None, can_use: bool = True) -> None:
-        """``current``: path of the model in use. ``can_use``: whether the user can choose a model here."""
+    def __init__(self, current: str = "", parent: QWidget | None = None) -> None:
+        """``current``: path of the model in use."""
         super().__init__(parent)
         self.setObjectName("SemRefModels")
         self.setWindowTitle(tr("Models for photos"))
         self.models = ModelList()
         self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         self.use = self.buttons.addButton(tr("Use this model"), QDialogButtonBox.ButtonRole.AcceptRole)
-        self.use.setVisible(can_use)
         layout = QVBoxLayout(self)
         layout.addWidget(self.models)
         layout.addWidget(self.buttons)
         self.models.selected.connect(lambda path: self.use.setEnabled(bool(path)))
-        if can_use:
-            self.models.chosen.connect(self._take)
+        self.models.chosen.connect(self._take)
         self.buttons.accepted.connect(lambda: self._take(self.models.path()))
         self.buttons.rejected.connect(self.reject)
         self.use.setEnabled(bool(self.models.path()))

@@ -35,7 +35,6 @@ class DockState:
         model: Path of the model for photos.
         method: METHOD of semref:localizeimages.
         images: Files and folders.
-        opacity: Opacity of the labels in percent.
         results: GeoPackage of the results.
         prior: Search circle; None for the whole database.
         is_flight: Whether the images are one flight.
@@ -45,7 +44,6 @@ class DockState:
     model: str = ""
     method: int = 0
     images: list[str] = field(default_factory=list)
-    opacity: int = 60
     results: str = ""
     prior: Prior | None = None
     is_flight: bool = False
@@ -58,7 +56,6 @@ def write_state(project: QgsProject, state: DockState) -> None:
     project.writeEntry(SCOPE, "/results", project.writePath(state.results))
     project.writeEntry(SCOPE, "/images", [project.writePath(path) for path in state.images[:_LISTED_IMAGES]])
     project.writeEntry(SCOPE, "/method", state.method)
-    project.writeEntry(SCOPE, "/opacity", state.opacity)
     project.writeEntry(SCOPE, "/flight", state.is_flight)
     project.writeEntry(SCOPE, "/prior", [] if state.prior is None else [str(value) for value in state.prior])
 
@@ -78,7 +75,6 @@ def read_state(project: QgsProject) -> DockState | None:
         resolve_model(path_of("/model")),
         method if 0 <= method < _METHODS else 0,
         [path for path in (_local(project, one) for one in project.readListEntry(SCOPE, "/images")[0]) if path],
-        min(max(project.readNumEntry(SCOPE, "/opacity", 60)[0], 0), 100),
         path_of("/results"),
         _prior_of(project.readListEntry(SCOPE, "/prior")[0]),
         project.readBoolEntry(SCOPE, "/flight", False)[0],

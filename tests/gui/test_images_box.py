@@ -24,22 +24,6 @@ def test_dropped_files_are_added_once_and_selected_ones_removed(dock, area, tab)
     assert tab.images.paths() == [area.unreadable]
 
 
-def test_a_raster_layer_of_the_project_is_an_image(dock, area, tab):
-    from qgis.core import QgsProject
-
-    tab.images.layers.aboutToShow.emit()
-    assert not tab.images.layers.actions()[0].isEnabled()
-    add_raster_layer(area.image, "aerial image")
-    dock.content.database.file.setFilePath(area.database)
-    dock.content.database.add_to_map.click()
-    tab.images.layers.aboutToShow.emit()
-    (action,) = tab.images.layers.actions()
-    assert action.text() == "aerial image"
-    QgsProject.instance().clear()
-    action.trigger()
-    assert tab.images.paths() == [area.image]
-
-
 def test_layers_dropped_on_the_list_become_images_and_others_are_reported(dock, iface, area, issues, tab):
     layer = add_raster_layer(area.image, "aerial image")
     assert dropped(tab.images.list, from_the_layer_tree(layer, issues))

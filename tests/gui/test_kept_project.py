@@ -30,7 +30,7 @@ def test_a_project_of_version_1_brings_dock_layers_and_results_back(dock, iface,
     state = tab.state_now()
     assert (Path(state.database), state.model, state.method) == (kept / "database.gpkg", "", 0)
     assert [Path(path) for path in state.images] == [kept / "here.png", kept / "nothing.png"]
-    assert (Path(state.results), state.opacity) == (kept / "results.gpkg", 35)
+    assert Path(state.results) == kept / "results.gpkg"
     assert state.prior == (600200.0, 5199600.0, 600700.0, 5199600.0, "EPSG:25832")
     (first, found), (second, not_found) = results_of(dock)
     assert (first, second) == ("here.png", "nothing.png")

@@ -1,4 +1,4 @@
-"""The list of models with their cards, opened from the dock and from the options."""
+"""The list of models with their cards."""
 
 from __future__ import annotations
 

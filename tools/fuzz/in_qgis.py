@@ -185,7 +185,6 @@ def projects(world: World) -> Tools:
             raise Refused("QGIS refused the project.")
         require(all(isinstance(text, str) for text in (state.database, state.model, *state.images)), "a path")
         require(isinstance(state.method, int) and 0 <= state.method < 10, f"method {state.method}")
-        require(0 <= state.opacity <= 100, f"opacity {state.opacity}")
         known: Sequence[float] = state.prior[:4] if state.prior is not None else ()
         require(all(math.isfinite(value) and abs(value) < 1e10 for value in known), "a circle that is none")
 

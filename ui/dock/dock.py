@@ -111,10 +111,7 @@ class SemRefDock(QgsDockWidget):
         """Show the dock with database, model, images and results, and the automatic method."""
         from .content import LOCALIZE
 
-        localize = self.content.localize
-        localize.show_state(
-            DockState(database, model, Method.AUTOMATIC.number, images, localize.results.image.opacity.value(), results)
-        )
+        self.content.localize.show_state(DockState(database, model, Method.AUTOMATIC.number, images, results))
         self.setUserVisible(True)
         self.content.tabs.setCurrentIndex(LOCALIZE)
 
@@ -180,7 +177,7 @@ class SemRefDock(QgsDockWidget):
         """Stop following the project, and leave the dock's state in it for a plugin that is loaded again."""
         project = QgsProject.instance()
         state, is_dirty = self._state_now(), project.isDirty()
-        if state is not None and state != (read_state(project) or DockState(opacity=state.opacity)):
+        if state is not None and state != (read_state(project) or DockState()):
             write_state(project, state)
             # The user has nothing to save because of it.
             project.setDirty(is_dirty)
@@ -192,8 +189,7 @@ class SemRefDock(QgsDockWidget):
         """Clear database, marks and results when the project is closed."""
         self._wanted_state = None
         if self._content is not None:
-            opacity = self._content.localize.results.image.opacity.value()
-            self._content.localize.show_state(DockState(opacity=opacity))
+            self._content.localize.show_state(DockState())
 
     # --- the window ---
 

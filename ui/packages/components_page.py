@@ -40,7 +40,6 @@ from ...processing.packages.components import (
     remove_components,
 )
 from ...processing.translation import tr
-from ..model_list import ModelsDialog
 from ..widgets.layouts import row_of
 from .component_installer import ComponentInstaller
 from .device_group import DeviceGroup
@@ -69,7 +68,6 @@ class ComponentsPage(QgsOptionsPageWidget):
         self.install_wheels = QPushButton(tr("Install from a folder of wheels…"))
         self.copy = QPushButton(QgsApplication.getThemeIcon("/mActionEditCopy.svg"), tr("Copy command"))
         self.remove = QPushButton(tr("Remove SemRef’s packages"))
-        self.models = QPushButton(tr("Show models…"))
         self.cancel = QPushButton(tr("Cancel"))
         self.progress = QProgressBar()
         self.state = QLabel()
@@ -123,9 +121,6 @@ class ComponentsPage(QgsOptionsPageWidget):
         layout.addWidget(self.devices)
         if self.training is not None:
             layout.addWidget(self.training)
-        layout.addLayout(
-            row_of((QLabel(tr("Folder of your models, with a description of each model:")), 1), self.models)
-        )
         # The page is higher than the dialog on small screens.
         area = QScrollArea()
         area.setWidgetResizable(True)
@@ -160,7 +155,6 @@ class ComponentsPage(QgsOptionsPageWidget):
         self.copy.clicked.connect(self._copy_command)
         self.remove.clicked.connect(self._remove)
         self.cancel.clicked.connect(self._installer.cancel)
-        self.models.clicked.connect(self._show_models)
         self._installer.began.connect(self.state.setText)
         self._installer.outputRead.connect(self._add_to_log)
         self._installer.installed.connect(self._show_installed)
@@ -221,9 +215,6 @@ class ComponentsPage(QgsOptionsPageWidget):
         command = install_command(self._chosen_packages())
         QgsApplication.clipboard().setText(command)
         self.state.setText(tr("Copied: {command}").format(command=command))
-
-    def _show_models(self) -> None:
-        ModelsDialog(parent=self.window(), can_use=False).exec()
 
     def _remove(self) -> None:
         try:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from functools import partial
 
 from qgis.core import QgsApplication, QgsProject, QgsProviderRegistry, QgsSettings
 from qgis.gui import QgsFileWidget
@@ -12,9 +11,7 @@ from qgis.PyQt.QtWidgets import (
     QCheckBox,
     QFileDialog,
     QLabel,
-    QMenu,
     QPushButton,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -26,7 +23,6 @@ from ....processing.inspection.chosen import ChosenImages, count_images
 from ....processing.inspection.models import PHOTO_MODEL
 from ....processing.messages.sentences import worded
 from ....processing.translation import tr
-from ...layer_files import layer_file, raster_layers
 from ...model_list import ModelsDialog
 from ...project_state import MODEL_SETTING
 from ...proposals import training_at_hand
@@ -63,10 +59,6 @@ class ImageBox(FoldingBox):
         self.list = ImageList()
         self.add_files = QPushButton(tr("Add files…"))
         self.add_folder = QPushButton(tr("Add folder…"))
-        self.add_layer = tool_button("/mActionAddRasterLayer.svg", tr("Add a raster layer of the project"))
-        self.add_layer.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.layers = QMenu(self.add_layer)
-        self.add_layer.setMenu(self.layers)
         self.remove = tool_button("/mActionDeleteSelected.svg", tr("Remove the selected images (Del)"))
         self.flight = QCheckBox()
         # The dock may be narrower than the text.
@@ -90,7 +82,7 @@ class ImageBox(FoldingBox):
         self.training: QWidget | None = None
         layout = narrow(QVBoxLayout(content_of(self)), 0)
         layout.addWidget(self.list)
-        layout.addLayout(row_of((self.add_files, 1), (self.add_folder, 1), self.add_layer, self.remove))
+        layout.addLayout(row_of((self.add_files, 1), (self.add_folder, 1), self.remove))
         layout.addWidget(self.flight)
         layout.addLayout(row_of((self.model, 1), self.models, self.train))
         name_fold(self)
@@ -99,7 +91,6 @@ class ImageBox(FoldingBox):
         self.model.fileChanged.connect(self._remember_model)
         self.add_files.clicked.connect(self._choose_files)
         self.add_folder.clicked.connect(self._choose_folder)
-        self.layers.aboutToShow.connect(self._list_layers)
         self.remove.clicked.connect(self.list.remove_selected)
         self.remove.setEnabled(False)
         self.list.itemSelectionChanged.connect(self._enable_remove)
@@ -201,18 +192,6 @@ class ImageBox(FoldingBox):
 
     def _choose_folder(self) -> None:
         self._add([QFileDialog.getExistingDirectory(self.window(), tr("Add a folder of images"), _last_folder())])
-
-    def _list_layers(self) -> None:
-        self.layers.clear()
-        for layer in raster_layers(QgsProject.instance()):
-            action = self.layers.addAction(QgsApplication.getThemeIcon("/mIconRaster.svg"), layer.name())
-            # The file, because the layer may be removed while the menu is open.
-            action.triggered.connect(partial(self._add_layer, layer_file(layer)))
-        if self.layers.isEmpty():
-            self.layers.addAction(tr("The project has no raster layer.")).setEnabled(False)
-
-    def _add_layer(self, path: str, *_checked) -> None:
-        self.list.add([path])
 
     def _add(self, paths: list[str]) -> None:
         if any(paths):

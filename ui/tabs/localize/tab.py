@@ -111,7 +111,6 @@ class LocalizeTab(QWidget):
             self.images.model_path(),
             self.method.method(),
             self.images.paths(),
-            self.results.image.opacity.value(),
             self._results_file if self._now_chosen() == self._found_with else "",
             self.prior.circle(),
             self.images.is_flight(),
@@ -126,7 +125,6 @@ class LocalizeTab(QWidget):
         self.images.model.setFilePath(state.model)
         self.images.list.show_only(state.images)
         self.images.flight.setChecked(state.is_flight)
-        self.results.image.opacity.setValue(state.opacity)
         self.prior.restore(state.prior)
         if not state.results:
             return
