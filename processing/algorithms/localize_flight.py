@@ -131,7 +131,7 @@ class LocalizeFlight(LocalizeAlgorithm):
             ),
             self.footprints_parameter(tr("One polygon for each image with a position: its footprint.")),
             parameters.report(
-                tr("Page with the track and its error ellipses, the source of each position, heading, height and gaps.")
+                tr("Page with the track and its error ellipses, the source and heading of each position, and gaps.")
             ),
             *self.shown_parameters(),
             QgsProcessingOutputNumber(self.FIX_COUNT, tr("Number of images with a position")),

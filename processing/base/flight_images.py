@@ -189,10 +189,10 @@ def with_pose(taken: TakenImage, pose: FlightPose | None) -> FlownImage:
     """Return the result of the flight for an image as it was taken, without leveling."""
     time_s = taken.camera.time_s
     if pose is None or taken.result is None:
-        return FlownImage(LocalizedImage(taken.path, error=taken.error), None, time_s, taken.camera.lens)
+        return FlownImage(LocalizedImage(taken.path, error=taken.error), None, time_s)
     found = taken.result.as_taken(pose.localization())
     localized = LocalizedImage(taken.path, found, "", taken.result.shape_hw, taken.remark)
-    return FlownImage(localized, pose, time_s, taken.camera.lens)
+    return FlownImage(localized, pose, time_s)
 
 
 def log_pose(flown: FlownImage, feedback: QgsProcessingFeedback) -> None:

@@ -31,7 +31,6 @@ if TYPE_CHECKING:
 
     from ...core.database.model import ReferenceDatabase
     from ...core.flight.model import FlightPose
-    from ...core.geometry.camera import Lens
     from ..reports.flight_report import FlightPoint
     from .outputs import Outputs
 
@@ -139,13 +138,11 @@ class FlownImage:
         localized: Result of the flight, in the form of a single image.
         pose: Result of the flight; None for an image that cannot be read.
         time_s: When it was taken, in seconds since 1970 (UTC) or since any moment; None if unknown.
-        lens: Lens of the camera; None if unknown.
     """
 
     localized: LocalizedImage
     pose: FlightPose | None = None
     time_s: float | None = None
-    lens: Lens | None = None
 
     @property
     def is_placed(self) -> bool:
@@ -229,8 +226,6 @@ def _report_point(number: int, one: FlownImage) -> FlightPoint:
         return shown
     known = item.result.covariance
     ellipse = known and known.ellipse_95
-    size, lens = item.result.pixel_size_m, one.lens
-    focal_px = lens.focal_length_px(item.shape_hw) if lens is not None and lens.fits(item.shape_hw) else None
     return replace(
         shown,
         source=one.source,
@@ -238,8 +233,6 @@ def _report_point(number: int, one: FlownImage) -> FlightPoint:
         track=one.pose.track,
         position=item.result.position,
         heading_deg=item.result.heading_deg,
-        pixel_size=size,
-        height=size * focal_px if size and focal_px else None,
         ellipse=ellipse and (ellipse.semi_major, ellipse.semi_minor, ellipse.orientation_deg),
         radius_95=item.result.error_95_m,
         error_probability=error_probability(item.result.confidence) if item.result.confidence else "",

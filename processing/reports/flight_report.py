@@ -1,4 +1,4 @@
-"""Report of a flight: track with 95 % ellipses, gaps, heading and height, and a table of all images."""
+"""Report of a flight: track with 95 % ellipses, gaps, and a table of all images."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from ..messages.numbers import shown
 from ..translation import tr
-from . import charts, page, parts
+from . import page, parts
 from .maps import FlightPoint, flight_legend, flight_map
 
 MOST_ROWS = 400
@@ -37,7 +37,6 @@ def flight_html(
         parts.next_steps(_next(points)),
         page.section(tr("Track"), *drawn),
         page.section(tr("Gaps"), *_gap_table(points)),
-        *([page.section(tr("Along the flight"), _curves(points))] if len(placed) > 1 else []),
         page.section(tr("Motion between the images"), *map(page.paragraph, links)),
         page.section(tr("Images"), *_image_table(points)),
         parts.settings_section(settings),
@@ -141,35 +140,3 @@ def _source_text(point: FlightPoint) -> str:
     if point.outvoted:
         return page.Marked(tr("flight; own position outvoted"), False)
     return page.Marked(tr("own position"), True) if point.source == "own" else tr("flight")
-
-
-def _curves(points: Sequence[FlightPoint]) -> str:
-    """Return charts of the heading and the height, or pixel size, by image number with a line for each track."""
-    has_heights = any(point.height is not None for point in points)
-    upper = tr("Height (m)") if has_heights else tr("Pixel size (m)")
-    heading = _curve(points, "heading_deg", tr("Heading (°)"), (0.0, 360.0), 4)
-    level = _curve(points, "height" if has_heights else "pixel_size", upper, None, 5)
-    return page.columns(*(figure for figure in (heading, level) if figure))
-
-
-def _curve(
-    points: Sequence[FlightPoint], attribute: str, title: str, limits: tuple[float, float] | None, steps: int
-) -> str:
-    known = [point for point in points if getattr(point, attribute) is not None]
-    if not known:
-        return ""
-    values = [getattr(point, attribute) for point in known]
-    if limits is None:
-        room = 0.1 * (max(values) - min(values)) or 0.1 * abs(values[0]) or 1.0
-        limits = min(values) - room, max(values) + room
-    lines = []
-    for track in sorted({point.track for point in known}):
-        members = [point for point in known if point.track == track]
-        numbers = [float(point.number) for point in members]
-        name = tr("Track {number}").format(number=track)
-        lines.append(charts.Series(name, numbers, [getattr(point, attribute) for point in members]))
-    last = max(len(points), 2)
-    step = max(1, round((last - 1) / 6))
-    ticks = [(float(number), str(number)) for number in range(1, last + 1, step)]
-    x_axis = charts.Axis(tr("Image"), (1.0, float(last)), ticks)
-    return page.figure(charts.line_chart(lines, x_axis, charts.linear_axis(title, *limits, steps), title), title)

@@ -54,8 +54,6 @@ class FlightPoint:
         track: Number of its track; 0 without one.
         position: Map (x, y).
         heading_deg: Direction of the image's top.
-        pixel_size: In m.
-        height: Height of the camera above the ground, m, from lens and pixel size.
         ellipse: 95 % ellipse: (major semi-axis, minor semi-axis, direction of the major one in degrees clockwise from
             grid north).
         radius_95: 95 % radius, m.
@@ -71,8 +69,6 @@ class FlightPoint:
     track: int = 0
     position: tuple[float, float] | None = None
     heading_deg: float | None = None
-    pixel_size: float | None = None
-    height: float | None = None
     ellipse: tuple[float, float, float] | None = None
     radius_95: float | None = None
     error_probability: str = ""
