@@ -7,7 +7,6 @@ import pytest
 from dock_area import CONSTELLATION, choose_method, results_of, start, wait_until
 from made_inputs import WEST, write_raster
 from onboard_area import MAP
-from PIL import Image
 
 SIZE, STEP, COUNT = 200, 60, 7
 BLANK = 5
@@ -78,22 +77,3 @@ def test_its_layers_are_saved_with_their_style_and_bring_the_track_back(flown, t
     saved = ResultLayers(*open_results(path))
     assert saved.track is not None and saved.track.featureCount() == 1
     assert [finding.source for finding in read_findings(saved)][BLANK] == "flight"
-
-
-def test_photos_taken_one_after_the_other_are_offered_as_a_flight(tab, tmp_path):
-    for number in range(4):
-        write_photo(tmp_path / f"{number}.jpg", f"2025:05:09 10:0{number}:00")
-    tab.images.list.add([str(tmp_path)])
-    wait_until(lambda: "4 photos" in tab.images.flight.text(), "the offer of a flight")
-    assert not tab.images.flight.isChecked()
-    write_photo(tmp_path / "9.jpg", "2025:05:09 22:00:00")
-    tab.images.list.show_only([str(tmp_path)])
-    wait_until(lambda: not tab.images._reader.reading, "the reading of times")
-    assert tab.images.flight.text() == "These images are one flight"
-
-
-def write_photo(path, taken: str) -> None:
-    """A JPEG with EXIF's DateTimeOriginal."""
-    exif = Image.Exif()
-    exif[0x8769] = {0x9003: taken}
-    Image.new("RGB", (16, 16)).save(path, exif=exif)

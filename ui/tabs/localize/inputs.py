@@ -60,7 +60,7 @@ class ImageBox(FoldingBox):
         self.add_files = QPushButton(tr("Add files…"))
         self.add_folder = QPushButton(tr("Add folder…"))
         self.remove = tool_button("/mActionDeleteSelected.svg", tr("Remove the selected images (Del)"))
-        self.flight = QCheckBox()
+        self.flight = QCheckBox(tr("These images are one flight"))
         # The dock may be narrower than the text.
         self.flight.setMinimumWidth(1)
         self.flight.setToolTip(
@@ -115,7 +115,7 @@ class ImageBox(FoldingBox):
         self._close_models()
 
     def _look(self) -> None:
-        """Use the file names at once; read folders, colors and times in the background."""
+        """Use the file names at once; read folders and colors in the background."""
         self._reader.forget()
         self.fault, paths = "", self.paths()
         is_known = not any(map(os.path.isdir, paths))
@@ -135,14 +135,12 @@ class ImageBox(FoldingBox):
         self.looked.emit()
 
     def _show_chosen(self, chosen: ChosenImages | None) -> None:
-        """Show the number of images, and whether they may be a flight; the user decides."""
+        """Show the number of images, and choose SemRef's model for photos."""
         self.chosen = chosen
-        count, flight = (chosen.count, chosen.flight) if chosen is not None else (0, 0)
+        count = 0 if chosen is None else chosen.count
         if chosen is not None and chosen.has_photos and not self.model_path():
             self.model.setFilePath(str(PHOTO_MODEL))
         self.setTitle(tr("Images ({count})").format(count=count) if count else tr("Images"))
-        looks = tr("One flight? {count} photos in sequence").format(count=flight)
-        self.flight.setText(looks if flight else tr("These images are one flight"))
 
     def model_path(self) -> str:
         """Return the path of the model for photos; empty for label images."""
