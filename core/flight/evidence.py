@@ -90,22 +90,25 @@ def _own(own: Localization | None, origin: tuple[float, float]) -> tuple[np.ndar
 
 
 def random_poses(pyramid: MapPyramid, prior: Prior, count: int) -> list[ScoredPose]:
-    """Return poses on labeled ground of the map; the same ones every time."""
+    """Return poses on ground of the map that shows something; the same ones every time.
+
+    Places are drawn in proportion to the energy of their evidence: on a map of few buildings, an image of a town would
+    agree with any other town far better than with the empty ground that covers most of the map.
+    """
     rng = np.random.default_rng(SEED)
     level = pyramid.stored(pyramid.level_of(8 * pyramid.frame.pixel_size))
     if level is None or prior.pixel_size_range is None:
         return []
-    rows, columns = np.nonzero(level.known > 0.5)
-    if not len(rows):
+    energy = np.where(level.known > 0.5, (level.evidence**2).sum(axis=2), 0.0).astype(np.float64)
+    if not energy.any():
         return []
     low, high = np.log(prior.pixel_size_range)
-    picked = rng.integers(0, len(rows), count)
+    picked = rng.choice(energy.size, count, p=(energy / energy.sum()).ravel())
+    rows, columns = np.unravel_index(picked, energy.shape)
     headings, sizes = rng.uniform(0, 360, count), np.exp(rng.uniform(low, high, count))
     return [
         ScoredPose(float(x), float(y), float(heading), float(size))
-        for x, y, heading, size in zip(
-            (columns[picked] + 0.5) * level.pixel[0], (rows[picked] + 0.5) * level.pixel[1], headings, sizes
-        )
+        for x, y, heading, size in zip((columns + 0.5) * level.pixel[0], (rows + 0.5) * level.pixel[1], headings, sizes)
     ]
 
 

@@ -12,6 +12,8 @@ from semref.core.correlation.class_pyramid import MapPyramid
 from semref.core.correlation.refine import ScoredPose
 from semref.core.correlation.settings import CORRELATION
 from semref.core.flight.evidence import best_poses, log_ratios, prepare_image, random_poses, score_poses
+from semref.core.localization import Prior
+from semref.core.simulation.views import View, cut
 
 sys.path.insert(0, str(Path(__file__).parent))
 from conftest import FEW, FRAME
@@ -68,6 +70,29 @@ def test_on_a_map_that_is_too_large_for_an_image_there_are_no_best_places(seen, 
     whole = localizer.pyramid
     large = MapPyramid(whole.labels, whole.frame, replace(CORRELATION, most_at_once=0, most_comparisons=1))
     assert best_poses(seen, large, 20, APART) == []
+
+
+def towns(rng):
+    """Return (420, 480) uint8 labels of two towns, in which a quarter of the area is houses, in empty country."""
+    labels = np.full(FRAME.shape_hw, 2, np.uint8)
+    for top, left in ((40, 40), (280, 340)):
+        houses = np.where(rng.random((25, 25)) < 0.25, 1, 2)
+        labels[top : top + 100, left : left + 100] = np.kron(houses, np.ones((4, 4), int))
+    return labels
+
+
+def test_on_a_map_of_few_buildings_an_image_of_a_town_is_no_evidence_for_another_town():
+    pyramid, rng = MapPyramid(towns(np.random.default_rng(1)), FRAME), np.random.default_rng(2)
+    prior = Prior(pixel_size_range=(3.0, 5.0))
+    ratios = []
+    for number in range(8):
+        here = FRAME.to_map(np.array([[90.0, 90.0]]))[0]
+        image = cut(towns(np.random.default_rng(10 + number)), FRAME, View(*here, 0.0, 4.0, 80, 80))
+        seen = prepare_image(image, pyramid, prior, None, FEW)
+        elsewhere = [ScoredPose(*(4 * rng.uniform([360, 300], [420, 360])), 0.0, 4.0) for _ in range(20)]
+        ratios += list(log_ratios(np.array([p.score for p in score_poses(seen, pyramid, elsewhere)]), seen, FEW))
+    # A likelihood ratio is 1 on average where its place is wrong.
+    assert np.mean(np.exp(ratios)) < 2
 
 
 def test_an_image_of_one_class_is_no_evidence(localizer, flown):
