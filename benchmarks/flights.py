@@ -18,7 +18,8 @@ from semref.core.assessment.flights import SIZE_KNOWN, link_between
 from semref.core.flight.flight import FlightSolver
 from semref.core.flight.model import FlightImage
 from semref.core.flight.motion import Link
-from semref.core.localization import Method, Prior
+from semref.core.localization import RISK, Localization, Method, Prior
+from semref.core.localizer.reach import Reach, search_within_reach
 from semref.core.simulation.label_errors import spoil_labels
 from semref.core.simulation.noise import DISPLACED_M, LabelNoise
 from semref.core.simulation.views import View, cut
@@ -65,6 +66,7 @@ class Row:
         landmarks: Least number of the database's landmarks in each image.
         labeled: Least share of each image that the database's map labels, too.
         leaning: Shift of roofs, as a share of the distance from the center.
+        reach_m: Distance that the aircraft can fly from image to image; the motion is unknown then. 0 for known motion.
         count: Number of flights.
     """
 
@@ -84,6 +86,7 @@ class Row:
     landmarks: int = 0
     labeled: float = 0.0
     leaning: float = 0.0
+    reach_m: float = 0.0
     count: int = 20
 
 
@@ -115,6 +118,8 @@ def one_flight(ground: Ground, known: Ground, row: Row, number: int) -> dict[str
         links = [link.mirrored() for link in links]
     # As for the user, the flight starts from what each image shows by itself.
     images = [replace(i, own=known.localizer.localize(i.labels_hw, Method.AUTOMATIC, i.prior)) for i in images]
+    if row.reach_m:
+        images, links = _found_within_reach(images, known, row.reach_m), []
     solver, seconds = FlightSolver(known.localizer), []
     started = time.process_time()
     for done, _ in solver.steps(images, links):
@@ -126,6 +131,18 @@ def one_flight(ground: Ground, known: Ground, row: Row, number: int) -> dict[str
     placed = {name: [_placed(pose, view) for pose, view in zip(poses, views)] for name, poses in ways.items()}
     left = [(pose, view) for pose, view in zip(solver.causal, views) if not pose.is_fix and pose.place is not None]
     return {**placed, "seconds": seconds, "predicted": [_in_ellipse(*one) for one in left]}
+
+
+def _found_within_reach(images: Sequence[FlightImage], known: Ground, reach_m: float) -> list[FlightImage]:
+    """Return the images with what they show within reach of others, one unit of time apart."""
+
+    def search(n: int, reach: Reach) -> Localization:
+        localizer = known.localizer.with_risk(reach.allowed_risk)
+        return localizer.localize(images[n].labels_hw, Method.AUTOMATIC, reach.narrow(images[n].prior))
+
+    own, times_s = [image.own for image in images], [image.time_s for image in images]
+    found = search_within_reach(own, times_s, reach_m, RISK, search)
+    return [replace(image, own=found.get(n, image.own)) for n, image in enumerate(images)]
 
 
 def _placed(pose: Any, view: View) -> tuple[float, float, bool] | None:

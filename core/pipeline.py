@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Protocol
 
 import numpy as np
@@ -29,7 +29,6 @@ class LabelReader(Protocol):
 
         Raises:
             SemRefError: The image can't be read.
-            SemRefError: It can't be read.
         """
 
 
@@ -120,6 +119,14 @@ def localize_with(
     labels_hw = seen.labels_hw
     if leveling is not None:
         seen, prior = level_labels(seen, leveling), of_leveled(prior, leveling)
+    return ImageResult(labels_hw, seen, leveling, prior, _found(localizer, search, seen, prior))
+
+
+def localize_again(localizer: Localizer, search: Search, result: ImageResult, prior: Prior) -> ImageResult:
+    """Localize an image that was read and leveled before with another prior, of the leveled image."""
+    return replace(result, prior=prior, level=_found(localizer, search, result.seen, prior))
+
+
+def _found(localizer: Localizer, search: Search, seen: SeenLabels, prior: Prior) -> Localization:
     found = localizer.localize(seen.labels_hw, search.method, prior, search.with_matches, seen.shares, seen.biases)
-    named = name_network(found, seen.trained_on, localizer.landmark_classes)
-    return ImageResult(labels_hw, seen, leveling, prior, named)
+    return name_network(found, seen.trained_on, localizer.landmark_classes)

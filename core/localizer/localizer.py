@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -121,6 +122,12 @@ class Localizer:
         for size in np.unique(windows.sizes[windows.described]):
             index = np.flatnonzero(windows.described & (windows.sizes == size))
             self._levels.append((float(size), index, windows.vectors[index]))
+
+    def with_risk(self, allowed_risk: float) -> Localizer:
+        """Return this localizer with another maximum error probability; the indexes are shared."""
+        other = copy.copy(self)
+        other.settings = replace(self.settings, allowed_risk=allowed_risk)
+        return other
 
     @property
     def landmark_classes(self) -> tuple[str, ...]:

@@ -170,6 +170,9 @@ class LocalizeFlight(LocalizeAlgorithm):
                 feedback.setProgressText(os.path.basename(path))
                 cancelable(reader.take, path, camera, feedback=feedback)
                 feedback.setProgress(READ_PERCENT * (n + 1) / len(paths))
+            speed = values.optional_number(self.MAXIMUM_SPEED)
+            if speed is not None:
+                reader.search_within_reach(speed, feedback)
             links = cancelable(reader.links_with, steps, log, feedback=feedback)
             flown = self._join(reader, links, localizer, values.number(self.RISK), feedback)
             flown = self._with_jumps(values, flown, cameras, database, feedback)

@@ -29,7 +29,7 @@ from ..base.localized_image import (
     with_jumps,
 )
 from ..base.localized_layers import write_grounds, write_matches, write_positions
-from ..base.localizing import LocalizeAlgorithm, localize_image, localize_scheduled
+from ..base.localizing import LocalizeAlgorithm, found_within_reach, localize_image, localize_scheduled
 from ..base.parameters import with_help
 from ..base.photo_labels import pace_results
 from ..base.photo_source import PhotoSource
@@ -41,6 +41,8 @@ if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
 
     from ...core.geometry.camera import Camera
+    from ...core.localization import Localization
+    from ...core.localizer.reach import Reach
     from ...core.pipeline import Pipeline
     from ..base.outputs import Outputs
     from ..base.values import Values
@@ -184,17 +186,19 @@ class LocalizeImages(LocalizeAlgorithm):
             paths, cameras = [*paths, self._layer.file(size_m, feedback)], [*cameras, Camera()]
         is_scheduled = values.has(SCHEDULER)
         with outputs.folder(self.LABELS) as folder:
+            pipeline = Pipeline(localizer, search, read_labels)
             if is_scheduled:
                 localized = localize_scheduled(values, database, before, search, paths, cameras, feedback)
                 for item in localized:
                     log_result(item, feedback)
             else:
                 keep = LabelImages(folder, paths, database.class_table, read_labels.stated_biases)
-                pipeline = Pipeline(localizer, search, read_labels)
                 localized = _one_by_one(paths, cameras, pipeline, keep, feedback)
-            localized = with_far_photos(localized, database, crs, values.transform_context, feedback)
             times_s = [camera.time_s for camera in cameras]
             speed = values.optional_number(self.MAXIMUM_SPEED)
+            if speed is not None:
+                localized = _within_reach(localized, cameras, pipeline, speed, feedback)
+            localized = with_far_photos(localized, database, crs, values.transform_context, feedback)
             if speed is not None:
                 localized = with_jumps(localized, times_s, database.windows, speed, feedback)
             # Layers are written last, so that a cancel leaves nothing behind.
@@ -226,3 +230,27 @@ def _one_by_one(
         log_result(localized[-1], feedback)
         feedback.setProgress(95 * (n + 1) / len(paths))
     return localized
+
+
+def _within_reach(
+    localized: Sequence[LocalizedImage],
+    cameras: Sequence[Camera],
+    pipeline: Pipeline,
+    speed: float,
+    feedback: QgsProcessingFeedback,
+) -> list[LocalizedImage]:
+    """Search images without a position within reach of the others; photos are read again, which saves memory."""
+    from ...core.pipeline import Pipeline
+
+    def search(n: int, reach: Reach) -> Localization | None:
+        prior = reach.narrow(pipeline.search.known)
+        if prior is None:
+            return None
+        localizer = pipeline.localizer.with_risk(reach.allowed_risk)
+        narrowed = Pipeline(localizer, replace(pipeline.search, known=prior), pipeline.read)
+        return narrowed.run(localized[n].path, cameras[n]).localization
+
+    paths, results = [item.path for item in localized], [item.result for item in localized]
+    limits = speed, pipeline.localizer.settings.allowed_risk
+    found = found_within_reach(paths, results, [camera.time_s for camera in cameras], limits, search, feedback)
+    return [replace(item, result=found.get(n, item.result)) for n, item in enumerate(localized)]

@@ -6,7 +6,7 @@ import os
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from ...core.errors import ParameterError, SemRefError
 from ..messages.camera_messages import camera_remark
@@ -14,6 +14,7 @@ from ..messages.sentences import worded
 from ..translation import tr
 from .localized_image import LabelImages, LocalizedImage, log_result
 from .localized_layers import FlownImage
+from .localizing import found_within_reach
 
 if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
@@ -24,6 +25,8 @@ if TYPE_CHECKING:
     from ...core.flight.pixel_features import Features
     from ...core.flight.telemetry import Telemetry
     from ...core.geometry.camera import Camera
+    from ...core.localization import Localization
+    from ...core.localizer.reach import Reach
     from ...core.pipeline import ImageResult, Pipeline
 
 _SOURCES = {"pixels": "pixels", "table": "odometry", "log": "log"}
@@ -138,6 +141,29 @@ class FlightReader:
         result = replace(result, seen=replace(seen, pixels=None))
         self.taken.append(TakenImage(path, camera, result, flown, camera_remark(camera, result.shape_hw)))
         self._link(features, number)
+
+    def search_within_reach(self, speed: float, feedback: QgsProcessingFeedback) -> None:
+        """Search the images that have no position by themselves within reach of the others; see ``Reach``."""
+        from ...core.pipeline import localize_again
+
+        localizer, search = self._pipeline.localizer, self._pipeline.search
+        again: dict[int, ImageResult] = {}
+
+        def ask(n: int, reach: Reach) -> Localization | None:
+            result = cast("ImageResult", self.taken[n].result)
+            prior = reach.narrow(result.prior)
+            if prior is None:
+                return None
+            again[n] = localize_again(localizer.with_risk(reach.allowed_risk), search, result, prior)
+            return again[n].level
+
+        results = [None if one.result is None else one.result.level for one in self.taken]
+        times_s, limits = [one.camera.time_s for one in self.taken], (speed, localizer.settings.allowed_risk)
+        found = found_within_reach([one.path for one in self.taken], results, times_s, limits, ask, feedback)
+        for n, level in found.items():
+            taken, result = self.taken[n], again[n]
+            flown = replace(cast("FlightImage", taken.flown), own=level, prior=result.prior)
+            self.taken[n] = replace(taken, result=replace(result, level=level), flown=flown)
 
     def _link(self, features: Features, number: int) -> None:
         from ...core.flight.pixel_motion import motion_between

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import os
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Union
 
@@ -23,7 +24,7 @@ from ..messages.camera_messages import camera_read, camera_remark
 from ..messages.sentences import worded
 from ..translation import tr
 from . import parameters, priors
-from .algorithm import LOCALIZATION, SemRefAlgorithm, cancelable
+from .algorithm import LOCALIZATION, SemRefAlgorithm, cancelable, check_canceled
 from .localized_image import LabelImages, LocalizedImage, has_photos
 from .parameters import with_help
 from .scheduler import with_progress, workers
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
     from ...core.geometry.camera import Camera
     from ...core.labels.class_table import ClassTable
     from ...core.localization import Localization
+    from ...core.localizer.reach import Reach
     from ...core.localizer.search import Search
     from ...core.pipeline import Pipeline
     from ...storage.label_images import LabelImageReader
@@ -118,9 +120,10 @@ class LocalizeAlgorithm(SemRefAlgorithm):
                 self.MAXIMUM_SPEED, tr("Maximum speed (m/s)"), type=DOUBLE, optional=True, minValue=0.001
             ),
             tr(
-                "Highest ground speed of the flight, for example 20. Positions that cannot be reached at this speed "
-                "from the positions before and after are marked as jumps. They still count as positions. The times of "
-                "the images must be known."
+                "Highest ground speed of the flight, for example 20. Images without a position are searched again on "
+                "the ground that the aircraft can reach at this speed from the nearest position in time. Positions "
+                "that cannot be reached from the positions before and after are marked as jumps. They still count as "
+                "positions. The times of the images must be known."
             ),
             advanced=True,
         )
@@ -253,6 +256,35 @@ def localize_image(path: str, pipeline: Pipeline, camera: Camera, keep: LabelIma
         return LocalizedImage(path, error=worded(error))
     keep(path, result.labels_hw)
     return item
+
+
+def found_within_reach(
+    paths: Sequence[str],
+    results: Sequence[Localization | None],
+    times_s: Sequence[float | None],
+    limits: tuple[float, float],
+    search: Callable[[int, Reach], Localization | None],
+    feedback: QgsProcessingFeedback,
+) -> dict[int, Localization]:
+    """Search images without a position on the ground within reach of others, and log what is found.
+
+    Args:
+        limits: Maximum speed, map units per second, and maximum error probability.
+        search: As in ``search_within_reach``; can be canceled.
+    """
+    from ...core.localizer.reach import search_within_reach
+
+    def asked(n: int, reach: Reach) -> Localization | None:
+        check_canceled(feedback)
+        feedback.setProgressText(os.path.basename(paths[n]))
+        found = cancelable(search, n, reach, feedback=feedback)
+        if found is not None and found.is_fix:
+            text = tr("{image}: found within {radius:.0f} m of {other}.")
+            names = {"image": os.path.basename(paths[n]), "other": os.path.basename(paths[reach.start])}
+            feedback.pushInfo(text.format(radius=reach.radius, **names))
+        return found
+
+    return search_within_reach(results, times_s, *limits, asked)
 
 
 def _localized(path: str, found: Localization, camera: Camera, shape_hw: tuple[int, int]) -> LocalizedImage:

@@ -122,3 +122,15 @@ def test_a_fix_that_can_not_be_reached_is_marked_and_stays_a_fix(localize, feedb
     assert [row["status"] for row in rows] == ["fix"] * 4 and results["FIX_COUNT"] == len(polygons) == 4
     assert "25 m/s" in rows[2]["reason"] and "25 map units" not in rows[1]["reason"]
     assert "1 of 4 positions with a time are jumps." in feedback.textLog()
+
+
+def test_an_image_of_few_landmarks_is_found_within_reach_of_another(localize, feedback):
+    small = View(WEST + 340, NORTH - 400, 90, 1.0, 70, 70)
+    scales = {"SCALE_MINIMUM": 0.2, "SCALE_MAXIMUM": 1.1, "RISK": 0.01}
+    alone, _, _ = localize([FLIGHT[0], small], TIMES, **scales)
+    rows, _, results = localize([FLIGHT[0], small], TIMES, MAXIMUM_SPEED=50, **scales)
+    assert [row["status"] for row in alone] == ["fix", "likely"]
+    assert [row["status"] for row in rows] == ["fix", "fix"] and results["FIX_COUNT"] == 2
+    assert (rows[1]["x"], rows[1]["y"]) == pytest.approx(small.position, abs=2)
+    assert rows[1]["confidence"] < rows[0]["confidence"] and rows[1]["jump"] == 0
+    assert "1.png: found within 5" in feedback.textLog() and "of 0.png" in feedback.textLog()

@@ -1,0 +1,78 @@
+"""Images without a position are searched again on the ground that the aircraft can reach from others."""
+
+import pytest
+
+from semref.core.localization import Localization, Method, Place, Prior, Status
+from semref.core.localizer.reach import Reach, search_within_reach
+
+
+def fix(x, risk=1e-5, error=5.0):
+    place = Place((float(x), 0.0), 0.0, 0.1)
+    return Localization(Status.FIX, Method.AUTOMATIC, best=place, risk=risk, confidence=1 - risk, error_95_m=error)
+
+
+NOTHING = Localization(Status.AMBIGUOUS, Method.AUTOMATIC, risk=0.6)
+
+
+def asked(results, times, answers, speed=10.0, allowed=1e-4):
+    """Return the reaches that were searched, by number, and the fixes that were found."""
+    searched = []
+
+    def search(n, reach):
+        searched.append((n, reach))
+        return answers.get(n)
+
+    found = search_within_reach(results, times, speed, allowed, search)
+    return [(n, reach.position[0], reach.radius) for n, reach in searched], found
+
+
+def test_an_image_is_searched_around_the_position_nearest_in_time():
+    searched, found = asked([fix(0), NOTHING, fix(800)], [0, 60, 80], {1: fix(700)})
+    assert searched == [(1, 800.0, 205.0)]
+    assert found[1].position == (700.0, 0.0)
+
+
+def test_the_error_probability_is_that_of_both_positions():
+    _, found = asked([fix(0, risk=2e-5), NOTHING], [0, 10], {1: fix(50, risk=3e-5)})
+    assert found[1].risk == pytest.approx(5e-5)
+    assert found[1].confidence == pytest.approx(1 - 5e-5)
+
+
+def test_the_start_leaves_less_error_probability_for_the_search():
+    reaches = []
+    search_within_reach([fix(0, risk=4e-5), NOTHING], [0, 10], 10.0, 1e-4, lambda n, reach: reaches.append(reach))
+    assert reaches[0].allowed_risk == pytest.approx(6e-5)
+
+
+def test_a_start_that_leaves_nothing_is_not_used():
+    assert asked([fix(0, risk=1e-4), NOTHING], [0, 10], {1: fix(50)}) == ([], {})
+
+
+def test_a_new_position_narrows_the_search_of_the_next_image():
+    searched, found = asked([fix(0), NOTHING, NOTHING], [0, 10, 20], {1: fix(80), 2: fix(160)})
+    assert searched == [(1, 0.0, 105.0), (2, 80.0, 105.0)]
+    assert found[2].risk == pytest.approx(3e-5)
+
+
+def test_an_image_that_was_not_found_is_searched_again_only_on_clearly_less_ground():
+    searched, _ = asked([fix(0), NOTHING, NOTHING], [0, 20, 21], {2: fix(160)})
+    assert searched == [(1, 0.0, 205.0), (2, 0.0, 215.0), (1, 160.0, 15.0)]
+
+
+def test_images_without_a_time_and_positions_without_a_probability_are_left_alone():
+    no_risk = Localization(Status.FIX, Method.TOPOLOGY_VECTOR, best=Place((0.0, 0.0)), confidence=0.9)
+    assert asked([fix(0), NOTHING], [0, None], {1: fix(50)}) == ([], {})
+    assert asked([fix(0), NOTHING], [None, 10], {1: fix(50)}) == ([], {})
+    assert asked([no_risk, NOTHING, None], [0, 10, 20], {1: fix(50)}) == ([], {})
+
+
+def test_nothing_is_searched_from_a_jump():
+    searched, _ = asked([fix(0), fix(90), fix(9000), NOTHING, fix(280)], [0, 10, 20, 21, 30], {})
+    assert searched == [(3, 280.0, 95.0)]
+
+
+def test_a_prior_is_only_made_smaller():
+    reach = Reach((100.0, 0.0), 200.0, 1e-4, 0)
+    narrowed = reach.narrow(Prior(heading_deg=10.0))
+    assert (narrowed.position, narrowed.radius, narrowed.heading_deg) == ((100.0, 0.0), 200.0, 10.0)
+    assert reach.narrow(Prior((0.0, 0.0), 150.0)) is None
