@@ -27,7 +27,7 @@ def database(build_area):
 def localize(run_algorithm, database, tmp_path, feedback):
     """`localize(views, table, **parameters)` returns (rows, footprints, results); the images are 0.png, 1.png, …"""
 
-    def run(views, table="", **parameters):
+    def run(views, table="", algorithm=LOCALIZE, **parameters):
         (tmp_path / "flight").mkdir(exist_ok=True)
         for number, view in enumerate(views):
             image = cut(LABELS, MapFrame.at((WEST, NORTH), 1.0), view)
@@ -36,7 +36,7 @@ def localize(run_algorithm, database, tmp_path, feedback):
             parameters["ATTITUDE"] = str(write_text(tmp_path / "cameras.csv", table))
         outputs = {key: str(tmp_path / f"{key.lower()}.gpkg") for key in ("OUTPUT", "FOOTPRINTS")}
         parameters = {"DATABASE": database, "IMAGES": str(tmp_path / "flight"), "METHOD": 2, **outputs, **parameters}
-        results = run_algorithm(LOCALIZE, parameters, feedback)
+        results = run_algorithm(algorithm, parameters, feedback)
         positions, footprints = (ogr.Open(results[key]) for key in ("OUTPUT", "FOOTPRINTS"))
         rows = [feature.items() for feature in positions.GetLayer(0)]
         polygons = [feature.GetGeometryRef().GetGeometryRef(0).GetPoints() for feature in footprints.GetLayer(0)]
@@ -124,13 +124,14 @@ def test_a_fix_that_can_not_be_reached_is_marked_and_stays_a_fix(localize, feedb
     assert "1 of 4 positions with a time are jumps." in feedback.textLog()
 
 
-def test_an_image_of_few_landmarks_is_found_within_reach_of_another(localize, feedback):
-    small = View(WEST + 340, NORTH - 400, 90, 1.0, 70, 70)
-    scales = {"SCALE_MINIMUM": 0.2, "SCALE_MAXIMUM": 1.1, "RISK": 0.01}
-    alone, _, _ = localize([FLIGHT[0], small], TIMES, **scales)
-    rows, _, results = localize([FLIGHT[0], small], TIMES, MAXIMUM_SPEED=50, **scales)
-    assert [row["status"] for row in alone] == ["fix", "likely"]
+@pytest.mark.parametrize("algorithm", [LOCALIZE, "semref:localizeflight"])
+def test_an_image_of_few_landmarks_is_found_within_reach_of_another(localize, feedback, algorithm):
+    small = View(WEST + 490, NORTH - 400, 90, 1.0, 78, 78)
+    asked = {"algorithm": algorithm, "SCALE_MINIMUM": 0.2, "SCALE_MAXIMUM": 1.1, "RISK": 0.006}
+    alone, _, _ = localize([FLIGHT[0], small], TIMES, **asked)
+    rows, _, results = localize([FLIGHT[0], small], TIMES, MAXIMUM_SPEED=194, **asked)
+    assert alone[1]["status"] != "fix"
     assert [row["status"] for row in rows] == ["fix", "fix"] and results["FIX_COUNT"] == 2
     assert (rows[1]["x"], rows[1]["y"]) == pytest.approx(small.position, abs=2)
     assert rows[1]["confidence"] < rows[0]["confidence"] and rows[1]["jump"] == 0
-    assert "1.png: found within 5" in feedback.textLog() and "of 0.png" in feedback.textLog()
+    assert "1.png: found within 19" in feedback.textLog() and "of 0.png" in feedback.textLog()
