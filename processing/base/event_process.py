@@ -6,7 +6,7 @@ import contextlib
 import json
 import os
 import signal
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from pathlib import Path
 
 from qgis.core import QgsProcessingFeedback
@@ -17,15 +17,11 @@ from .algorithm import check_canceled
 
 PROGRAM = Path(__file__).resolve().parents[2] / "program.py"
 
-FAILED = {"template": str, "values": dict}
-"""Values of the event “failed” of each process."""
-
 _LOOKED_EVERY_MS, _KILLED_WITHIN_MS = 200, 5000
 _LAST_LINES = 20
 """Number of other lines that are stored; the last ones show why the process ended."""
 
 _LONGEST_LINE = 1 << 20
-_LARGEST_NUMBER = 1e15
 
 
 def python_environment() -> QProcessEnvironment:
@@ -41,14 +37,9 @@ def python_environment() -> QProcessEnvironment:
 class EventProcess:
     """Read the events of a process, and store its other last lines."""
 
-    def __init__(self, process: QProcess, events: Mapping[str, Mapping[str, type]]) -> None:
-        """Prepare to read.
-
-        Args:
-            process: A started process.
-            events: Names of its events, with the types of their values; ``float`` is any finite number.
-        """
-        self._process, self._known = process, events
+    def __init__(self, process: QProcess) -> None:
+        """Prepare to read a started process."""
+        self._process = process
         self._rest = b""
         self._said: list[str] = []
 
@@ -98,36 +89,18 @@ class EventProcess:
         self._said = [*self._said, *filter(None, map(str.strip, errors.splitlines()))][-_LAST_LINES:]
         *lines, rest = (self._rest + bytes(self._process.readAllStandardOutput())).split(b"\n")
         self._rest = rest[-_LONGEST_LINE:]
-        for line in lines:
-            event = self._event(line)
-            if event is not None:
-                yield event
+        yield from filter(None, map(_event, lines))
 
-    def _event(self, line: bytes) -> dict | None:
-        try:
-            found = json.loads(line.decode("utf-8", "replace"))
-        except (ValueError, RecursionError):
-            return None
-        name = found.get("event") if isinstance(found, dict) else None
-        if not isinstance(name, str) or name not in self._known:
-            return None
-        is_whole = all(_is(found.get(key), kind) for key, kind in self._known[name].items())
-        return found if is_whole else None
+
+def _event(line: bytes) -> dict | None:
+    """Return the event in a line; None for another line."""
+    try:
+        found = json.loads(line.decode("utf-8", "replace"))
+    except (ValueError, RecursionError):
+        return None
+    return found if isinstance(found, dict) and "event" in found else None
 
 
 def failure(event: dict) -> Sentence:
     """Return the sentence of an event “failed”."""
-    said = Sentence(event["template"], **event["values"])
-    try:
-        str(said)
-    except (KeyError, IndexError, AttributeError, ValueError, TypeError):
-        # A library may print such an event, too.
-        return Sentence("{reason}", reason=event["template"])
-    return said
-
-
-def _is(value: object, kind: type) -> bool:
-    if kind is float:
-        # Neither infinite nor NaN.
-        return isinstance(value, (int, float)) and abs(value) <= _LARGEST_NUMBER
-    return isinstance(value, kind)
+    return Sentence(event["template"], **event["values"])

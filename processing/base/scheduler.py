@@ -20,7 +20,7 @@ from ..packages.components import CRYPTOGRAPHY, DASK, require
 from ..packages.install import python_candidates
 from ..translation import tr
 from .algorithm import check_canceled
-from .event_process import FAILED, PROGRAM, EventProcess, failure, python_environment
+from .event_process import PROGRAM, EventProcess, failure, python_environment
 from .parameters import with_help
 from .values import Values
 
@@ -33,17 +33,6 @@ SCHEDULER = "SCHEDULER"
 
 _ASKED_TO_END_MS = 700
 _WRITTEN_WITHIN_MS = 5000
-_EVENTS = {
-    "ready": {},
-    "info": {"text": str},
-    "next": {},
-    "result": {"number": int},
-    "end": {},
-    "failed": FAILED,
-    "broke": {"reason": str},
-}
-"""Events of cluster/service.py."""
-
 _LOCAL = re.compile(r"local:(\d{1,4})")
 _REMOTE = re.compile(r"(tcp|tls|ucx|ws|wss)://[^\s:/]+:\d+/?")
 
@@ -89,7 +78,7 @@ class Workers:
             folder: Folder of exchanged files.
             feedback: Shows the reports of the process.
         """
-        self.reports = EventProcess(process, _EVENTS)
+        self.reports = EventProcess(process)
         self._process, self._folder, self._feedback = process, folder, feedback
         self._events = self.reports.read(feedback)
 
@@ -150,7 +139,7 @@ class Workers:
                 self._send(file)
             elif event["event"] == "result":
                 # Only files in the folder of this run are read and removed, whatever the process reports.
-                file = os.path.join(self._folder, f"result_{event['number']}")
+                file = os.path.join(self._folder, f"result_{int(event['number'])}")
                 result = read(file)
                 os.unlink(file)
                 yield event["number"], result

@@ -10,19 +10,7 @@ from qgis.PyQt.QtCore import QProcess
 
 from ...core.errors import TrainingError
 from ..translation import tr
-from .event_process import FAILED, PROGRAM, EventProcess, failure, python_environment
-
-_EVENTS = {
-    "ready": {"torch": str, "device": str},
-    "begun": {"device": str, "weights": float, "training": float, "validation": float},
-    "resumed": {"share": float, "epoch": float},
-    "step": {"share": float, "epoch": float, "loss": float},
-    "epoch": {"share": float, "epoch": float, "training_loss": float, "mean_iou": float},
-    "exporting": {"share": float},
-    "failed": FAILED,
-    "broke": {"reason": str, "text": str},
-}
-"""Events of training/."""
+from .event_process import PROGRAM, EventProcess, failure, python_environment
 
 _QGIS_OWN = ("PYTHONHOME", "PYTHONPATH", "PYTHONSTARTUP")
 """Variables that lead QGIS's own Python, and would mislead another one."""
@@ -59,7 +47,7 @@ def training_events(python: str, arguments: list[str], feedback: QgsProcessingFe
             python=python,
             reason=process.errorString(),
         )
-    reports = EventProcess(process, _EVENTS)
+    reports = EventProcess(process)
     try:
         with closing(reports.read(feedback)) as events:
             for event in events:

@@ -237,9 +237,8 @@ def test_a_cancel_before_the_first_epoch_leaves_nothing(train, tmp_path):
         ('sys.stderr.write("no memory\\n"); sys.exit(3)', r"ended without a message \(no memory\)"),
         ("os.kill(os.getpid(), 9)", "ended without a message"),
         ("sys.exit(0)", "ended without a message .*result.json"),
-        ('tell("failed", template="No {value}.", values={}); sys.exit(1)', "No {value}."),
     ],
-    ids=["a sentence", "a bug", "a last word", "killed", "nothing", "a sentence without values"],
+    ids=["a sentence", "a bug", "a last word", "killed", "nothing"],
 )
 def test_what_stops_the_training_is_one_sentence(train, tmp_path, training, said):
     with pytest.raises(QgsProcessingException, match=said):
