@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import cv2
 import numpy as np
@@ -66,6 +67,21 @@ class EvidenceLevel:
     known: np.ndarray
     pixel: tuple[float, float]
 
+    @cached_property
+    def centered(self) -> np.ndarray:
+        """(H, W · C) evidence minus the mean of each channel."""
+        return centered(self.evidence)
+
+
+def centered(planes: np.ndarray) -> np.ndarray:
+    """Return (…, H, W · C) of (…, H, W, C) float32 planes, minus the mean of each channel over its pixels.
+
+    All channels of a row are in one axis: loops over a few channels take longer than the arithmetic.
+    """
+    *_, height, width, _ = planes.shape
+    means = np.einsum("...hwc->...c", planes) / np.float32(height * width)
+    return planes.reshape(*planes.shape[:-2], -1) - np.tile(means, width)[..., None, :]
+
 
 def class_fractions(labels_hw: np.ndarray, values: Sequence[int] | np.ndarray, size_wh: tuple[int, int]) -> np.ndarray:
     """Return (h, w, K) uint8: the share of each coarse pixel (``FULL`` = all of it) that each class covers.
@@ -75,11 +91,12 @@ def class_fractions(labels_hw: np.ndarray, values: Sequence[int] | np.ndarray, s
         values: (K,) class values.
         size_wh: (w, h), coarse pixels along x and y, at most those of the raster; pixel edges need not coincide.
     """
-    fractions = np.empty((size_wh[1], size_wh[0], len(values)), np.uint8)
+    fractions = np.zeros((size_wh[1], size_wh[0], len(values)), np.uint8)
     for index, value in enumerate(values):
         # OpenCV's comparison gives FULL where it holds.
         covered = cv2.compare(labels_hw, int(value), cv2.CMP_EQ)
-        fractions[..., index] = cv2.resize(covered, size_wh, interpolation=cv2.INTER_AREA)
+        if cv2.countNonZero(covered):
+            fractions[..., index] = cv2.resize(covered, size_wh, interpolation=cv2.INTER_AREA)
     return fractions
 
 
@@ -251,8 +268,12 @@ class MapPyramid:
 
     def level_of(self, pixel_m: float) -> int:
         """Return the level with pixels nearest to ``pixel_m`` (×0.71 to ×1.41); its reduction is 2 ** level."""
-        level = max(0, int(round(np.log2(pixel_m / self.frame.pixel_size))))
-        return min(level, int(np.log2(STORED_REDUCTION)) + len(self._stored) - 1)
+        return int(self.levels_of(np.array([pixel_m]))[0])
+
+    def levels_of(self, pixels_m: np.ndarray) -> np.ndarray:
+        """Return (N,) int levels of N pixel sizes, see ``level_of``."""
+        levels = np.round(np.log2(pixels_m / self.frame.pixel_size)).astype(int)
+        return np.clip(levels, 0, int(np.log2(STORED_REDUCTION)) + len(self._stored) - 1)
 
     def stored(self, level: int) -> EvidenceLevel | None:
         """Return the whole map at a stored level; None for finer ones."""

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 import cv2
 import numpy as np
 
-from .class_pyramid import EvidenceLevel, MapPyramid
+from .class_pyramid import EvidenceLevel, MapPyramid, centered
 
 LEAST_KNOWN = 0.5
 """Least labeled share of the map under a place in the search."""
@@ -91,13 +91,13 @@ def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: f
     """
     best = pose
     for step in range(steps + 1):
-        fit = _linearize(image, pyramid, pose, quiet)
+        fit = _compare(image, pyramid, pose, quiet)
         pose = replace(pose, score=fit.score)
         if step == 0 or fit.score > best.score:
             best = pose
-        if step == steps or fit.pull is None or fit.score < best.score - 0.1:
+        if step == steps or fit.gain <= 0 or fit.score < best.score - 0.1:
             break
-        move = _move(fit.pull, image)
+        move = _move(_pull(image, fit), image)
         if (np.abs(move) < CONVERGED * parameter_units(image)).all():
             break
         pose = move_pose(pose, move)
@@ -111,10 +111,10 @@ def is_held_by_edge(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose,
         image: Its evidence.
         quiet: As in ``refine``.
     """
-    pull = _linearize(image, pyramid, pose, quiet).pull
-    if pull is None:
+    fit = _compare(image, pyramid, pose, quiet)
+    if fit.gain <= 0:
         return False
-    _, known = map_under(image, pyramid, move_pose(pose, _move(pull, image)))
+    _, known = map_under(image, pyramid, move_pose(pose, _move(_pull(image, fit), image)))
     return float(known.mean()) < LEAST_KNOWN_MOVED
 
 
@@ -135,7 +135,7 @@ def move_pose(pose: ScoredPose, move: np.ndarray) -> ScoredPose:
 
 def score_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> float:
     """Return the correlation −1…1 of image and map at an unchanged pose, or NOT_COMPARABLE."""
-    return _linearize(image, pyramid, pose, quiet, LEAST_KNOWN).score
+    return _compare(image, pyramid, pose, quiet, LEAST_KNOWN).score
 
 
 def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> np.ndarray:
@@ -145,9 +145,10 @@ def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose,
         (4, 4) of x in image pixels right, y down, heading in radians and ln pixel size; infinite if the image does not
         determine the whole pose.
     """
-    pull = _linearize(image, pyramid, pose, quiet).pull
-    if pull is None:
+    fit = _compare(image, pyramid, pose, quiet)
+    if fit.gain <= 0:
         return np.full((4, 4), np.inf)
+    pull = _pull(image, fit)
     strengths = np.linalg.eigvalsh(_normal(pull))
     damping = DAMPING
     if strengths[0] <= damping * strengths.sum():
@@ -173,10 +174,19 @@ class _Pull:
 
 @dataclass(frozen=True)
 class _Fit:
-    """Score of a pose, and its gradient if there is one."""
+    """Image and map at a pose, compared.
+
+    Attributes:
+        score: Correlation, or NOT_COMPARABLE.
+        gain: Of the image in the map; a pose has a gradient only above 0.
+        seen: (h, w · C) evidence of the image without its means.
+        there: (h, w · C) of the map.
+    """
 
     score: float
-    pull: _Pull | None = None
+    gain: float
+    seen: np.ndarray
+    there: np.ndarray
 
 
 def parameter_units(image: EvidenceLevel) -> np.ndarray:
@@ -185,34 +195,47 @@ def parameter_units(image: EvidenceLevel) -> np.ndarray:
     return np.array([image.pixel[0], image.pixel[1], 2 / width, 2 / height])
 
 
-def _linearize(
+def _compare(
     image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float, least_known: float | None = None
 ) -> _Fit:
-    """Return a pose's score and gradient; ``least_known``: least labeled share, that of refinement if None."""
+    """Return a pose's score; ``least_known``: least labeled share, that of refinement if None."""
     patch, known = map_under(image, pyramid, pose)
-    if known.mean() < (LEAST_KNOWN_MOVED if least_known is None else least_known):
-        return _Fit(NOT_COMPARABLE)
-    seen = image.evidence - image.evidence.mean(axis=(0, 1))
-    there = patch - patch.mean(axis=(0, 1))
+    seen, there = image.centered, centered(patch)
     norm, energy = float((seen**2).sum()), float((there**2).sum())
-    if norm <= 0 or energy <= 0:
-        return _Fit(NOT_COMPARABLE)
+    least_known = LEAST_KNOWN_MOVED if least_known is None else least_known
+    if known.mean() < least_known or norm <= 0 or energy <= 0:
+        return _Fit(NOT_COMPARABLE, 0.0, seen, there)
     product = float((seen * there).sum())
-    score = product / np.sqrt(norm * (energy + quiet * known.size))
-    gain = product / norm
-    if gain <= 0:
-        return _Fit(score)
-    both = there + gain * seen
+    return _Fit(product / np.sqrt(norm * (energy + quiet * known.size)), product / norm, seen, there)
+
+
+def _pull(image: EvidenceLevel, fit: _Fit) -> _Pull:
+    """Return the gradient of a pose with a gain."""
+    slopes = slopes_of(image, fit.there + fit.gain * fit.seen)
+    return _Pull(slopes.reshape(4, -1), (fit.there - fit.gain * fit.seen).ravel())
+
+
+def slopes_of(image: EvidenceLevel, both: np.ndarray) -> np.ndarray:
+    """Return (4, …, h, w · C) slopes of the fit, by the parameters in ``parameter_units``.
+
+    Args:
+        both: (…, h, w · C) sum of map and image.
+    """
+    (height, width), channels = image.known.shape, image.evidence.shape[2]
+    slopes = np.zeros((4, *both.shape), np.float32)
+    gradient_x, gradient_y, by_turn, by_scale = slopes
     # Slopes by one coarse pixel, and by the turn and scale that move the middle of the edge by one.
-    gradient_x, gradient_y = difference(both, 1) / 2, difference(both, 0) / 2
-    height, width = known.shape
-    x = ((np.arange(width, dtype=np.float32) - (width - 1) / 2) * image.pixel[0])[None, :, None]
-    y = ((np.arange(height, dtype=np.float32) - (height - 1) / 2) * image.pixel[1])[:, None, None]
+    np.subtract(both[..., 2 * channels :], both[..., : -2 * channels], out=gradient_x[..., channels:-channels])
+    np.subtract(both[..., 2:, :], both[..., :-2, :], out=gradient_y[..., 1:-1, :])
+    slopes[:2] /= 4
+    x = np.repeat((np.arange(width, dtype=np.float32) - (width - 1) / 2) * image.pixel[0], channels)
+    y = ((np.arange(height, dtype=np.float32) - (height - 1) / 2) * image.pixel[1])[:, None]
     by_x, by_y = gradient_x / image.pixel[0], gradient_y / image.pixel[1]
-    slopes = np.stack(
-        [gradient_x, gradient_y, (by_y * x - by_x * y) * (2 / width), (by_x * x + by_y * y) * (2 / height)]
-    )
-    return _Fit(score, _Pull(slopes.reshape(4, -1), (there - gain * seen).ravel()))
+    np.subtract(by_y * x, by_x * y, out=by_turn)
+    np.add(by_x * x, by_y * y, out=by_scale)
+    by_turn *= 2 / width
+    by_scale *= 2 / height
+    return slopes
 
 
 def _normal(pull: _Pull) -> np.ndarray:

@@ -12,7 +12,7 @@ the exact one.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -99,7 +99,7 @@ def search(image: EvidenceLevel, pyramid: MapPyramid, space: SearchSpace) -> np.
     """
     templates = _templates(image, pyramid, space)
 
-    def one_tile(job: tuple[float, _Tile]) -> list[tuple[float, ...]]:
+    def one_tile(job: tuple[float, _Tile]) -> np.ndarray:
         size_m, tile = job
         return _tile_peaks(pyramid, templates, space, size_m, tile)
 
@@ -110,7 +110,7 @@ def search(image: EvidenceLevel, pyramid: MapPyramid, space: SearchSpace) -> np.
     ]
     with ThreadPoolExecutor(THREADS) as pool:
         found = list(pool.map(one_tile, jobs))
-    peaks = np.array([peak for peaks in found for peak in peaks], np.float64).reshape(-1, 5)
+    peaks = np.concatenate(found)
     return peaks[np.argsort(-peaks[:, 0], kind="stable")]
 
 
@@ -127,12 +127,14 @@ class _Tile(NamedTuple):
 class _Templates:
     """The image at every heading, prepared for comparison with a tile.
 
+    Two headings share a complex plane: the correlation of a real tile with both is one complex plane.
+
     Attributes:
         pixel: Edge of a template's pixel, in image pixels.
         edge: Of a template, in its pixels.
-        tile_size: Edge of a tile, in such pixels.
-        spectra: For each heading and channel, conjugate.
-        mask: Spectrum of the mean mask over headings.
+        tile_size: Edge n of a tile, in such pixels.
+        spectra: (pairs of headings, C, n, n) complex64.
+        mask: (n, n) complex64, of the mean mask over headings.
         mask_sum: Pixels that it covers.
         quiet: Energy that is added to a footprint's own.
     """
@@ -140,8 +142,8 @@ class _Templates:
     pixel: float
     edge: int
     tile_size: int
-    spectra: list[list[_Spectrum]]
-    mask: _Spectrum
+    spectra: np.ndarray
+    mask: np.ndarray
     mask_sum: float
     quiet: float
 
@@ -159,36 +161,49 @@ def _templates(image: EvidenceLevel, pyramid: MapPyramid, space: SearchSpace) ->
     needed = int(np.ceil(extent / (pixel * float(space.pixel_sizes_m.min())))) + edge + 1
     tile_size = min(tile_size, _even_size(needed))
     turned = [turn_image(image, heading, edge, pixel) for heading in space.headings_deg]
-    spectra = [
-        [_Spectrum.of(one.evidence[..., c], tile_size).conjugate() for c in range(one.evidence.shape[2])]
-        for one in turned
-    ]
     mean_mask = np.mean([one.mask for one in turned], axis=0)
+    # The last of an odd number of headings is its own partner. The conjugate spectrum of a − ib gives the correlations
+    # with a and b as real and imaginary part.
+    planes = np.moveaxis(np.array([one.evidence for one in [*turned, turned[-1]]]), 3, 1)
+    pairs = planes[0:-1:2] - 1j * planes[1::2]
+    spectra = np.array([[_template(plane, tile_size) for plane in pair] for pair in pairs])
     covered = float(mean_mask.sum())
-    mask = _Spectrum.of(mean_mask, tile_size).conjugate()
+    mask = _template(mean_mask, tile_size)
     return _Templates(pixel, edge, tile_size, spectra, mask, covered, pyramid.quiet * covered)
+
+
+def _template(plane: np.ndarray, size: int) -> np.ndarray:
+    """Return (size, size) complex64, the conjugate spectrum of a plane in the upper left corner."""
+    padded = np.zeros((size, size), np.complex64)
+    padded[: plane.shape[0], : plane.shape[1]] = plane
+    return np.conj(_transform(padded))
+
+
+def _transform(plane: np.ndarray, flags: int = 0) -> np.ndarray:
+    """Return the spectrum of an (n, n) complex64 plane, or the plane of a spectrum."""
+    both = cv2.dft(plane.view(np.float32).reshape(*plane.shape, 2), flags=flags)
+    return both.view(np.complex64)[..., 0]
 
 
 def _tile_peaks(
     pyramid: MapPyramid, templates: _Templates, space: SearchSpace, size_m: float, tile: _Tile
-) -> list[tuple[float, ...]]:
-    """Return rows of ``search`` for one tile at one pixel size."""
+) -> np.ndarray:
+    """Return rows of ``search``, (N, 5), for one tile at one pixel size."""
     pixel_m = size_m * templates.pixel
-    scores = _tile_scores(pyramid, templates, pixel_m, (tile.left, tile.top))
-    if scores is None:
-        return []
-    scores = scores[:, : tile.rows, : tile.columns]
-    best = scores.max(axis=0)
-    return [
-        (
-            float(best[row, column]),
-            tile.left + (column + 0.5) * size_m * templates.pixel,
-            tile.top + (row + 0.5) * size_m * templates.pixel,
-            float(space.headings_deg[scores[:, row, column].argmax()]),
-            float(size_m),
-        )
-        for row, column in _peaks(best, max(1, templates.edge // 20), pyramid.settings.peaks_per_tile)
-    ]
+    found = _tile_scores(pyramid, templates, pixel_m, (tile.left, tile.top))
+    if found is None:
+        return np.empty((0, 5))
+    products, weight = found
+    best = products[0]
+    for product in products[1:]:
+        best = cv2.max(best, product)
+    best = (np.maximum(best[..., 0], best[..., 1]) * weight)[: tile.rows, : tile.columns]
+    rows, columns = _peaks(best, max(1, templates.edge // 20), pyramid.settings.peaks_per_tile)
+    # (turns, N) products at the peaks.
+    turned = np.moveaxis(np.array([one[rows, columns] for one in products]), 2, 1).reshape(2 * len(products), -1)
+    headings = space.headings_deg[turned[: len(space.headings_deg)].argmax(axis=0)]
+    x, y = tile.left + (columns + 0.5) * size_m * templates.pixel, tile.top + (rows + 0.5) * size_m * templates.pixel
+    return np.column_stack([best[rows, columns], x, y, headings, np.full(len(rows), size_m)])
 
 
 def _tiles(box_m: tuple[float, float, float, float], pixel_m: float, step: int) -> Iterator[_Tile]:
@@ -203,10 +218,13 @@ def _tiles(box_m: tuple[float, float, float, float], pixel_m: float, step: int) 
 
 def _tile_scores(
     pyramid: MapPyramid, templates: _Templates, pixel_m: float, corner_m: tuple[float, float]
-) -> np.ndarray | None:
-    """Return scores (headings, places, places) of every place of one tile, or None without labels.
+) -> tuple[list[np.ndarray], np.ndarray] | None:
+    """Return the products of every place of one tile, and the weights that make scores of them; None without labels.
 
     The first place is the pixel with the upper left corner ``corner_m``.
+
+    Returns:
+        (places, places, 2) float32 for each pair of headings, and (places, places) float32.
     """
     size, places = templates.tile_size, templates.places
     half = (templates.edge - 1) / 2 * pixel_m
@@ -225,64 +243,29 @@ def _tile_scores(
     known = cv2.warpAffine(level.known, matrix, (size, size), flags=flags)
     if not known.any():
         return None
-    evidence = cv2.warpAffine(level.evidence, matrix, (size, size), flags=flags).reshape(size, size, -1)
-    tile = [_Spectrum.of(evidence[..., c], size) for c in range(evidence.shape[2])]
-    energy = _correlation([_Spectrum.of((evidence**2).sum(axis=2), size)], [templates.mask], places)
-    for spectrum in tile:
-        energy -= _correlation([spectrum], [templates.mask], places) ** 2 / templates.mask_sum
-    share = _correlation([_Spectrum.of(known, size)], [templates.mask], places) / templates.mask_sum
+    evidence = cv2.warpAffine(level.evidence, matrix, (size, size), flags=flags)
+    channels = cv2.split(evidence)
+    tile = np.empty((len(channels), size, size), np.complex64)
+    for channel, spectrum in zip(channels, tile.view(np.float32).reshape(*tile.shape, 2)):
+        cv2.dft(channel, spectrum, cv2.DFT_COMPLEX_OUTPUT)
+
+    def plane_of(spectrum: np.ndarray) -> np.ndarray:
+        """Return (places, places, 2): real and imaginary part of the plane of a spectrum."""
+        found = _transform(spectrum, cv2.DFT_INVERSE | cv2.DFT_SCALE)
+        return found.view(np.float32).reshape(size, size, 2)[:places, :places]
+
+    energy = np.sum([channel * channel for channel in channels], axis=0)
+    both = cv2.merge([energy, known]).view(np.complex64)[..., 0]
+    energy, share = cv2.split(plane_of(_transform(both) * templates.mask))
+    for channel in range(0, len(tile), 2):
+        pair = tile[channel] if channel + 1 == len(tile) else tile[channel] + 1j * tile[channel + 1]
+        sums = plane_of(pair * templates.mask)
+        energy -= np.einsum("ijk,ijk->ij", sums, sums) / templates.mask_sum
     weight = 1 / np.sqrt(np.maximum(energy, 0) + templates.quiet)
-    weight[share < LEAST_KNOWN] = 0
+    weight[share / templates.mask_sum < LEAST_KNOWN] = 0
     if not weight.any():
         return None
-    scores = np.empty((len(templates.spectra), places, places), np.float32)
-    for score, template in zip(scores, templates.spectra):
-        np.multiply(_correlation(tile, template, places), weight, out=score)
-    return scores
-
-
-@dataclass(frozen=True)
-class _Spectrum:
-    """Spectrum of a plane of even edge n, for products in NumPy, which are several times faster than in OpenCV.
-
-    Attributes:
-        inner: (n, n / 2 − 1) complex64, the columns that OpenCV packs as pairs of real and imaginary part.
-        borders: (2, n) float32, the first and the last column: packed spectra of one dimension.
-    """
-
-    inner: np.ndarray
-    borders: np.ndarray
-
-    @classmethod
-    def of(cls, plane: np.ndarray, size: int) -> _Spectrum:
-        """Return the spectrum of a plane in the upper left corner of a ``size`` × ``size`` one."""
-        if len(plane) < size:
-            padded = np.zeros((size, size), np.float32)
-            padded[: plane.shape[0], : plane.shape[1]] = plane
-        else:
-            padded = np.ascontiguousarray(plane)
-        packed = cv2.dft(padded, nonzeroRows=plane.shape[0])
-        inner = np.ascontiguousarray(packed[:, 1:-1]).view(np.complex64)
-        return cls(inner, np.ascontiguousarray(packed[:, [0, -1]].T))
-
-    def conjugate(self) -> _Spectrum:
-        """Return it with conjugate ``inner``, the form of templates."""
-        return _Spectrum(np.conj(self.inner), self.borders)
-
-
-def _correlation(tile: Sequence[_Spectrum], template: Sequence[_Spectrum], places: int) -> np.ndarray:
-    """Return (places, places) float32: Σ over channels of the correlation with a template of conjugate spectra."""
-    inner = tile[0].inner * template[0].inner
-    borders = cv2.mulSpectrums(tile[0].borders, template[0].borders, cv2.DFT_ROWS, conjB=True)
-    one_channel = np.empty_like(inner)
-    for one, other in zip(tile[1:], template[1:]):
-        inner += np.multiply(one.inner, other.inner, out=one_channel)
-        borders += cv2.mulSpectrums(one.borders, other.borders, cv2.DFT_ROWS, conjB=True)
-    product = np.empty((len(inner), len(inner)), np.float32)
-    product[:, 1:-1] = inner.view(np.float32)
-    product[:, 0], product[:, -1] = borders
-    flags = cv2.DFT_INVERSE | cv2.DFT_SCALE | cv2.DFT_REAL_OUTPUT
-    return cv2.dft(product, flags=flags, nonzeroRows=places)[:places, :places]
+    return [plane_of(np.einsum("cij,cij->ij", tile, template)) for template in templates.spectra], weight
 
 
 def _even_size(least: int) -> int:
@@ -290,9 +273,9 @@ def _even_size(least: int) -> int:
     return 2 * cv2.getOptimalDFTSize((least + 1) // 2)
 
 
-def _peaks(score: np.ndarray, radius: int, count: int) -> np.ndarray:
-    """Return (M, 2) int rows and columns of the local maxima above 0, best first, at most ``count``."""
+def _peaks(score: np.ndarray, radius: int, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return (M,) rows and columns of the local maxima above 0, best first, at most ``count``."""
     kernel = np.ones((2 * radius + 1, 2 * radius + 1), np.uint8)
-    at = np.argwhere((score >= cv2.dilate(score, kernel)) & (score > 0))
-    order = np.argsort(-score[at[:, 0], at[:, 1]], kind="stable")
-    return at[order[:count]]
+    at = np.flatnonzero((score >= cv2.dilate(score, kernel)) & (score > 0))
+    order = np.argsort(-score.ravel()[at], kind="stable")
+    return np.divmod(at[order[:count]], score.shape[1])
