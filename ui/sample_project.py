@@ -56,7 +56,6 @@ class SampleProject(QObject):
             signal.connect(lambda *_: self.ended.emit())
         self.run.done.connect(lambda *_: self._open())
         self._messages.show_failures(self.run)
-        self.run.canceled.connect(lambda: self._messages.take_back_failure(self.run.title))
 
     def shut_down(self) -> None:
         self.run.abandon()

@@ -55,11 +55,7 @@ class Package:
 
     def requirement(self, numpy_version: str) -> str:
         """Return pip's requirement of a range of versions, such as ``opencv-python-headless>=4.5,<4.12``."""
-        return self.pip_name + self.tested(numpy_version)
-
-    def tested(self, numpy_version: str) -> str:
-        """Return the tested versions, such as ``>=4.5,<4.12``."""
-        return (_numpy_1(numpy_version) and self.limits_before_numpy_2) or self.limits
+        return self.pip_name + ((_numpy_1(numpy_version) and self.limits_before_numpy_2) or self.limits)
 
     def asked(self, numpy_version: str) -> list[str]:
         """Return pip's requirements of a range of versions: the package and what comes with it."""
@@ -177,16 +173,6 @@ def installed_version(package: Package) -> str:
     version = next(found, "") or str(getattr(sys.modules.get(package.module), "__version__", ""))
     # Some builds, as Debian's Shapely, do not contain their version.
     return "" if "unknown" in version else version
-
-
-def is_tested(version: str, limits: str) -> bool:
-    """Return whether a version is within limits such as ``>=4.5,<4.12``."""
-    lowest, highest = (_numbers(limit.lstrip("<>=")) for limit in limits.split(","))
-    return lowest <= _numbers(version) < highest
-
-
-def _numbers(version: str) -> tuple[int, ...]:
-    return tuple(int(number) for number in re.findall(r"\d+", version.partition("+")[0]))
 
 
 def origin(package: Package) -> str:

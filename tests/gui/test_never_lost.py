@@ -1,4 +1,4 @@
-"""Results and the state of the dock survive new projects and reloads, and a reset clears them."""
+"""Results survive new projects and reloads of the plugin."""
 
 from __future__ import annotations
 
@@ -87,18 +87,6 @@ def test_results_that_the_profile_cannot_store_are_shown_as_well(dock, area, tab
     choose_method(dock, CONSTELLATION)
     localize(dock, area.database, [area.image])
     assert results_of(dock) == [("on_window.tif", "Position")] and not list(tmp_path.iterdir())
-
-
-def test_a_plugin_that_is_loaded_again_restores_the_dock_of_the_open_project(plugin, dock, iface, area, tab):
-    from qgis.core import QgsProject
-
-    choose_method(dock, CONSTELLATION)
-    localize(dock, area.database, [area.image])
-    QgsProject.instance().setDirty(False)
-    shown, state = results_of(dock), tab.state_now()
-    again = reloaded(plugin, iface)
-    assert (results_of(again), again.content.localize.state_now()) == (shown, state)
-    assert not QgsProject.instance().isDirty()
 
 
 def test_a_run_shows_the_remaining_time(qgis_app):

@@ -178,10 +178,10 @@ def test_a_project_keeps_no_impossible_circle(qgis_app, prior):
     from semref.ui.project_state import read_state
 
     project = QgsProject()
-    for key, value in (("database", "a.gpkg"), ("prior", prior), ("method", 99), ("opacity", -5)):
+    for key, value in (("database", "a.gpkg"), ("prior", prior), ("method", 99)):
         project.writeEntry("SemRef", f"/{key}", value)
     state = read_state(project)
-    assert (state.prior, state.method, state.opacity) == (None, 0, 0)
+    assert (state.prior, state.method) == (None, 0)
 
 
 @pytest.mark.parametrize("given", [{"CLASS_TABLE": "classes.\0csv"}, {"OUTPUT": "x\0.tif"}, {"INPUT": "colors\0.tif"}])

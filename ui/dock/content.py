@@ -78,8 +78,6 @@ class DockContent(QWidget):
         self.inspect.databaseWanted.connect(self._read_database)
         self.correct.updated.connect(self._show_updated)
         self.correct.outdated.connect(self._offer_label_map)
-        for run in (self.localize.run, self.correct.run, self.correct.repair.run):
-            run.canceled.connect(lambda run=run: self._messages.take_back_failure(run.title))
         self._reader.answered.connect(self.inspect.use)
         self._messages.show_failures(self._reader)
         self.correct.updating.use_database(self.database.path())

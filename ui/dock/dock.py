@@ -97,7 +97,10 @@ class SemRefDock(QgsDockWidget):
     def shut_down(self) -> None:
         """Cancel runs and clear the canvas."""
         self.visibilityChanged.disconnect(self._follow_visibility)
-        self._leave_project()
+        project = QgsProject.instance()
+        project.readProject.disconnect(self._restore)
+        project.writeProject.disconnect(self._write)
+        project.cleared.disconnect(self._forget)
         OPENED.database.disconnect(self.choose_database)
         OPENED.raster.disconnect(self._reload_raster)
         self._opens = False
@@ -172,18 +175,6 @@ class SemRefDock(QgsDockWidget):
         state = self._state_now()
         if state is not None:
             write_state(QgsProject.instance(), state)
-
-    def _leave_project(self) -> None:
-        """Stop following the project, and leave the dock's state in it for a plugin that is loaded again."""
-        project = QgsProject.instance()
-        state, is_dirty = self._state_now(), project.isDirty()
-        if state is not None and state != (read_state(project) or DockState()):
-            write_state(project, state)
-            # The user has nothing to save because of it.
-            project.setDirty(is_dirty)
-        project.readProject.disconnect(self._restore)
-        project.writeProject.disconnect(self._write)
-        project.cleared.disconnect(self._forget)
 
     def _forget(self) -> None:
         """Clear database, marks and results when the project is closed."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
 from qgis.core import QgsApplication, QgsSettings
 from qgis.gui import QgsOptionsPageWidget
 from qgis.PyQt.QtCore import Qt, pyqtSignal
@@ -30,10 +29,8 @@ from ...processing.packages.components import (
     Package,
     components_root,
     install_command,
-    installed_version,
     is_missing,
     is_own,
-    is_tested,
     is_too_old,
     origin,
     purpose,
@@ -131,18 +128,18 @@ class ComponentsPage(QgsOptionsPageWidget):
         layout.addWidget(area)
 
     def _package_table(self) -> QGridLayout:
-        """Return a row for each package: check box, title, purpose, state and tested versions."""
+        """Return a row for each package: check box, title, purpose and state."""
         table = QGridLayout()
-        headings = "", tr("Package"), tr("Purpose"), tr("State"), tr("Tested versions")
+        headings = "", tr("Package"), tr("Purpose"), tr("State")
         for column, heading in enumerate(headings):
             table.addWidget(QLabel(f"<b>{heading}</b>"), 0, column)
         for row, package in enumerate(PACKAGES, start=1):
-            title, use, tested = QLabel(package.title), QLabel(purpose(package)), QLabel(_tested(package))
+            title, use = QLabel(package.title), QLabel(purpose(package))
             title.setToolTip(package.pip_name)
             title.setBuddy(self.checks[package])
             self.checks[package].setAccessibleName(package.title)
             use.setWordWrap(True)
-            for column, widget in enumerate((self.checks[package], title, use, self.states[package], tested)):
+            for column, widget in enumerate((self.checks[package], title, use, self.states[package])):
                 table.addWidget(widget, row, column)
         table.setColumnStretch(2, 1)
         return table
@@ -248,16 +245,9 @@ class ComponentsPage(QgsOptionsPageWidget):
         self.devices.show_devices(self.devices.device.currentData())
 
 
-def _tested(package: Package) -> str:
-    return package.tested(np.__version__).replace(",", ", ")
-
-
 def _state(package: Package) -> str:
     if is_too_old(package):
         return tr("Too old")
     if is_missing(package):
         return tr("Missing")
-    version = installed_version(package)
-    if version and not is_tested(version, package.tested(np.__version__)):
-        return tr("{version} (not tested)").format(version=version)
     return tr("Installed by SemRef") if is_own(package) else tr("Ready")

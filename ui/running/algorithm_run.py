@@ -92,11 +92,6 @@ class AlgorithmRun(QObject):
     def running(self) -> bool:
         return self._task is not None
 
-    @property
-    def title(self) -> str:
-        """Title of the last task in QGIS's task manager."""
-        return self._asked[2]
-
     def start_algorithm(self, algorithm_id: str, parameters: dict, title: str) -> bool:
         """Start a run. Returns False after emitting ``failed`` if it can't start."""
         algorithm = QgsApplication.processingRegistry().algorithmById(algorithm_id)

@@ -117,11 +117,6 @@ class CorrectionRun(QObject):
             part.broke.connect(partial(self._end_early, self.broke))
         self._run.canceled.connect(partial(self._end_early, self.canceled))
 
-    @property
-    def title(self) -> str:
-        """Title of the last task in QGIS's task manager."""
-        return self._run.title
-
     def shut_down(self) -> None:
         """Cancel, and wait until the background thread has ended."""
         self._reader.shut_down()

@@ -7,7 +7,7 @@ from html import escape
 
 from qgis.core import Qgis, QgsMessageLog, QgsProject
 from qgis.gui import QgsMessageBar, QgsMessageBarItem
-from qgis.PyQt.QtCore import QCoreApplication, QTimer, QUrl
+from qgis.PyQt.QtCore import QUrl
 from qgis.PyQt.QtGui import QDesktopServices
 from qgis.PyQt.QtWidgets import QPushButton
 
@@ -59,15 +59,6 @@ class Messages:
         item.layout().addWidget(next_step)
         self._bar.pushWidget(item, level)
         return item
-
-    def take_back_failure(self, task: str) -> None:
-        """Remove QGIS's message that a task failed after the user canceled it. The message comes a moment later."""
-        QTimer.singleShot(0, lambda: self._remove(QCoreApplication.translate("QgisApp", "Task failed"), task))
-
-    def _remove(self, title: str, text: str) -> None:
-        for item in self._bar.items():
-            if (item.title(), item.text()) == (title, text):
-                self._bar.popWidget(item)
 
     def show_failures(self, *parts) -> None:
         """Show what the signals ``failed`` and ``broke`` of these objects report."""
