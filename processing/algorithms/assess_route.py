@@ -366,30 +366,11 @@ class AssessRoute(AssessAlgorithm):
         )
         if longest:
             feedback.pushInfo(tr("Longest gap without an expected position: {length:.0f} m.").format(length=longest))
-        for gap, hint in zip(route.stretches, route.hints):
-            if hint is not None:
-                feedback.pushInfo(hint_text(gap, hint))
 
 
 def _plain(value: Any) -> Any:
     """Return the value without the wrapper that a dialog adds for “selected features only”."""
     return value.source.staticValue() if isinstance(value, QgsProcessingFeatureSourceDefinition) else value
-
-
-def hint_text(gap: RouteGap, hint: ShiftHint) -> str:
-    """Return the sentence about a parallel line with more success."""
-    text = (
-        tr(
-            "From {start:.0f} m to {end:.0f} m: with a shift of {shift:.0f} m to the left, success rises from "
-            "{before:.0%} to {after:.0%}."
-        )
-        if hint.offset < 0
-        else tr(
-            "From {start:.0f} m to {end:.0f} m: with a shift of {shift:.0f} m to the right, success rises from "
-            "{before:.0%} to {after:.0%}."
-        )
-    )
-    return text.format(start=gap.start, end=gap.end, shift=abs(hint.offset), after=hint.success, before=hint.before)
 
 
 def _wkt(line_xy: np.ndarray) -> str:

@@ -13,14 +13,11 @@ from ...core.annotation.findings import (
     SEVERITIES,
     Finding,
 )
-from ..messages.annotation_messages import kind_titles, sentence, severity_title
+from ..messages.annotation_messages import kind_titles, severity_title
 from ..messages.numbers import count as number_text
 from ..messages.numbers import shown
 from ..translation import tr
 from . import page, parts
-
-EXAMPLES = 3
-"""Number of findings of each kind in words, those with the largest area."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +45,6 @@ class AnnotationReport:
             self._next(),
             page.section(tr("Findings by kind"), self._kinds_table()),
             page.section(tr("Findings by class"), self._classes_table()),
-            page.section(tr("Largest findings of each kind"), *self._examples()),
         )
 
     def _key_figures(self) -> str:
@@ -70,16 +66,14 @@ class AnnotationReport:
             ]
         return parts.next_steps(steps)
 
-    def _kinds(self) -> list[str]:
-        found = {finding.kind for finding in self.findings}
-        return [kind for kind in CHECKED_KINDS if kind in found]
-
     def _kinds_table(self) -> str:
         if not self.findings:
             return page.paragraph(tr("The check has no findings."))
         rows = []
-        for kind in self._kinds():
+        for kind in CHECKED_KINDS:
             own = [finding for finding in self.findings if finding.kind == kind]
+            if not own:
+                continue
             counts = Counter(finding.severity for finding in own)
             cells = [_count(counts[severity], severity) for severity in SEVERITIES]
             area = shown(sum(f.area or 0.0 for f in own), ",.2f")
@@ -95,14 +89,6 @@ class AnnotationReport:
             if any(counts[value, severity] for severity in SEVERITIES)
         ]
         return page.table([tr("Class"), *(severity_title(s) for s in SEVERITIES)], rows, numbers=(1, 2, 3))
-
-    def _examples(self) -> list[str]:
-        texts = []
-        for kind in self._kinds():
-            own = sorted((f for f in self.findings if f.kind == kind), key=lambda f: -(f.area or 0.0))
-            title = kind_titles()[kind]
-            texts += [page.paragraph(f"{title}: {sentence(f, self.class_names)}") for f in own[:EXAMPLES]]
-        return texts
 
 
 def _count(number: int, severity: str) -> str:
