@@ -5,9 +5,9 @@ from __future__ import annotations
 import shutil
 from pathlib import Path
 
-from qgis.core import Qgis, QgsProject, QgsRasterLayer, QgsReferencedRectangle, QgsSettings, QgsVectorLayer
-from qgis.PyQt.QtCore import QObject, pyqtSignal
-from qgis.PyQt.QtWidgets import QFileDialog, QPushButton
+from qgis.core import QgsProject, QgsRasterLayer, QgsReferencedRectangle, QgsSettings, QgsVectorLayer
+from qgis.PyQt.QtCore import QObject
+from qgis.PyQt.QtWidgets import QFileDialog
 
 from ..core.errors import ParameterError, SemRefError, reason_of
 from ..processing.inspection.models import SHIPPED
@@ -20,8 +20,6 @@ from ..storage.text_tables import CLASSES_FILE, read_class_table
 from .project_state import read_state
 from .running.algorithm_run import AlgorithmRun
 from .widgets.database_box import MAKE_DATABASE
-from .widgets.messages import TAG
-from .widgets.progress import RemainingBar
 
 FOLDER = "semref_sample"
 """Folder that is created in the chosen folder, unless the chosen folder is empty."""
@@ -44,22 +42,17 @@ _FOLDER_SETTING = "semref/sample_folder"
 class SampleProject(QObject):
     """Asks for a folder, creates the sample project there, and opens it. Call ``shut_down`` before deleting it."""
 
-    ended = pyqtSignal()
-
     def __init__(self, iface, dock) -> None:
         super().__init__(iface.mainWindow())
         self._iface, self._dock = iface, dock
         self._messages = dock.messages
         self._folder = Path()
         self.run = AlgorithmRun(self)
-        for signal in (self.run.done, self.run.failed, self.run.broke, self.run.canceled):
-            signal.connect(lambda *_: self.ended.emit())
         self.run.done.connect(lambda *_: self._open())
         self._messages.show_failures(self.run)
 
     def shut_down(self) -> None:
         self.run.abandon()
-        self.ended.emit()
 
     def ask(self) -> None:
         if self.run.running:
@@ -90,21 +83,9 @@ class SampleProject(QObject):
         if (self._folder / DATABASE_FILE).exists():
             self._open()
             return
-        self._show_bar()
+        # QGIS shows progress and a button to cancel in its status bar.
+        self._messages.info(tr("Creating the sample project"))
         self.run.start_algorithm(MAKE_DATABASE, parameters(self._folder), tr("Creating the sample project"))
-
-    def _show_bar(self) -> None:
-        """Show progress and a *Cancel* button in the message bar. Closing the message does not stop the work."""
-        bar = self._iface.messageBar()
-        item = bar.createMessage(TAG, tr("Creating the sample project"))
-        progress, cancel = RemainingBar(), QPushButton(tr("Cancel"))
-        progress.begin()
-        for widget in (progress, cancel):
-            item.layout().addWidget(widget)
-        self.run.progressed.connect(progress.show_percent)
-        cancel.clicked.connect(self.run.cancel)
-        self.ended.connect(item.dismiss)
-        bar.pushWidget(item, Qgis.MessageLevel.Info)
 
     def _open(self) -> None:
         if not self._iface.newProject(True):
