@@ -74,7 +74,7 @@ class Outputs:
         for path in self._rasters:
             OPENED.raster.emit(path)
         for key in self._opened:
-            open_when_done(self.results[key], self._values.raw(parameters.LABELS), key, self._values.context)
+            open_when_done(self.results[key], key, self._values.context)
 
     def require(self, check: Callable[[], None]) -> None:
         """Call ``check`` before anything is renamed; it may raise."""

@@ -141,12 +141,11 @@ def _reload(layers: list[QgsMapLayer]) -> None:
         layer.triggerRepaint()
 
 
-def open_when_done(path: str, labels: object, output: str, context: QgsProcessingContext) -> None:
+def open_when_done(path: str, output: str, context: QgsProcessingContext) -> None:
     """Open a database in QGIS when its algorithm is done. Scripts without a project open nothing.
 
     Args:
         path: The database.
-        labels: Value of LABELS; if the run opens this file as well, it becomes part of the database's group.
         output: Key of the output.
         context: Context of the run.
     """
@@ -155,8 +154,7 @@ def open_when_done(path: str, labels: object, output: str, context: QgsProcessin
     details = QgsProcessingContext.LayerDetails(
         tr("Landmarks"), context.project(), output, QgsProcessingUtils.LayerHint.Vector
     )
-    is_opened = isinstance(labels, str) and context.willLoadLayerOnCompletion(labels)
-    set_post_processor(details, _Opener(path, labels if is_opened else ""))
+    set_post_processor(details, _Opener(path))
     context.addLayerToLoadOnCompletion(_table_source(path, REFERENCES), details)
 
 
@@ -172,10 +170,9 @@ def set_post_processor(
 class _Opener(QgsProcessingLayerPostProcessorInterface):
     """Opens the other layers of a database after QGIS opened the references."""
 
-    def __init__(self, path: str, labels: str) -> None:
+    def __init__(self, path: str) -> None:
         super().__init__()
-        self._path, self._labels = path, labels
-        self.taken = ""
+        self._path = path
 
     def postProcessLayer(self, layer, context, feedback):
         project = context.project()
@@ -187,45 +184,7 @@ class _Opener(QgsProcessingLayerPostProcessorInterface):
             reload_database(self._path, project)
         else:
             add_database_to_map(self._path, project, layer)
-        self.take_labels(project)
         OPENED.database.emit(self._path)
-
-    def take_labels(self, project: QgsProject) -> None:
-        """Move the label map of the same run into the group, hidden, when both are in the project."""
-        group = next((database_group(layer, project) for layer in database_layers(self._path, project)), None)
-        found = [layer for layer in project.mapLayers().values() if self._labels and layer.source() == self._labels]
-        if group is not None and found:
-            self._labels, self.taken = "", found[0].id()
-            node = move(project.layerTreeRoot().findLayer(found[0].id()), group, len(group.children()))
-            node.setExpanded(False)
-            node.setItemVisibilityChecked(False)
-
-
-def _openers() -> list[_Opener]:
-    return [one for one in _KEPT if isinstance(one, _Opener)]
-
-
-def place_new_layer(layer: QgsMapLayer, project: QgsProject | None) -> None:
-    """Move a new layer to its place, never into the group of another database."""
-    # QGIS 3.40 opens all layers of a run before it calls the first post-processor.
-    if project is None or any(opener.taken == layer.id() for opener in _openers()):
-        return
-    if isinstance(layer, QgsRasterLayer):
-        place_at_bottom(layer, project)
-    else:
-        leave_group(layer, database_group(layer, project), project)
-    for opener in _openers():
-        opener.take_labels(project)
-
-
-def database_group(layer: QgsMapLayer, project: QgsProject) -> QgsLayerTreeGroup | None:
-    """Return the group of a layer if it is the group of a database."""
-    node = project.layerTreeRoot().findLayer(layer.id())
-    group = None if node is None else node.parent()
-    if group is None or group.parent() is None:
-        return None
-    layers = [child.layer() for child in group.children() if QgsLayerTree.isLayer(child)]
-    return group if any(one is not None and database_file(one) for one in layers) else None
 
 
 def _file_and_table(layer: QgsMapLayer) -> tuple[str, str]:
@@ -250,22 +209,15 @@ def place_on_top(layer: QgsMapLayer, project: QgsProject) -> None:
     project.layerTreeRoot().insertLayer(0, layer)
 
 
-def place_at_bottom(layer: QgsMapLayer, project: QgsProject) -> None:
+def place_at_bottom(layer: QgsMapLayer, project: QgsProject | None) -> None:
     """Move a new layer below all others except map tiles, so that it covers no layer of the user."""
-    node = project.layerTreeRoot().findLayer(layer.id())
+    node = None if project is None else project.layerTreeRoot().findLayer(layer.id())
     if node is not None:
         root = project.layerTreeRoot()
         others = [child for child in root.children() if child is not node]
         while others and _is_drawn(others[-1]):
             others.pop()
         move(node, root, root.children().index(others[-1]) + 1 if others else 0)
-
-
-def leave_group(layer: QgsMapLayer, group: QgsLayerTreeGroup | None, project: QgsProject) -> None:
-    """Move a layer that QGIS added to the selected ``group`` to the position above the group."""
-    node = project.layerTreeRoot().findLayer(layer.id())
-    if group is not None and node is not None and node.parent() is group:
-        move(node, group.parent(), group.parent().children().index(group))
 
 
 def move(node: QgsLayerTreeNode, group: QgsLayerTreeGroup, index: int) -> QgsLayerTreeNode:

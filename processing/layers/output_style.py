@@ -16,7 +16,7 @@ from qgis.core import (
 from qgis.PyQt.QtXml import QDomDocument
 
 from ...storage.vector_files import STYLE_OF_SEMREF, leave_wal
-from .database_layers import place_new_layer, set_post_processor
+from .database_layers import place_at_bottom, set_post_processor
 from .layer_metadata import Note, save_in_file
 from .styles import apply_style, name_columns
 
@@ -118,7 +118,7 @@ class _RasterStyler(QgsProcessingLayerPostProcessorInterface):
         document = QDomDocument()
         document.setContent(self._qml)
         layer.importNamedStyle(document)
-        place_new_layer(layer, context.project())
+        place_at_bottom(layer, context.project())
         layer.triggerRepaint()
 
 
@@ -130,5 +130,4 @@ class _Styler(QgsProcessingLayerPostProcessorInterface):
     def postProcessLayer(self, layer, context, feedback):
         if isinstance(layer, QgsVectorLayer):
             self._look.apply(layer)
-            place_new_layer(layer, context.project())
             layer.triggerRepaint()

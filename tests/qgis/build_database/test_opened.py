@@ -134,14 +134,14 @@ def make_database(run_as_dialog, tmp_path):
     return make
 
 
-def test_each_database_has_its_own_group_in_which_only_landmarks_are_visible(make_database, project):
+def test_each_database_has_its_own_group_above_its_label_map(make_database, project):
     make_database("first")
-    content = ["Landmarks", "Windows", "Overview", "Label map"]
-    assert groups(project) == [("first", content)] and visible(project) == ["first/Landmarks"]
+    content, label_map = ["Landmarks", "Windows", "Overview"], ("Label map", [])
+    assert groups(project) == [("first", content), label_map]
+    assert visible(project) == ["first/Landmarks", "Label map"]
     add_layers_to(project.layerTreeRoot().children()[0])
     make_database("second")
-    assert groups(project) == [("second", content), ("first", content)]
-    assert visible(project) == ["second/Landmarks", "first/Landmarks"]
+    assert groups(project) == [("second", content), ("first", content), label_map, label_map]
 
 
 def test_a_new_label_map_is_below_the_users_layers_and_above_map_tiles(run_as_dialog, project, label_map, tmp_path):
@@ -158,5 +158,3 @@ def test_a_new_label_map_is_below_the_users_layers_and_above_map_tiles(run_as_di
         run_as_dialog("semref:rasterizeannotation", rasterized)
         names = [name for name, _ in groups(project)]
         assert names == ["area", "orthophoto", *["Label map"] * (number + 1), "tiles"]
-    run_as_dialog("semref:checkannotation", {**rasterized, "ISSUES": opened(tmp_path / "issues.gpkg")})
-    assert [name for name, _ in groups(project)][:2] == ["Issues", "area"]
