@@ -1,4 +1,4 @@
-"""List of the models of a folder, with the card of the selected model."""
+"""Dialog with the models of a folder, with the card of the selected model."""
 
 from __future__ import annotations
 
@@ -36,17 +36,16 @@ _CARD = Qt.ItemDataRole.UserRole
 _NAME, _CLASSES, _QUALITY = 0, 1, 3
 
 
-class ModelList(QWidget):
-    """Folder, its models, and the card of the selected model.
+class ModelsDialog(QDialog):
+    """Folder, its models, and the card of the selected model. chosen: path of the model to use."""
 
-    selected: path of the selected model, empty if it can't be used; chosen: path of a double-clicked model.
-    """
-
-    selected = pyqtSignal(str)
     chosen = pyqtSignal(str)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, current: str = "", parent: QWidget | None = None) -> None:
+        """``current``: path of the model in use."""
         super().__init__(parent)
+        self.setObjectName("SemRefModels")
+        self.setWindowTitle(tr("Models for photos"))
         self.folder = QgsFileWidget()
         self.folder.setStorageMode(QgsFileWidget.StorageMode.GetDirectory)
         self.folder.setDialogTitle(tr("Choose the folder of your models"))
@@ -57,12 +56,23 @@ class ModelList(QWidget):
         self.add.setToolTip(tr("Add a network of others: an ONNX file, or a checkpoint of PyTorch"))
         self.adding: AddModelDialog | None = None
         self.where = QLabel(_where_to_get_more())
+        self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        self.use = self.buttons.addButton(tr("Use this model"), QDialogButtonBox.ButtonRole.AcceptRole)
         self._lay_out()
         self.add.clicked.connect(self._add_model)
         self.folder.fileChanged.connect(self._change_folder)
         self.list.currentItemChanged.connect(self._show_card)
-        self.list.itemActivated.connect(self._choose)
+        self.list.itemActivated.connect(self._take)
+        self.buttons.accepted.connect(self._take)
+        self.buttons.rejected.connect(self.reject)
         self.refresh()
+        self.select(current)
+        self.resize(QgsSettings().value(_SIZE_SETTING, self.sizeHint().expandedTo(QSize(*_SMALLEST_PX))))
+
+    def done(self, result: int) -> None:
+        """Remember the size."""
+        QgsSettings().setValue(_SIZE_SETTING, self.size())
+        super().done(result)
 
     def path(self) -> str:
         """Return the path of the selected model; empty without a usable selected model."""
@@ -113,14 +123,14 @@ class ModelList(QWidget):
         both.setStretchFactor(0, _LIST_SHARE)
         both.setStretchFactor(1, _CARD_SHARE)
         layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
         layout.addLayout(row_of(QLabel(tr("Folder")), (self.folder, 1), self.add))
         layout.addWidget(both, 1)
         layout.addWidget(self.where)
+        layout.addWidget(self.buttons)
 
     def _add_model(self) -> None:
         """Open the dialog of a new model, which gets selected."""
-        self.adding = AddModelDialog(self.window())
+        self.adding = AddModelDialog(self)
         self.adding.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.adding.added.connect(self._select_new)
         self.adding.open()
@@ -135,45 +145,12 @@ class ModelList(QWidget):
 
     def _show_card(self, item: QTreeWidgetItem | None) -> None:
         self.card.setHtml("" if item is None else card_html(item.data(0, _CARD)))
-        self.selected.emit(self.path())
+        self.use.setEnabled(bool(self.path()))
 
-    def _choose(self, *_item: object) -> None:
+    def _take(self, *_item: object) -> None:
         if self.path():
             self.chosen.emit(self.path())
-
-
-class ModelsDialog(QDialog):
-    """List of models in a dialog. chosen: path of the model to use."""
-
-    chosen = pyqtSignal(str)
-
-    def __init__(self, current: str = "", parent: QWidget | None = None) -> None:
-        """``current``: path of the model in use."""
-        super().__init__(parent)
-        self.setObjectName("SemRefModels")
-        self.setWindowTitle(tr("Models for photos"))
-        self.models = ModelList()
-        self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        self.use = self.buttons.addButton(tr("Use this model"), QDialogButtonBox.ButtonRole.AcceptRole)
-        layout = QVBoxLayout(self)
-        layout.addWidget(self.models)
-        layout.addWidget(self.buttons)
-        self.models.selected.connect(lambda path: self.use.setEnabled(bool(path)))
-        self.models.chosen.connect(self._take)
-        self.buttons.accepted.connect(lambda: self._take(self.models.path()))
-        self.buttons.rejected.connect(self.reject)
-        self.use.setEnabled(bool(self.models.path()))
-        self.models.select(current)
-        self.resize(QgsSettings().value(_SIZE_SETTING, self.sizeHint().expandedTo(QSize(*_SMALLEST_PX))))
-
-    def done(self, result: int) -> None:
-        """Remember the size."""
-        QgsSettings().setValue(_SIZE_SETTING, self.size())
-        super().done(result)
-
-    def _take(self, path: str) -> None:
-        self.chosen.emit(path)
-        self.accept()
+            self.accept()
 
 
 def _where_to_get_more() -> str:

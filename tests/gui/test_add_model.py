@@ -22,7 +22,7 @@ def models(plugin, tmp_path):
     choose_models_folder(str(tmp_path / "models"))
     made = ModelsDialog()
     made.show()
-    yield made.models
+    yield made
     made.close()
     made.deleteLater()
     QgsSettings().remove("semref/models_folder")

@@ -51,7 +51,7 @@ def dialog(folder):
 
 
 def rows(dialog) -> list[list[str]]:
-    tree = dialog.models.list
+    tree = dialog.list
     items = (tree.topLevelItem(row) for row in range(tree.topLevelItemCount()))
     return [[item.text(column).replace("\u00a0", " ") for column in range(4)] for item in items]
 
@@ -65,21 +65,21 @@ def test_models_are_listed_with_classes_pixels_and_how_good_they_are(dialog):
 
 
 def test_a_click_shows_the_card(dialog):
-    text = dialog.models.card.toPlainText()
+    text = dialog.card.toPlainText()
     for part in ("Houses of two towns", "Uganda: houses and sheds", "Kenya", "61", "Ships & <boats>", "ODbL"):
         assert part in text
-    dialog.models.list.setCurrentItem(dialog.models.list.topLevelItem(1))
-    assert "does not state its training" in dialog.models.card.toPlainText()
+    dialog.list.setCurrentItem(dialog.list.topLevelItem(1))
+    assert "does not state its training" in dialog.card.toPlainText()
 
 
 def test_a_file_that_is_not_a_model_is_marked_and_can_t_be_used(dialog):
-    dialog.models.list.setCurrentItem(dialog.models.list.topLevelItem(2))
-    assert "is not an ONNX model" in dialog.models.card.toPlainText()
-    assert not dialog.use.isEnabled() and dialog.models.path() == ""
+    dialog.list.setCurrentItem(dialog.list.topLevelItem(2))
+    assert "is not an ONNX model" in dialog.card.toPlainText()
+    assert not dialog.use.isEnabled() and dialog.path() == ""
 
 
 def test_a_folder_whose_name_no_system_takes_leaves_the_models_that_ship(dialog):
-    dialog.models.folder.setFilePath("/" + "long" * 2000)
+    dialog.folder.setFilePath("/" + "long" * 2000)
     assert [row[0] for row in rows(dialog)] == ["Buildings (drone photos)", "Sample area (made up)"]
 
 
@@ -93,20 +93,20 @@ def test_names_that_are_no_text_or_look_like_html_are_shown_as_they_are(dialog, 
     (folder / "a.onnx").write_bytes(with_metadata(model, "model_card", json.dumps(dict.fromkeys(CARD, image))))
     with open(os.fsencode(folder) + b"/\xff.onnx", "wb") as file:
         file.write(smallest_model())
-    dialog.models.refresh()
-    tree = dialog.models.list
+    dialog.refresh()
+    tree = dialog.list
     tips = [tree.topLevelItem(row).toolTip(1) for row in range(tree.topLevelItemCount())]
     assert [tip for tip in tips if "img" in tip] == [f"<p>{html.escape(image)}, b</p>"]
     for row in range(tree.topLevelItemCount()):
         tree.setCurrentItem(tree.topLevelItem(row))
-        assert "\ufffc" not in dialog.models.card.toPlainText()
+        assert "\ufffc" not in dialog.card.toPlainText()
     assert len(rows(dialog)) == 7
 
 
 def test_a_folder_that_links_to_itself_lists_each_model_once(dialog, folder):
     before = rows(dialog)
     (folder / "again").symlink_to(folder)
-    dialog.models.refresh()
+    dialog.refresh()
     assert rows(dialog) == before
 
 
@@ -117,6 +117,6 @@ def test_the_dock_takes_the_model_that_is_chosen(dock, tab, folder):
     dialog.use.click()
     assert tab.images.model_path() == str(folder / "houses" / "houses.onnx") and not dialog.isVisible()
     tab.images.models.click()
-    assert tab.images.choosing.models.path() == tab.images.model_path()
+    assert tab.images.choosing.path() == tab.images.model_path()
     tab.images.choosing.close()
     tab.images.model.setFilePath("")
