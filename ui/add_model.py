@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import os
 import tempfile
+from typing import TYPE_CHECKING
 
 from qgis.core import QgsProcessingContext, QgsProject
 from qgis.gui import QgsFileWidget, QgsProcessingMapLayerComboBox
 from qgis.PyQt.QtCore import QSize, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QColor, QIcon, QImage, QPixmap, QResizeEvent
+from qgis.PyQt.QtGui import QColor, QIcon, QImage, QPixmap
 from qgis.PyQt.QtWidgets import (
     QComboBox,
     QDialog,
@@ -20,7 +21,6 @@ from qgis.PyQt.QtWidgets import (
     QListWidget,
     QListWidgetItem,
     QPushButton,
-    QSizePolicy,
     QSpinBox,
     QTableWidget,
     QTableWidgetItem,
@@ -49,10 +49,13 @@ from .running.background import Reader
 from .sample_project import ORTHOPHOTO_FILE, SAMPLE
 from .widgets.layouts import row_of
 
+if TYPE_CHECKING:
+    import numpy as np
+
 ALGORITHM = "semref:addmodel"
 _MOST_OUTPUTS = 255
 _SIZE_PX = QSize(1100, 680)
-_PICTURE_PX, _SWATCH_PX, _LEGEND_ROWS = 240, 12, 7
+_PICTURE_PX, _SWATCH_PX, _LEGEND_ROWS = 260, 12, 7
 
 
 class AddModelDialog(QDialog):
@@ -82,7 +85,7 @@ class AddModelDialog(QDialog):
         self.resolution_cm, self.threshold = QDoubleSpinBox(), QDoubleSpinBox()
         self.picture = QgsProcessingMapLayerComboBox(self._segmenting.parameterDefinition(SegmentImage.INPUT))
         self.test, self.add, self.close_button = map(QPushButton, (tr("Test"), tr("Add"), tr("Close")))
-        self.image, self.labels, self.legend = _Picture(), _Picture(), QListWidget()
+        self.image, self.labels, self.legend = _empty_picture(), _empty_picture(), QListWidget()
         self.state = QLabel()
         self._run, self._looking, self._labeling = AlgorithmRun(self), Reader(self), Reader(self)
         self._folder = tempfile.TemporaryDirectory(prefix="semref")
@@ -207,8 +210,8 @@ class AddModelDialog(QDialog):
         """Read the file in the background."""
         self._looking.forget()
         self._show_kind()
-        self.image.forget()
-        self.labels.forget()
+        self.image.clear()
+        self.labels.clear()
         self.legend.clear()
         path = self.file.filePath().strip()
         able, reason = self._asked.canExecute()
@@ -291,8 +294,8 @@ class AddModelDialog(QDialog):
         self.state.setText(
             tr("Check that the classes are in the right places. If not, check order, resolution and mean.")
         )
-        self.image.show_pixels(test.pixels_hw3)
-        self.labels.show_pixels(test.labels_hw3)
+        self.image.setPixmap(_pixmap(test.pixels_hw3))
+        self.labels.setPixmap(_pixmap(test.labels_hw3))
         self.legend.clear()
         for name, color, share in test.classes:
             swatch = QPixmap(_SWATCH_PX, _SWATCH_PX)
@@ -321,36 +324,19 @@ class AddModelDialog(QDialog):
         self._folder.cleanup()
 
 
-class _Picture(QLabel):
-    """Picture that is scaled to its place."""
+def _empty_picture() -> QLabel:
+    made = QLabel()
+    made.setMinimumSize(_PICTURE_PX, _PICTURE_PX)
+    made.setAlignment(Qt.AlignmentFlag.AlignCenter)
+    return made
 
-    def __init__(self) -> None:
-        super().__init__()
-        self._whole = QPixmap()
-        self.setMinimumSize(_PICTURE_PX, _PICTURE_PX)
-        self.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
 
-    def show_pixels(self, pixels_hw3) -> None:
-        """Show (H, W, 3) uint8 pixels, red first."""
-        height, width = pixels_hw3.shape[:2]
-        image = QImage(pixels_hw3.tobytes(), width, height, 3 * width, QImage.Format.Format_RGB888)
-        self._whole = QPixmap.fromImage(image)
-        self._scale()
-
-    def forget(self) -> None:
-        """Show nothing."""
-        self._whole = QPixmap()
-        self.clear()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._scale()
-
-    def _scale(self) -> None:
-        if not self._whole.isNull():
-            ways = Qt.AspectRatioMode.KeepAspectRatio, Qt.TransformationMode.SmoothTransformation
-            self.setPixmap(self._whole.scaled(self.size(), *ways))
+def _pixmap(pixels_hw3: np.ndarray) -> QPixmap:
+    """Return (H, W, 3) uint8 pixels, red first, in the size of the dialog's pictures."""
+    height, width = pixels_hw3.shape[:2]
+    image = QImage(pixels_hw3.tobytes(), width, height, 3 * width, QImage.Format.Format_RGB888)
+    ways = Qt.AspectRatioMode.KeepAspectRatio, Qt.TransformationMode.SmoothTransformation
+    return QPixmap.fromImage(image).scaled(_PICTURE_PX, _PICTURE_PX, *ways)
 
 
 def _file_name(name: str) -> str:

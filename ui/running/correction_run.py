@@ -90,7 +90,6 @@ class CorrectionRun(QObject):
 
     textChanged = pyqtSignal(str)
     progressed = pyqtSignal(float)
-    logged = pyqtSignal(str)
     done = pyqtSignal(str)
     failed = pyqtSignal(str)
     broke = pyqtSignal(str)
@@ -110,7 +109,6 @@ class CorrectionRun(QObject):
         self._run = AlgorithmRun(self)
         self._run.done.connect(lambda results, _context: self._go_on(results))
         self._run.textChanged.connect(self.textChanged)
-        self._run.logged.connect(self.logged)
         self._run.progressed.connect(self._show_progress)
         for part in (self._reader, self._run):
             part.failed.connect(partial(self._end_early, self.failed))

@@ -1,10 +1,10 @@
-"""Shared parts of lists and tables: row selection, font changes, severity icons, placeholder texts."""
+"""Shared parts of lists and tables: row selection, severity icons, placeholder texts."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-from qgis.PyQt.QtCore import QEvent, QItemSelectionModel, QRectF, Qt
+from qgis.PyQt.QtCore import QItemSelectionModel, QRectF, Qt
 from qgis.PyQt.QtGui import QIcon, QPainter, QPalette, QTextOption
 from qgis.PyQt.QtWidgets import QAbstractScrollArea, QTableView, QWidget
 
@@ -30,11 +30,6 @@ def select_row(view: QTableView, row: int) -> None:
     index = view.model().index(row, next(shown, 0))
     view.selectionModel().setCurrentIndex(index, _FLAGS.ClearAndSelect | _FLAGS.Rows)
     view.scrollTo(index)
-
-
-def changes_font(event: QEvent) -> bool:
-    """Return whether an event may change the font. QGIS sets fonts by a style sheet after a widget is created."""
-    return event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange, QEvent.Type.Polish)
 
 
 def severity_icon(severity: str) -> QIcon:

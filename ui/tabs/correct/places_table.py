@@ -14,7 +14,7 @@ from ....core.annotation.findings import SEVERITIES, WARNING
 from ....processing.compat import POLYGON_GEOMETRY, is_null
 from ....processing.messages.annotation_messages import kind_titles, severity_title
 from ....processing.translation import tr
-from ...widgets.tables import changes_font, paint_placeholder, select_row, severity_icon
+from ...widgets.tables import paint_placeholder, select_row, severity_icon
 from ...widgets.texts import number_text, plain_tip
 
 SEVERITY_COLUMN, KIND_COLUMN, MESSAGE_COLUMN = range(3)
@@ -139,7 +139,8 @@ class PlacesTable(QTableWidget):
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
-        if changes_font(event):
+        # QGIS sets fonts by a style sheet after a widget is created.
+        if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange, QEvent.Type.Polish):
             self._fit_rows()
 
     def paintEvent(self, event: QPaintEvent) -> None:

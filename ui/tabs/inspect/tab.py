@@ -14,7 +14,7 @@ from qgis.core import (
     QgsProject,
 )
 from qgis.gui import QgsMapCanvas
-from qgis.PyQt.QtCore import QEvent, Qt, pyqtSignal
+from qgis.PyQt.QtCore import Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
@@ -42,7 +42,6 @@ from ...canvas.window_marks import WindowMarks, WindowTool
 from ...widgets.controls import tool_button
 from ...widgets.layouts import narrow, row_of
 from ...widgets.messages import Messages
-from ...widgets.tables import changes_font
 from ...widgets.texts import number_text
 from .vector_plot import VectorPlot
 
@@ -75,18 +74,8 @@ class InspectTab(QWidget):
         self.tool = WindowTool(canvas)
         self._marks = WindowMarks(canvas)
         self._lay_out()
-        self._fit_rows()
         self._connect()
         self._show_nothing()
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if changes_font(event):
-            self._fit_rows()
-
-    def _fit_rows(self) -> None:
-        for table in self.findChildren(QTableWidget):
-            table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + 8)
 
     def _lay_out(self) -> None:
         self.pick = tool_button(
@@ -288,6 +277,7 @@ def _table(name: str, headings: Sequence[tuple[str, str]]) -> QTableWidget:
         table.horizontalHeaderItem(column).setToolTip(tip)
     table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
     table.horizontalHeader().setStretchLastSection(True)
+    table.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
     table.verticalHeader().hide()
     return table
 
