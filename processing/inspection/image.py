@@ -1,4 +1,4 @@
-"""One image for the dock: its labels, its landmarks, and the landmarks of its topology vector."""
+"""One image for the dock: its labels, its landmarks, and its topology vector."""
 
 from __future__ import annotations
 
@@ -39,15 +39,11 @@ class InspectedImage:
     Attributes:
         labels_hw: (H, W) uint8 class values.
         landmarks: Landmarks of the whole image.
-        star_xy: (K, 2) float64, landmarks of the topology vector, in the vector's order.
-        square: (column, row, edge) of the part that the vector describes.
-        vector: (3·X,) float32; None with fewer than three landmarks.
+        vector: (3·X,) float32, topology vector; None with fewer than three landmarks.
     """
 
     labels_hw: np.ndarray
     landmarks: Landmarks
-    star_xy: np.ndarray
-    square: tuple[int, int, int]
     vector: np.ndarray | None
 
 
@@ -68,23 +64,14 @@ class ImageInspector:
         """
         from ...core.landmarks.landmarks import extract_landmarks
         from ...core.localizer.localizer import describe_image
-        from ...core.windows.topology_vector import vector_objects
 
         table, parameters = database.class_table, database.parameters
         labels_hw = self._labels(query, database)
         fraction = parameters.minimum_area / parameters.window_size**2
         described = describe_image(labels_hw, table.reference_values, fraction, parameters.references_per_vector)
-        inside, half = described.objects, described.size / 2
-        settings = (half, half), table.reference_values, parameters.references_per_vector
-        kept = vector_objects(inside.centers_xy, inside.classes, *settings)
         smallest_px2 = _smallest_px2(query, database, described.size)
-        return InspectedImage(
-            labels_hw,
-            extract_landmarks(labels_hw, table.reference_values, smallest_px2),
-            inside.centers_xy[kept] + described.first_xy,
-            (*described.first_xy, described.size),
-            described.vector,
-        )
+        landmarks = extract_landmarks(labels_hw, table.reference_values, smallest_px2)
+        return InspectedImage(labels_hw, landmarks, described.vector)
 
     def _labels(self, query: ImageQuery, database: ReferenceDatabase) -> np.ndarray:
         from ...storage.label_images import read_label_image

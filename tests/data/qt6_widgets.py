@@ -55,7 +55,7 @@ def status_line():
 
 
 def image_view():
-    """Return an image view with photo, labels, landmarks and star, zoomed by the wheel."""
+    """Return an image view with photo, labels and landmarks, zoomed by the wheel."""
     from PyQt6.QtCore import QPoint, QPointF, Qt
     from PyQt6.QtGui import QWheelEvent
     from PyQt6.QtWidgets import QApplication
@@ -68,7 +68,7 @@ def image_view():
         row, column = 20 + 50 * (n // 4), 30 + 60 * (n % 4)
         labels[row : row + 14, column : column + 20] = 1 + n % 2
     found = landmarks(labels, (1, 2), 20.0)
-    seen = inspected(labels, found, found.centers_xy[:5], (50, 0, 200), None)
+    seen = inspected(labels, found, None)
     colors = {1: (227, 33, 28), 2: (31, 111, 214)}
     photo = np.full((200, 300, 4), 255, np.uint8)
     photo[..., 1] = np.arange(300, dtype=np.uint16) % 256
@@ -78,7 +78,6 @@ def image_view():
     )
     view = module("ui.tabs.localize.image_view").ImageView()
     view.resize(*SIZE_WH)
-    view.star.setChecked(True)
     view.show_picture(shown, [tuple(center) for center in found.centers_xy[:4].tolist()])
     view.show()
     surface = view.canvas.viewport()

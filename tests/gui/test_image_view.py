@@ -12,15 +12,13 @@ from made_models import RGB, metadata, painted, write_model
 
 
 @pytest.mark.slow
-def test_the_selected_image_is_shown_with_its_landmarks_and_its_vector(dock, area, tab):
+def test_the_selected_image_is_shown_with_its_landmarks(dock, area, tab):
     localize(dock, area.database, [area.image])
     canvas = tab.results.image.canvas
     wait_until(lambda: canvas.scene().items(), "the image")
     assert (canvas.sceneRect().width(), canvas.sceneRect().height()) == (WINDOW, WINDOW)
     tab.results.image.opacity.setValue(30)
-    tab.results.image.star.setChecked(True)
     assert canvas._labels.opacity() == pytest.approx(0.3)
-    assert canvas._star.isVisible() and len(canvas._star._ends) == 10
     tab.results.image.landmarks.setChecked(False)
     assert not canvas._landmarks.isVisible()
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from qgis.core import QgsProject, QgsSettings
 from qgis.gui import QgsFileWidget
 from qgis.PyQt.QtCore import QSize, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent, QFont, QFontMetrics, QResizeEvent
+from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent
 from qgis.PyQt.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
 from ...processing.inspection.chosen import require_database
@@ -21,9 +21,6 @@ from .controls import tool_button
 from .layouts import FoldingBox, content_of, name_fold, narrow, row_of
 
 MAKE_DATABASE = "semref:annotationtodatabase"
-
-_FOLD_PX = 48
-"""Width of the triangle beside the title, with margins."""
 
 
 class DatabaseBox(FoldingBox):
@@ -138,14 +135,8 @@ class DatabaseBox(FoldingBox):
     def _show_title(self, *_) -> None:
         """Show the file's name in the title while the box is collapsed."""
         name = Path(self.path()).stem
-        if not self.isCollapsed() or not name:
-            self.setTitle(tr("Reference database"))
-            return
-        font = QFont(self.font())
-        font.setBold(True)
-        title = tr("Reference database: {name}").format(name=name)
-        room = self.width() - _FOLD_PX
-        self.setTitle(QFontMetrics(font).elidedText(title, Qt.TextElideMode.ElideMiddle, room))
+        is_named = self.isCollapsed() and name
+        self.setTitle(tr("Reference database: {name}").format(name=name) if is_named else tr("Reference database"))
 
     # --- QWidget ---
 
@@ -153,10 +144,6 @@ class DatabaseBox(FoldingBox):
         # A long file name must not widen the dock.
         least = super().minimumSizeHint()
         return QSize(min(least.width(), self.layout().minimumSize().width()), least.height())
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._show_title()
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         if any(dropped_files(event.mimeData())[0]):

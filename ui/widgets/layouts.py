@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from qgis.gui import QgsCollapsibleGroupBox
-from qgis.PyQt.QtCore import QEvent, QSize
-from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
+from qgis.PyQt.QtGui import QShowEvent
 from qgis.PyQt.QtWidgets import QBoxLayout, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
 from ...processing.translation import tr
@@ -33,43 +32,6 @@ class FoldingBox(QgsCollapsibleGroupBox):
         super().showEvent(event)
         self.setCollapsed(self.isCollapsed())
         self.collapsedStateChanged.emit(self.isCollapsed())
-
-
-class FoldingRow(QWidget):
-    """Places widgets side by side, or below each other where the width is too small."""
-
-    def __init__(self, *parts: QWidget) -> None:
-        super().__init__()
-        self._parts = parts
-        self._row = narrow(QBoxLayout(QBoxLayout.Direction.LeftToRight, self), 0)
-        for part in parts:
-            self._row.addWidget(part, 1)
-
-    def minimumSizeHint(self) -> QSize:
-        widest = max(map(_least_width, self._parts))
-        return QSize(widest, super().minimumSizeHint().height())
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._fold()
-
-    def event(self, event: QEvent) -> bool:
-        # The text of a part has changed.
-        if event.type() == QEvent.Type.LayoutRequest:
-            self._fold()
-        return super().event(event)
-
-    def _fold(self) -> None:
-        side_by_side = sum(map(_least_width, self._parts))
-        side_by_side += (len(self._parts) - 1) * self._row.spacing()
-        directions = QBoxLayout.Direction
-        wanted = directions.LeftToRight if side_by_side <= self.width() else directions.TopToBottom
-        if self._row.direction() != wanted:
-            self._row.setDirection(wanted)
-
-
-def _least_width(part: QWidget) -> int:
-    return max(part.minimumSizeHint().width(), part.minimumWidth())
 
 
 def narrow(layout: QBoxLayout, margin: int = MARGIN_PX) -> QBoxLayout:

@@ -21,7 +21,7 @@ from ...layer_files import label_maps_of, layer_file
 from ...running.background import Reader
 from ...running.correction_run import Correction, CorrectionRun
 from ...widgets.controls import ChoiceBox, shortcut, tool_button
-from ...widgets.layouts import FoldingRow, narrow, row_of
+from ...widgets.layouts import narrow, row_of
 from ...widgets.messages import Messages
 from ...widgets.texts import number_text
 from .places_table import PlaceRow, PlacesTable, has_severity, is_places, place_text, places_of
@@ -114,9 +114,8 @@ class CorrectTab(QWidget):
         layout.addWidget(self.places, 1)
         layout.addWidget(self.text)
         layout.addLayout(row_of(self.before, self.after, (self.done, 1)))
-        layout.addWidget(FoldingRow(self.open, self.problems))
-        layout.addWidget(self.progress)
-        layout.addWidget(self.updating)
+        for widget in (self.open, self.problems, self.progress, self.updating):
+            layout.addWidget(widget)
 
     def _connect(self) -> None:
         self.layer.layerChanged.connect(self._use_layer)

@@ -1,4 +1,4 @@
-"""Marks over an image: its landmarks, and the lines of its topology vector."""
+"""Landmarks of an image, over the image."""
 
 from __future__ import annotations
 
@@ -48,35 +48,3 @@ class LandmarkDots(QGraphicsItem):
             paint_ring(painter, place, _RING_PX, RED)
         paint_numbers(painter, self._font, places)
         painter.setWorldTransform(transform)
-
-
-class VectorStar(QGraphicsItem):
-    """Lines from the center of the described square to the vector's landmarks; the first, farthest one is thicker."""
-
-    def __init__(self, picture: ImagePicture) -> None:
-        super().__init__()
-        column, row, edge = picture.seen.square
-        self._rect = QRectF(0, 0, *picture.size_wh)
-        self._square = QRectF(column, row, edge, edge)
-        self._center = self._square.center()
-        self._ends = [QPointF(*end) for end in picture.seen.star_xy.tolist()]
-
-    def boundingRect(self) -> QRectF:
-        return self._rect
-
-    def paint(self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: QWidget | None = None) -> None:
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        if self._square != self._rect:
-            painter.setPen(_cosmetic(RED, 1, Qt.PenStyle.DashLine))
-            painter.drawRect(self._square)
-        for color, extra in ((RIM, 2), (RED, 0)):
-            for number, end in enumerate(self._ends):
-                painter.setPen(_cosmetic(color, (2.5 if number == 0 else 1.2) + extra))
-                painter.drawLine(self._center, end)
-
-
-def _cosmetic(color: QColor, width: float, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> QPen:
-    """Return a pen of constant width on the screen."""
-    pen = QPen(color, width, style)
-    pen.setCosmetic(True)
-    return pen

@@ -1,4 +1,4 @@
-"""View of the selected image with its labels, landmarks and topology vector."""
+"""View of the selected image with its labels and landmarks."""
 
 from __future__ import annotations
 
@@ -29,13 +29,12 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ....processing.translation import tr
-from ...widgets.layouts import FoldingRow, narrow, row_of
+from ...widgets.layouts import narrow, row_of
 from ...widgets.tables import paint_placeholder
-from .image_marks import LandmarkDots, VectorStar
+from .image_marks import LandmarkDots
 from .picture import ImagePicture
 
 _LANDMARKS_SETTING = "semref/dock/show_landmarks"
-_STAR_SETTING = "semref/dock/show_star"
 _OPACITY_SETTING = "semref/dock/label_opacity"
 
 _ZOOM_STEP = 1.25
@@ -54,20 +53,16 @@ class ImageView(QWidget):
         self.opacity.setToolTip(tr("Opacity of the labels"))
         self.opacity.setMinimumWidth(40)
         self.landmarks = QCheckBox(tr("Landmarks"))
-        self.star = QCheckBox(tr("Vector"))
-        self.star.setToolTip(tr("Show lines from the center to the landmarks of the topology vector"))
         settings = QgsSettings()
         self.opacity.setValue(settings.value(_OPACITY_SETTING, 60, type=int))
         self.landmarks.setChecked(settings.value(_LANDMARKS_SETTING, True, type=bool))
-        self.star.setChecked(settings.value(_STAR_SETTING, False, type=bool))
         label = QLabel(tr("Labels"))
         label.setBuddy(self.opacity)
         layout = narrow(QVBoxLayout(self), 0)
         layout.addWidget(self.canvas, 1)
-        layout.addWidget(FoldingRow(_side_by_side(label, (self.opacity, 1)), _side_by_side(self.landmarks, self.star)))
+        layout.addLayout(row_of(label, (self.opacity, 1), self.landmarks))
         self.opacity.valueChanged.connect(self._apply)
         self.landmarks.toggled.connect(self._apply)
-        self.star.toggled.connect(self._apply)
         self.clear("")
 
     def show_picture(self, picture: ImagePicture, matched: Sequence[tuple[float, float]]) -> None:
@@ -83,14 +78,7 @@ class ImageView(QWidget):
         settings = QgsSettings()
         settings.setValue(_OPACITY_SETTING, self.opacity.value())
         settings.setValue(_LANDMARKS_SETTING, self.landmarks.isChecked())
-        settings.setValue(_STAR_SETTING, self.star.isChecked())
-        self.canvas.apply(self.opacity.value() / 100, self.landmarks.isChecked(), self.star.isChecked())
-
-
-def _side_by_side(*widgets: QWidget | tuple[QWidget, int]) -> QWidget:
-    together = QWidget()
-    together.setLayout(narrow(row_of(*widgets), 0))
-    return together
+        self.canvas.apply(self.opacity.value() / 100, self.landmarks.isChecked())
 
 
 class _Canvas(QGraphicsView):
@@ -108,7 +96,6 @@ class _Canvas(QGraphicsView):
         self._text = ""
         self._labels: QGraphicsItem | None = None
         self._landmarks: LandmarkDots | None = None
-        self._star: QGraphicsItem | None = None
 
     def show_picture(self, picture: ImagePicture, matched: Sequence[tuple[float, float]]) -> None:
         scene = self.scene()
@@ -117,9 +104,7 @@ class _Canvas(QGraphicsView):
         if picture.photo is not None:
             self._add(picture.photo, picture)
         self._labels = self._add(picture.labels, picture)
-        self._star = VectorStar(picture)
         self._landmarks = LandmarkDots(picture, matched, self.font())
-        scene.addItem(self._star)
         scene.addItem(self._landmarks)
         scene.setSceneRect(QRectF(0, 0, *picture.size_wh))
         self.fit()
@@ -134,15 +119,14 @@ class _Canvas(QGraphicsView):
 
     def clear(self, text: str) -> None:
         self.scene().clear()
-        self._labels = self._landmarks = self._star = None
+        self._labels = self._landmarks = None
         self._text = text
         self.viewport().update()
 
-    def apply(self, opacity: float, landmarks: bool, star: bool) -> None:
+    def apply(self, opacity: float, landmarks: bool) -> None:
         if self._labels is not None:
             self._labels.setOpacity(opacity)
             self._landmarks.setVisible(landmarks)
-            self._star.setVisible(star)
 
     def fit(self) -> None:
         self.fitInView(self.sceneRect(), Qt.AspectRatioMode.KeepAspectRatio)

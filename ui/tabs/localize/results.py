@@ -10,7 +10,7 @@ from qgis.PyQt.QtWidgets import QMenu, QPushButton, QSizePolicy, QSplitter, QToo
 from ....processing.translation import tr
 from ...findings import Finding, lon_lat_text, x_y_text
 from ...widgets.controls import shortcut, tool_button
-from ...widgets.layouts import FoldingRow, content_of, name_fold, narrow, row_of
+from ...widgets.layouts import content_of, name_fold, narrow, row_of
 from .details import Details
 from .image_view import ImageView
 from .results_list import ResultsList
@@ -55,6 +55,7 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.after = tool_button("/mActionArrowRight.svg", tr("Next image (Alt+Down)"))
         for keys, button in (("Alt+Up", self.before), ("Alt+Down", self.after)):
             shortcut(keys, self).activated.connect(button.click)
+        self.drape = tool_button("/mActionAddLayer.svg", tr("Add image to map"))
         self.copy = QPushButton(tr("Copy position"))
         self.copy.setToolTip(tr("Copy longitude and latitude (WGS 84)"))
         self.save = QToolButton()
@@ -72,8 +73,6 @@ class ResultsBox(QgsCollapsibleGroupBox):
         more = QMenu(self.save)
         self.earlier = more.addMenu(tr("Earlier results"))
         self.save.setMenu(more)
-        self.drape = QPushButton(tr("Add image to map"))
-        self.drape.setToolTip(tr("Add the image to the project as a half-transparent layer at its position"))
 
     def _lay_out(self) -> None:
         self.parts = QSplitter(Qt.Orientation.Vertical)
@@ -86,8 +85,8 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.parts.splitterMoved.connect(self._remember_parts)
         layout = narrow(QVBoxLayout(content_of(self)), 0)
         layout.addWidget(self.parts, 1)
-        layout.addLayout(row_of(self.before, self.after, self.zoom, (self.copy, 1)))
-        layout.addWidget(FoldingRow(self.drape, self.save))
+        layout.addLayout(row_of(self.before, self.after, self.zoom, self.drape, (self.copy, 1)))
+        layout.addWidget(self.save)
         name_fold(self)
 
     def show_findings(self, findings: list[Finding]) -> None:
