@@ -21,7 +21,7 @@ from qgis.core import (
 
 from ...core.errors import ImageError, ParameterError, TrainingError
 from ..base import parameters
-from ..base.algorithm import Canceled, Declared, check_canceled, follow
+from ..base.algorithm import Canceled, Declared, follow
 from ..base.annotation import AnnotationAlgorithm
 from ..base.parameters import with_help
 from ..base.photo_source import PhotoSource
@@ -251,7 +251,7 @@ class TrainModel(AnnotationAlgorithm):
 
         began = time.monotonic()
         python = training_python(values.file(self.PYTHON))
-        self._require_classes(values, feedback)
+        self._count_classes(values, feedback)
         feedback.setProgressText(tr("Starting the training environment"))
         ready = require_training(python, feedback)
         text = tr("{python}: torch {version} on {device}")
@@ -278,28 +278,15 @@ class TrainModel(AnnotationAlgorithm):
         self._run.clear()
         return results
 
-    def _require_classes(self, values: Values, feedback: QgsProcessingFeedback) -> None:
-        """Refuse a layer with polygons of one class in the area, before anything is started. Pixels are checked
-        later.
-
-        In a layer with a single class, ground without a polygon is class “other”, as in “Rasterize land-cover layer”.
+    def _count_classes(self, values: Values, feedback: QgsProcessingFeedback) -> None:
+        """Make ground without a polygon class “other” in a layer with a single class, as in “Rasterize land-cover
+        layer”.
         """
-        from ..layers.training_ground import classes_on, require_two_classes
-
         if self._labels is not None or not self._is_rest_unknown(values):
             return
-        parts = [(self._image_extent, self._image.crs)]
-        wanted = values.extent(self.EXTENT, self._image.crs)
-        parts += [] if wanted.isEmpty() else [(wanted, self._image.crs)]
-        parts += [] if self._area is None else [(self._area.extent, self._area.crs)]
-        lookup = self.classes(values, feedback)
-        if sum(bool(one.value) for one in lookup.table) == 1:
+        if sum(bool(one.value) for one in self.classes(values, feedback).table) == 1:
             feedback.pushInfo(tr("The layer has a single class. Ground without a polygon becomes class “other”."))
             self._has_single_class = True
-            return
-        found = classes_on(self._source, lookup, parts, values.transform_context, feedback.isCanceled)
-        check_canceled(feedback)
-        require_two_classes([value in found for value in range(256)], lookup.table)
 
     def _is_rest_unknown(self, values: Values) -> bool:
         """Return whether ground without a label is excluded from training."""

@@ -6,26 +6,22 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
-from typing import Callable
 
 import numpy as np
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
     QgsCoordinateTransformContext,
-    QgsFeatureRequest,
     QgsRasterLayer,
     QgsRectangle,
 )
 
-from ...core.annotation.classes import ClassLookup
 from ...core.errors import ParameterError, TrainingError
-from ...core.labels.class_table import UNLABELED, ClassTable
+from ...core.labels.class_table import ClassTable
 from ...storage.label_maps import RasterFile
 from ...storage.rasterize import AreaMask
 from ...storage.training_ground import WantedGround, frame_of, is_placed, prepare_image
-from ..compat import is_metric, is_null, wkt_for_gdal
-from .annotation import AnnotationSource
+from ..compat import is_metric, wkt_for_gdal
 from .areas import DrawnArea, area_mask
 from .layer_inputs import RasterLayer, image_layer
 from .reference_systems import describe_crs, metric_crs, transformed_box
@@ -56,42 +52,11 @@ def require_common_ground(
         )
 
 
-def classes_on(
-    source: AnnotationSource,
-    lookup: ClassLookup,
-    parts: Sequence[Placed],
-    context: QgsCoordinateTransformContext,
-    canceled: Callable[[], bool],
-) -> set[int]:
-    """Return class values of a land-cover layer inside all boxes of ``parts``, at most two of them."""
-    shared = source.extent
-    for rectangle, crs in parts:
-        moved = _transform(rectangle, QgsCoordinateTransform(crs, source.crs, context))
-        shared = shared if moved is None else shared.intersect(moved)
-    found: set[int] = set()
-    if shared.isEmpty():
-        return found
-    request = QgsFeatureRequest(source.request)
-    request.setFilterRect(shared)
-    for feature in source.features.getFeatures(request):
-        raw = source.raw_class(feature)
-        found |= {None if is_null(raw) else lookup.value(raw)} - {None, UNLABELED}
-        if len(found) > 1 or canceled():
-            break
-    return found
-
-
-def _transform(rectangle: QgsRectangle, transform: QgsCoordinateTransform) -> QgsRectangle | None:
-    """Transform a box; None if the CRS is unknown or the transform fails, as for a world map."""
-    moved = transformed_box(transform, rectangle)
-    return moved if transform.isValid() and moved.isFinite() and not moved.isNull() else None
-
-
 def require_two_classes(counts: Sequence[int] | np.ndarray, table: ClassTable) -> None:
     """Raise TrainingError if only one class is labeled. Unlabeled ground counts as unknown.
 
     Args:
-        counts: (256,) pixels or features per value.
+        counts: (256,) pixels per value.
         table: The classes.
     """
     labeled = [entry.name for entry in table if entry.value and counts[entry.value]]

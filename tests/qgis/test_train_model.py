@@ -289,15 +289,6 @@ def test_ground_around_the_only_class_of_a_layer_is_the_other_class(train, tmp_p
     assert json.loads((kept / "job.json").read_text())["learn_unlabeled"] is True
 
 
-def test_a_single_class_on_the_image_is_refused_before_python_starts(train, tmp_path):
-    asked = tmp_path / "asked"
-    polygons = [(square(100, 300, 80), "building"), (square(900, 300, 90), "water")]
-    annotation = {"LABELS": None, "INPUT": str(write_layer(tmp_path / "drawn.gpkg", polygons)), "CLASS_FIELD": "class"}
-    with pytest.raises(QgsProcessingException, match=ONE_CLASS):
-        train(ready=f"open({str(asked)!r}, 'w').close(); {READY}", **annotation)
-    assert not asked.exists() and folders(tmp_path) == []
-
-
 def test_only_classes_of_the_wanted_ground_count(train, tmp_path):
     polygons = [(square(100, 300, 80), "building"), (square(600, 300, 90), "water")]
     annotation = {"LABELS": None, "INPUT": str(write_layer(tmp_path / "drawn.gpkg", polygons)), "CLASS_FIELD": "class"}
