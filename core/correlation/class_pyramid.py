@@ -135,12 +135,13 @@ def evidence_of(fractions: np.ndarray, space: ClassSpace) -> tuple[np.ndarray, n
     Returns:
         Evidence (h, w, C) float32 and labeled share (h, w) float32.
     """
-    # projection · (f − usual · Σf) and Σf are linear in f: one matrix does both.
-    matrix = np.vstack([space.projection - (space.projection @ space.usual)[:, None], np.ones(len(space.usual))])
+    # projection · (f − usual · Σf) is linear in f.
+    matrix = space.projection - (space.projection @ space.usual)[:, None]
     height, width, count = fractions.shape
-    both = fractions.reshape(height * width, count).astype(np.float32) @ (matrix.T / FULL).astype(np.float32)
-    both = both.reshape(height, width, space.channels + 1)
-    return np.ascontiguousarray(both[..., :-1]), np.ascontiguousarray(both[..., -1])
+    pixels = fractions.reshape(height * width, count).astype(np.float32)
+    evidence = pixels @ np.ascontiguousarray(matrix.T / FULL, np.float32)
+    known = pixels @ np.full(count, 1 / FULL, np.float32)
+    return evidence.reshape(height, width, space.channels), known.reshape(height, width)
 
 
 def evidence_level(labels_hw: np.ndarray, space: ClassSpace, size_wh: tuple[int, int]) -> EvidenceLevel:

@@ -45,7 +45,7 @@ class SharedGround:
         shared = cv2.warpPerspective(known, self._matrix, (width, height), flags=cv2.INTER_NEAREST)
         if first.is_known_hw is not None:
             shared &= first.is_known_hw.astype(np.uint8)
-        self.corners = self._textured_cells(shared)
+        self.corners = self._textured_cells(first, shared)
 
     def _forward(self, mapping: Mapping) -> np.ndarray:
         """Return (3, 3) from pixels of the second picture to those of the first, in OpenCV's coordinates."""
@@ -55,7 +55,7 @@ class SharedGround:
             (corners + second).astype(np.float32), (mapping(corners) + first).astype(np.float32)
         )
 
-    def _textured_cells(self, shared: np.ndarray) -> np.ndarray:
+    def _textured_cells(self, first: Features, shared: np.ndarray) -> np.ndarray:
         """Return the cells inside the overlap with enough texture to match."""
         step = CELL_PX
         inside = float(shared.sum())
@@ -66,11 +66,10 @@ class SharedGround:
         columns = np.arange(margin, width - CELL_PX - margin + 1, step)
         rows = np.arange(margin, height - CELL_PX - margin + 1, step)
         x, y = (grid.ravel() for grid in np.meshgrid(columns, rows))
-        whole = _sums(shared, x - margin, y - margin, CELL_PX + 2 * margin) == (CELL_PX + 2 * margin) ** 2
+        inside_px = _sums(cv2.integral(shared), x - margin, y - margin, CELL_PX + 2 * margin)
+        whole = inside_px == (CELL_PX + 2 * margin) ** 2
         x, y = x[whole], y[whole]
-        picture = self._first.astype(np.float32) - 127.5
-        mean = _sums(picture, x, y, CELL_PX) / CELL_PX**2
-        square = _sums(picture * picture, x, y, CELL_PX) / CELL_PX**2
+        mean, square = (_sums(total, x, y, CELL_PX) / CELL_PX**2 for total in first.sums)
         textured = np.sqrt(np.maximum(square - mean * mean, 0)) >= LEAST_TEXTURE
         return np.column_stack([x[textured], y[textured]])
 
@@ -109,7 +108,6 @@ def _half_wh(features: Features) -> np.ndarray:
     return (np.array(features.picture_hw.shape[::-1], np.float64) - 1) / 2
 
 
-def _sums(values_hw: np.ndarray, x: np.ndarray, y: np.ndarray, edge: int) -> np.ndarray:
-    """Return (N,) sums over squares that begin at columns x and rows y."""
-    total = cv2.integral(values_hw, sdepth=cv2.CV_64F)
+def _sums(total: np.ndarray, x: np.ndarray, y: np.ndarray, edge: int) -> np.ndarray:
+    """Return (N,) sums, from an integral image, over squares that begin at columns x and rows y."""
     return total[y + edge, x + edge] - total[y, x + edge] - total[y + edge, x] + total[y, x]

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import cv2
 import numpy as np
@@ -65,6 +66,12 @@ class Features:
     descriptors: np.ndarray = field(repr=False)
     is_known_hw: np.ndarray | None = field(repr=False)
     scale: float
+
+    @cached_property
+    def sums(self) -> tuple[np.ndarray, np.ndarray]:
+        """(h + 1, w + 1) integral images of the picture around its middle gray, and of its square."""
+        picture = self.picture_hw.astype(np.float32) - 127.5
+        return cv2.integral(picture, sdepth=cv2.CV_64F), cv2.integral(picture * picture, sdepth=cv2.CV_64F)
 
 
 def photo_features(photo: np.ndarray, has_data_hw: np.ndarray | None = None, width: int | None = None) -> Features:

@@ -17,7 +17,7 @@ Mapping = Callable[[np.ndarray], np.ndarray]
 """(N, 2) points of the second picture → (N, 2) of the first, both from the picture's center, right and down."""
 
 Model = Callable[[np.ndarray, np.ndarray], np.ndarray]
-"""(K,) parameters and (N, 2) points → (N, 2) points."""
+"""(K,) parameters and (N, 2) points → (N, 2) points. From (K, M, 1) parameters of M mappings → (M, N, 2)."""
 
 TILT_LENGTH_PX = 320.0
 """Distance from the center to which the tilt parameters refer, so that all parameters have a similar size."""
@@ -41,7 +41,7 @@ def similarity(parameters: np.ndarray, points: np.ndarray) -> np.ndarray:
     """Return (N, 2) points after rotation and scaling (x + iy times the first two parameters) and shift."""
     right, down, dx, dy = parameters
     x, y = points.T
-    return np.column_stack([right * x - down * y + dx, down * x + right * y + dy])
+    return np.stack([right * x - down * y + dx, down * x + right * y + dy], axis=-1)
 
 
 def homography(parameters: np.ndarray, points: np.ndarray) -> np.ndarray:
@@ -49,7 +49,7 @@ def homography(parameters: np.ndarray, points: np.ndarray) -> np.ndarray:
     a, b, dx, c, d, dy, right, down = parameters
     x, y = points.T
     depth = 1 + (right * x + down * y) / TILT_LENGTH_PX
-    return np.column_stack([a * x + b * y + dx, c * x + d * y + dy]) / depth[:, None]
+    return np.stack([a * x + b * y + dx, c * x + d * y + dy], axis=-1) / depth[..., None]
 
 
 @dataclass(frozen=True)
@@ -81,11 +81,16 @@ class Fitted:
 
 
 def pose_of(mapping: Mapping) -> np.ndarray:
-    """Return (4,): place of the second picture's center, and turn and log scale there (nearest similarity)."""
-    center, left, right, up, down = mapping(np.array([[0.0, 0], [-1, 0], [1, 0], [0, -1], [0, 1]]))
+    """Return (4,): place of the second picture's center, and turn and log scale there (nearest similarity).
+
+    A mapping of M parameters at once gives (M, 4).
+    """
+    points = mapping(np.array([[0.0, 0], [-1, 0], [1, 0], [0, -1], [0, 1]]))
+    center, left, right, up, down = np.moveaxis(points, -2, 0)
     across, along = (right - left) / 2, (down - up) / 2
-    ratio = complex(across[0] + along[1], across[1] - along[0]) / 2
-    return np.array([*center, np.angle(ratio), np.log(max(abs(ratio), 1e-9))])
+    ratio = (across[..., 0] + along[..., 1] + 1j * (across[..., 1] - along[..., 0])) / 2
+    turn, log_scale = np.angle(ratio), np.log(np.maximum(np.abs(ratio), 1e-9))
+    return np.concatenate([center, np.stack([turn, log_scale], axis=-1)], axis=-1)
 
 
 def fit_mapping(second: np.ndarray, first: np.ndarray, within: float) -> Fitted | None:
@@ -138,7 +143,7 @@ def _robust(
             1.4826 * float(np.median(off[off < 2 * STARTS_WITHIN_PX])) if (off < 8).any() else 1.0, LEAST_SPREAD_PX
         )
         weights = np.sqrt(1 / (1 + np.square(off / (2 * spread)))) * (off < 3 * max(within, spread))
-        steps = _derivatives(lambda parameters: model(parameters, second).ravel(), found)
+        steps = _derivatives(lambda parameters: model(parameters, second), found)
         twice = np.repeat(weights, 2)
         change, *_ = np.linalg.lstsq(steps * twice[:, None], rest.ravel() * twice, rcond=None)
         found = found + change
@@ -148,16 +153,22 @@ def _robust(
 
 
 def _derivatives(function: Callable[[np.ndarray], np.ndarray], at: np.ndarray) -> np.ndarray:
-    """Return (M, K) derivatives of a function of (K,) parameters, by central differences."""
+    """Return (M, K) derivatives of all values of a function of (K,) parameters, by central differences.
+
+    Args:
+        function: From (K, K, 1) parameters, one set of them in each column.
+        at: (K,) parameters.
+    """
     step = 1e-5
-    columns = [(function(at + move) - function(at - move)) / (2 * step) for move in step * np.eye(len(at))]
-    return np.column_stack(columns)
+    moves = step * np.eye(len(at))
+    ahead, behind = (function((at + move).T[..., None]) for move in (moves, -moves))
+    return np.ascontiguousarray(((ahead - behind) / (2 * step)).reshape(len(at), -1).T)
 
 
 def _covariance(model: Model, found: np.ndarray, second: np.ndarray, first: np.ndarray) -> np.ndarray:
     """Return (K, K) of the parameters: from single residuals, enlarged by the ratio that sums over blocks show."""
     rest = (first - model(found, second)).ravel()
-    steps = _derivatives(lambda parameters: model(parameters, second).ravel(), found)
+    steps = _derivatives(lambda parameters: model(parameters, second), found)
     freedom = max(len(rest) - len(found), 1)
     inverse = np.linalg.pinv(steps.T @ steps)
     single = inverse * max(float(rest @ rest) / freedom, LEAST_SPREAD_PX**2)
