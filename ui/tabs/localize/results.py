@@ -5,7 +5,7 @@ from __future__ import annotations
 from qgis.core import QgsApplication, QgsSettings
 from qgis.gui import QgsCollapsibleGroupBox
 from qgis.PyQt.QtCore import QByteArray, Qt, pyqtSignal
-from qgis.PyQt.QtWidgets import QMenu, QPushButton, QSizePolicy, QSplitter, QToolButton, QVBoxLayout, QWidget
+from qgis.PyQt.QtWidgets import QMenu, QPushButton, QSplitter, QToolButton, QVBoxLayout, QWidget
 
 from ....processing.translation import tr
 from ...findings import Finding, lon_lat_text, x_y_text
@@ -44,11 +44,10 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.zoom.toggled.connect(self._remember_zoom)
         self.before.clicked.connect(lambda: self.list.step(-1))
         self.after.clicked.connect(lambda: self.list.step(1))
-        self.save.clicked.connect(self._ask_to_save)
+        self.save.clicked.connect(self.saveAsked)
         self.drape.clicked.connect(self._drape)
         self.copy.clicked.connect(self._copy)
         self._select(None)
-        self._allow_saving(False)
 
     def _make_buttons(self) -> None:
         self.before = tool_button("/mActionArrowLeft.svg", tr("Previous image (Alt+Up)"))
@@ -58,21 +57,18 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.drape = tool_button("/mActionAddLayer.svg", tr("Add image to map"))
         self.copy = QPushButton(tr("Copy position"))
         self.copy.setToolTip(tr("Copy longitude and latitude (WGS 84)"))
-        self.save = QToolButton()
-        self.save.setText(tr("Save results…"))
+        self.save = QPushButton(tr("Save results…"))
         self.save.setToolTip(
             tr(
                 "Save positions, footprints and possible places in a GeoPackage. The dock shows them again with "
                 "the project."
             )
         )
-        self.save.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self.save.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
-        # The dock needs the same width with and without results.
-        self.save.setMinimumWidth(self.save.sizeHint().width())
-        more = QMenu(self.save)
-        self.earlier = more.addMenu(tr("Earlier results"))
-        self.save.setMenu(more)
+        self.save.setEnabled(False)
+        self.history = tool_button("/propertyicons/temporal.svg", tr("Earlier results"))
+        self.earlier = QMenu(self.history)
+        self.history.setMenu(self.earlier)
+        self.history.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
 
     def _lay_out(self) -> None:
         self.parts = QSplitter(Qt.Orientation.Vertical)
@@ -86,20 +82,13 @@ class ResultsBox(QgsCollapsibleGroupBox):
         layout = narrow(QVBoxLayout(content_of(self)), 0)
         layout.addWidget(self.parts, 1)
         layout.addLayout(row_of(self.before, self.after, self.zoom, self.drape, (self.copy, 1)))
-        layout.addWidget(self.save)
+        layout.addLayout(row_of((self.save, 1), self.history))
         name_fold(self)
 
     def show_findings(self, findings: list[Finding]) -> None:
         """Replace the results, and select the first one."""
         self.list.show_findings(findings)
-        self._allow_saving(bool(findings))
-
-    def _allow_saving(self, on: bool) -> None:
-        """Make the button save, or only open its menu of earlier results."""
-        self._can_save = on
-        mode = QToolButton.ToolButtonPopupMode
-        self.save.setPopupMode(mode.MenuButtonPopup if on else mode.InstantPopup)
-        self.save.setText(tr("Save results…") if on else tr("Earlier results"))
+        self.save.setEnabled(bool(findings))
 
     def _select(self, finding: Finding | None) -> None:
         self.details.show_finding(finding)
@@ -109,10 +98,6 @@ class ResultsBox(QgsCollapsibleGroupBox):
         for button in (self.before, self.after):
             button.setEnabled(finding is not None)
         self.findingSelected.emit(finding)
-
-    def _ask_to_save(self) -> None:
-        if self._can_save:
-            self.saveAsked.emit()
 
     def _remember_zoom(self, checked: bool) -> None:
         QgsSettings().setValue(_ZOOM_SETTING, checked)
