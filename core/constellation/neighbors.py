@@ -37,14 +37,14 @@ class ClassMatcher:
         self._made: dict[int, tuple[np.ndarray, Any]] = {}
 
     def match(
-        self, places: np.ndarray, ranks: np.ndarray, wanted: np.ndarray | bool = True
+        self, places: np.ndarray, ranks: np.ndarray, wanted: np.ndarray | None = None
     ) -> tuple[np.ndarray, np.ndarray]:
         """Return the nearest landmark of the same class for each point.
 
         Args:
             places: (S, n) complex.
             ranks: (n,) int, −1 for unknown classes.
-            wanted: (S, n) bool, the points to match; True for all.
+            wanted: (S, n) bool, the points to match; None for all.
 
         Returns:
             (S, n) float32 distances and (S, n) int64 landmarks; inf and −1 where the class has no landmark, and for
@@ -52,16 +52,16 @@ class ClassMatcher:
         """
         distances = np.full(places.shape, np.inf, np.float32)
         objects = np.full(places.shape, -1, np.int64)
-        for rank in np.flatnonzero(np.bincount(ranks + 1)[1:]).tolist():
+        chosen = np.arange(places.size) if wanted is None else np.flatnonzero(wanted)
+        of_points, queries = ranks.take(chosen % len(ranks)), as_float32(places.take(chosen))
+        for rank in np.flatnonzero(np.bincount(of_points + 1)[1:]).tolist():
             members, tree = self._tree(rank)
-            columns = np.flatnonzero(ranks == rank)
-            rows, of_columns = np.nonzero(np.broadcast_to(wanted, places.shape)[:, columns])
-            if not len(members) or not len(rows):
+            if not len(members):
                 continue
-            chosen = rows * len(ranks) + columns[of_columns]
-            found, squared = tree.knnSearch(as_float32(places.take(chosen)), 1, params={"checks": -1})
-            distances.put(chosen, np.sqrt(squared))
-            objects.put(chosen, members[found])
+            some = np.flatnonzero(of_points == rank)
+            found, squared = tree.knnSearch(queries[some], 1, params={"checks": -1})
+            distances.put(chosen[some], np.sqrt(squared))
+            objects.put(chosen[some], members[found])
         return distances, objects
 
     def _tree(self, rank: int) -> tuple[np.ndarray, Any]:
