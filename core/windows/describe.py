@@ -84,21 +84,21 @@ def describe_windows(  # noqa: PLR0913 - labels, landmark settings, and vector s
 
 @dataclass(frozen=True)
 class _Border:
-    """One side of a frame that cuts regions.
+    """One side of a frame that cuts regions, or its left and right one.
 
     Attributes:
         frame: (left, top, right, bottom), pixels of the strip.
-        side: LEFT, TOP, RIGHT or BOTTOM.
+        sides: LEFT, TOP, RIGHT or BOTTOM; or LEFT and RIGHT.
         done: Sides that were processed before.
     """
 
     frame: tuple[int, int, int, int]
-    side: int
+    sides: Sequence[int]
     done: Sequence[int] = ()
 
     def is_first_of(self, row: tuple) -> bool:
-        """Return whether a region (row) touches this side, but no side in ``done``."""
-        touches = row[self.side] == self.frame[self.side - LEFT]
+        """Return whether a region (row) touches these sides, but no side in ``done``."""
+        touches = any(row[side] == self.frame[side - LEFT] for side in self.sides)
         return touches and all(row[other] != self.frame[other - LEFT] for other in self.done)
 
 
@@ -150,15 +150,13 @@ class _Strip:
         on_right = _rows_by_line(regions, self._columns + size - 1)
         begins = np.searchsorted(regions[:, LEFT], self._columns, side="right")
         ends = np.searchsorted(regions[:, LEFT], self._columns + size, side="left")
+        nothing = np.empty(0, np.int64)
         for k, column in enumerate(self._columns.tolist()):
             inside = regions[begins[k] : ends[k]]
             inside = inside[inside[:, RIGHT] < column + size]
             frame = (column, 0, column + size, size)
-            cut = []
-            if k in on_left:
-                cut += self._cut(regions[on_left[k]], _Border(frame, LEFT), minimum_area)
-            if k in on_right:
-                cut += self._cut(regions[on_right[k]], _Border(frame, RIGHT, (LEFT,)), minimum_area)
+            crossing = np.union1d(on_left.get(k, nothing), on_right.get(k, nothing))
+            cut = self._cut(regions[crossing], _Border(frame, (LEFT, RIGHT)), minimum_area)
             yield np.concatenate([inside, rows_array(cut)]) if cut else inside
 
     def _regions(self, minimum_area: float) -> np.ndarray:
@@ -168,7 +166,7 @@ class _Strip:
         reaches = _reaches(self._near, frame)
         cut = []
         for n, side in enumerate(_SIDES):
-            cut += self._cut(self._near[reaches[side]], _Border(frame, side, _SIDES[:n]), minimum_area)
+            cut += self._cut(self._near[reaches[side]], _Border(frame, (side,), _SIDES[:n]), minimum_area)
         whole = self._near[~np.any([reaches[side] for side in _SIDES], axis=0)]
         rows = np.concatenate([whole, rows_array(cut)])
         return rows[np.argsort(rows[:, LEFT], kind="stable")]
@@ -182,8 +180,8 @@ class _Strip:
         """
         found = []
         for value in np.unique(crossing[:, CLASS]).astype(int).tolist():
-            for patch in _patches(crossing[crossing[:, CLASS] == value], border.frame, border.side):
-                if border.side in (LEFT, RIGHT) and patch[1] > 0 and patch[3] < len(self.labels):
+            for patch in _patches(crossing[crossing[:, CLASS] == value], border.frame, border.sides[0]):
+                if border.sides[0] in (LEFT, RIGHT) and patch[1] > 0 and patch[3] < len(self.labels):
                     found += self._cut_in_many_strips(value, patch, border, minimum_area)
                 else:
                     found += self._cut_in_patch(value, patch, border, minimum_area)
@@ -196,7 +194,7 @@ class _Strip:
         row = self._first_row
         left, top, right, bottom = patch
         frame = border.frame
-        key = border.side, value, left, top + row, right, bottom + row, frame[0], frame[2], LEFT in border.done
+        key = border.sides, value, left, top + row, right, bottom + row, frame[0], frame[2], LEFT in border.done
         known = self._known_cuts.get(key)
         if known is None:
             if len(self._known_cuts) >= KNOWN_CUTS:
