@@ -126,8 +126,6 @@ class PhotoSource:
         from ..layers.areas import area_mask
 
         file = GdalImage(path)
-        if file.geotransform is None:
-            raise ParameterError("The image has no georeference, so the mask cannot be applied. Leave “Mask” empty.")
         mask = area_mask(self._area, crs, file.geotransform, file.shape_hw, self._values.transform_context)
         keep_only(path, mask)
 
@@ -155,8 +153,6 @@ class PhotoSource:
 
         if self._area is None:
             return image
-        if geotransform is None:
-            raise ParameterError("The image has no georeference, so the mask cannot be applied. Leave “Mask” empty.")
         context = self._values.transform_context
         return MaskedImage(image, area_mask(self._area, photo.crs, geotransform, image.shape_hw, context))
 
@@ -171,18 +167,13 @@ class PhotoSource:
     def _window(self, file: GdalImage, crs: QgsCoordinateReferenceSystem) -> tuple[int, int, int, int]:
         """Return (first column, first row, width, height) of the extent or the mask. Raises ImageError."""
         name, transform = self._file.path, file.geotransform
-        is_extent = self._values.has(self._extent_key)
         if transform is None or transform[2] or transform[4] or not crs.isValid():
-            if not is_extent:
-                raise ParameterError(
-                    "The image has no georeference, so the mask cannot be applied. Leave “Mask” empty."
-                )
             raise ImageError(
-                "“{image}” has no georeference, or a rotated one, so the extent cannot be applied. Leave “Extent” "
-                "empty.",
+                "“{image}” has no georeference, or a rotated one, so neither an extent nor a mask can be applied. "
+                "Leave both empty.",
                 image=name,
             )
-        if is_extent:
+        if self._values.has(self._extent_key):
             wanted = self._values.extent(self._extent_key, crs)
         else:
             from ..layers.areas import area_extent
@@ -194,11 +185,10 @@ class PhotoSource:
         rows = sorted(((wanted.yMinimum() - y0) / dy, (wanted.yMaximum() - y0) / dy))
         (left, right), (top, bottom) = _within(columns, width), _within(rows, height)
         if right <= left or bottom <= top:
-            if not is_extent:
-                raise ParameterError(
-                    "The mask and the image do not overlap. Select another mask, or leave “Mask” empty."
-                )
-            raise ImageError("The extent and “{image}” do not overlap. Set an extent within the image.", image=name)
+            raise ImageError(
+                "“{image}” does not overlap the extent or the mask. Set an extent or a mask within the image.",
+                image=name,
+            )
         return left, top, right - left, bottom - top
 
 

@@ -115,7 +115,7 @@ def area_extent(
 def area_mask(
     area: DrawnArea,
     crs: QgsCoordinateReferenceSystem,
-    geotransform: Sequence[float],
+    geotransform: Sequence[float] | None,
     shape_hw: tuple[int, int],
     context: QgsCoordinateTransformContext,
 ) -> AreaMask:
@@ -124,13 +124,15 @@ def area_mask(
     Args:
         area: The area.
         crs: CRS of the image.
-        geotransform: GDAL's six numbers of the image.
+        geotransform: GDAL's six numbers of the image; None without a georeference.
         shape_hw: (height, width) of the image.
         context: The project's transform context.
 
     Raises:
-        ParameterError: No polygon touches the image.
+        ParameterError: The image has no georeference, or no polygon touches it.
     """
+    if geotransform is None:
+        raise ParameterError("The image has no georeference, so the mask cannot be applied. Leave “Mask” empty.")
     x0, x_column, x_row, y0, y_column, y_row = geotransform
     to_pixels, _ = QTransform(x_column, y_column, x_row, y_row, x0, y0).inverted()
     upwards = to_pixels * QTransform.fromScale(1, -1)

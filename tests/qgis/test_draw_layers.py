@@ -198,9 +198,9 @@ def test_only_a_part_of_a_file_is_segmented(segment, model, tmp_path, north_up):
 def test_an_extent_beside_the_image_or_without_a_place_is_refused(segment, tmp_path):
     photo = np.moveaxis(painted(LABELS), 2, 0)
     placed = write_raster(tmp_path / "a.tif", photo, transform=(WEST, 2, 0, NORTH, 0, -2))
-    with pytest.raises(QgsProcessingException, match="The extent and"):
+    with pytest.raises(QgsProcessingException, match="does not overlap the extent"):
         segment(str(placed), EXTENT=f"{WEST - 900},{WEST - 200},{NORTH - 161},{NORTH - 59} [EPSG:32632]")
-    with pytest.raises(QgsProcessingException, match="the extent cannot be applied"):
+    with pytest.raises(QgsProcessingException, match="neither an extent nor a mask"):
         segment(str(write_raster(tmp_path / "b.png", photo, transform=None)))
 
 
@@ -273,8 +273,8 @@ def test_outside_of_a_mask_a_layer_that_is_tried_has_no_labels(run_algorithm, da
 @pytest.mark.parametrize(
     ("transform", "column", "sentence"),
     [
-        ((WEST, 1.0, 0.0, NORTH, 0.0, -1.0), 5000, "The mask and the image do not overlap"),
-        (None, 10, "The image has no georeference"),
+        ((WEST, 1.0, 0.0, NORTH, 0.0, -1.0), 5000, "does not overlap the extent or the mask"),
+        (None, 10, "has no georeference"),
     ],
 )
 def test_a_mask_outside_the_layer_is_refused_as_the_mask(
