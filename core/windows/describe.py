@@ -84,11 +84,11 @@ def describe_windows(  # noqa: PLR0913 - labels, landmark settings, and vector s
 
 @dataclass(frozen=True)
 class _Border:
-    """One side of a frame that cuts regions, or its left and right one.
+    """Two opposite sides of a frame that cuts regions.
 
     Attributes:
         frame: (left, top, right, bottom), pixels of the strip.
-        sides: LEFT, TOP, RIGHT or BOTTOM; or LEFT and RIGHT.
+        sides: TOP and BOTTOM, or LEFT and RIGHT.
         done: Sides that were processed before.
     """
 
@@ -97,7 +97,7 @@ class _Border:
     done: Sequence[int] = ()
 
     def is_first_of(self, row: tuple) -> bool:
-        """Return whether a region (row) touches these sides, but no side in ``done``."""
+        """Return whether a region (row) touches one of the sides, but no side in ``done``."""
         touches = any(row[side] == self.frame[side - LEFT] for side in self.sides)
         return touches and all(row[other] != self.frame[other - LEFT] for other in self.done)
 
@@ -156,7 +156,7 @@ class _Strip:
             inside = inside[inside[:, RIGHT] < column + size]
             frame = (column, 0, column + size, size)
             crossing = np.union1d(on_left.get(k, nothing), on_right.get(k, nothing))
-            cut = self._cut(regions[crossing], _Border(frame, (LEFT, RIGHT)), minimum_area)
+            cut = self._cut(regions[crossing], _Border(frame, _VERTICAL), minimum_area)
             yield np.concatenate([inside, rows_array(cut)]) if cut else inside
 
     def _regions(self, minimum_area: float) -> np.ndarray:
@@ -165,23 +165,24 @@ class _Strip:
         frame = (0, 0, width, height)
         reaches = _reaches(self._near, frame)
         cut = []
-        for n, side in enumerate(_SIDES):
-            cut += self._cut(self._near[reaches[side]], _Border(frame, (side,), _SIDES[:n]), minimum_area)
-        whole = self._near[~np.any([reaches[side] for side in _SIDES], axis=0)]
+        for sides, done in ((_HORIZONTAL, ()), (_VERTICAL, _HORIZONTAL)):
+            reached = reaches[sides[0]] | reaches[sides[1]]
+            cut += self._cut(self._near[reached], _Border(frame, sides, done), minimum_area)
+        whole = self._near[~np.any(list(reaches.values()), axis=0)]
         rows = np.concatenate([whole, rows_array(cut)])
         return rows[np.argsort(rows[:, LEFT], kind="stable")]
 
     def _cut(self, crossing: np.ndarray, border: _Border, minimum_area: float) -> list:
-        """Return rows (tuples) of the parts inside a frame of the regions ``crossing`` one of its sides.
+        """Return rows (tuples) of the parts inside a frame of the regions ``crossing`` one of two sides.
 
         Every part of a cut region has pixels on a side of the frame, and every pixel of a landmark class on this side
-        belongs to one of the regions ``crossing`` it (or to a too small one). So the contours that touch the side are
+        belongs to one of the regions ``crossing`` it (or to a too small one). So the contours that touch a side are
         exactly the wanted ones. Those on a side in ``done`` were found before.
         """
         found = []
         for value in np.unique(crossing[:, CLASS]).astype(int).tolist():
-            for patch in _patches(crossing[crossing[:, CLASS] == value], border.frame, border.sides[0]):
-                if border.sides[0] in (LEFT, RIGHT) and patch[1] > 0 and patch[3] < len(self.labels):
+            for patch in _patches(crossing[crossing[:, CLASS] == value], border.frame, border.sides):
+                if border.sides == _VERTICAL and patch[1] > 0 and patch[3] < len(self.labels):
                     found += self._cut_in_many_strips(value, patch, border, minimum_area)
                 else:
                     found += self._cut_in_patch(value, patch, border, minimum_area)
@@ -217,7 +218,7 @@ class _Strip:
         return found
 
 
-_SIDES = (TOP, BOTTOM, LEFT, RIGHT)
+_HORIZONTAL, _VERTICAL = (TOP, BOTTOM), (LEFT, RIGHT)
 
 
 def _reaches(rows: np.ndarray, frame: tuple[int, int, int, int]) -> dict[int, np.ndarray]:
@@ -230,14 +231,16 @@ def _reaches(rows: np.ndarray, frame: tuple[int, int, int, int]) -> dict[int, np
     }
 
 
-def _patches(crossing: np.ndarray, frame: tuple[int, int, int, int], side: int) -> Iterator[tuple[int, int, int, int]]:
+def _patches(
+    crossing: np.ndarray, frame: tuple[int, int, int, int], sides: Sequence[int]
+) -> Iterator[tuple[int, int, int, int]]:
     """Yield (left, top, right, bottom) of patches inside ``frame`` that contain whole regions of one class.
 
-    Regions with overlapping extents along the side share a patch. So patches do not overlap along the side, and no
+    Regions with overlapping extents along the sides share a patch. So patches do not overlap along the sides, and no
     region is in two of them.
     """
     bounds = np.minimum(np.maximum(crossing[:, LEFT : BOTTOM + 1], (frame[0], frame[1]) * 2), (frame[2], frame[3]) * 2)
-    vertical = side in (LEFT, RIGHT)
+    vertical = sides == _VERTICAL
     along = 1 if vertical else 0
     bounds = bounds[np.argsort(bounds[:, along], kind="stable")].astype(np.int64).tolist()
     patch = None
