@@ -93,8 +93,8 @@ def class_fractions(labels_hw: np.ndarray, values: Sequence[int] | np.ndarray, s
     """
     fractions = np.zeros((size_wh[1], size_wh[0], len(values)), np.uint8)
     for index, value in enumerate(values):
-        # OpenCV's comparison gives FULL where it holds.
-        covered = cv2.compare(labels_hw, int(value), cv2.CMP_EQ)
+        # FULL where the label is the value; ``cv2.compare`` fails for a raster of one pixel.
+        covered = cv2.inRange(labels_hw, int(value), int(value))
         if cv2.countNonZero(covered):
             fractions[..., index] = cv2.resize(covered, size_wh, interpolation=cv2.INTER_AREA)
     return fractions

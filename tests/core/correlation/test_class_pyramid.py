@@ -21,6 +21,10 @@ def test_fractions_count_the_pixels_of_each_class():
     assert np.abs(fractions / FULL - [[[0.75, 0.25], [0.0, 0.75]]]).max() <= 1 / FULL
 
 
+def test_a_raster_of_one_pixel_has_fractions():
+    assert class_fractions(np.full((1, 1), 2, np.uint8), (1, 2), (1, 1)).tolist() == [[[0, FULL]]]
+
+
 def test_unlabeled_pixels_are_evidence_for_nothing():
     fractions = np.zeros((2, 2, 2), np.uint8)
     fractions[0] = [[FULL, 0], [0, FULL]]
