@@ -24,6 +24,9 @@ OWN_MOST = 12.0
 SAME_HEADING_DEG = 20.0
 """Hypotheses at one place with a larger difference of heading are different ones."""
 
+OWN_NOISE = (0.01, 0.01, 0.01)
+"""Standard deviations of an image's own best place: share of its edge, radians, ln pixel size."""
+
 OWN_SHARE = 0.1
 """A hypothesis within this share of an image's edge, plus three standard deviations, is at the image's own place."""
 
@@ -114,8 +117,23 @@ def update(pool: Pool, seen: SeenImage, pyramid: MapPyramid, weight: float, sett
         gain = variances / total * np.clip(ratios / 2, 0, 1)[:, None]
         states += np.column_stack([gain[:, 0], gain]) * off
         variances -= gain * variances
-    evidence[:, -1] = weight * ratios + own_log_ratios(states, variances, seen, settings)
+    of_own = own_log_ratios(states, variances, seen, settings)
+    evidence[:, -1] = weight * ratios + of_own
+    if seen.own_state is not None:
+        # A hypothesis that kept its drift would lose the next own places, and with them its track.
+        near = of_own > 0
+        gain = variances[near] / (variances[near] + own_noise(seen))
+        off = seen.own_state - states[near]
+        off[:, 2] = wrap_angle(off[:, 2])
+        states[near] += np.column_stack([gain[:, 0], gain]) * off
+        variances[near] *= 1 - gain
     return Pool(states, variances, evidence)
+
+
+def own_noise(seen: SeenImage) -> np.ndarray:
+    """Return (3,) variances of the image's own best place, as those of a pool."""
+    size = 0.0 if seen.own_state is None else float(np.exp(seen.own_state[3]))
+    return np.array(OWN_NOISE) ** 2 * ((seen.edge_px * size) ** 2, 1, 1)
 
 
 def look_noise(seen: SeenImage, states: np.ndarray, deviations: tuple[float, float, float]) -> np.ndarray:

@@ -20,7 +20,19 @@ from .measurement import Measurement, measure_near, shared_after, shared_varianc
 from .memory import NOWHERE, Past, pack, unpack
 from .model import FlightImage, FlightPose
 from .motion import Link, LinkSource, as_rows
-from .pool import OWN_MOST, Pool, look_noise, new_pool, predict, prune, rival_of, same_place, update, with_past
+from .pool import (
+    OWN_MOST,
+    Pool,
+    look_noise,
+    new_pool,
+    own_noise,
+    predict,
+    prune,
+    rival_of,
+    same_place,
+    update,
+    with_past,
+)
 from .reported_pose import predicted, report_pose, unplaced
 from .settings import FLIGHT, FlightSettings
 from .smoothing import Estimate, drift_of, first_estimate, soften, step_over, with_measurement
@@ -227,9 +239,7 @@ class FlightTracker:
         """Return a hypothesis at the image's own best place."""
         if seen.own_state is None or seen.own_odds <= 0:
             return Pool.empty(self.settings.window)
-        deviation = 0.01 * self._edge_m(seen)
-        evidence = np.zeros((1, self.settings.window))
-        alone = Pool(seen.own_state[None], np.array([[deviation**2, 1e-4, 1e-4]]), evidence)
+        alone = Pool(seen.own_state[None], own_noise(seen)[None], np.zeros((1, self.settings.window)))
         return update(alone, seen, self.localizer.pyramid, weight, self.settings)
 
     @staticmethod
