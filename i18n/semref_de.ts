@@ -64,10 +64,6 @@
    <translation>95-%-Radius im Flug (m)</translation>
   </message>
   <message>
-   <source>95 % radius in m: it contains the true position in 95 % of cases</source>
-   <translation>95-%-Radius in m: Er enthält die wahre Position in 95 % der Fälle</translation>
-  </message>
-  <message>
    <source>95 % radius up to {radius:.0f} m</source>
    <translation>95-%-Radius bis {radius:.0f} m</translation>
   </message>
@@ -192,10 +188,6 @@
    <translation>Fremdes Netz hinzufügen: eine ONNX-Datei oder ein Checkpoint von PyTorch</translation>
   </message>
   <message>
-   <source>Add a raster layer of the project</source>
-   <translation>Rasterlayer des Projekts hinzufügen</translation>
-  </message>
-  <message>
    <source>Add class</source>
    <translation>Klasse hinzufügen</translation>
   </message>
@@ -230,10 +222,6 @@
   <message>
    <source>Add photos or label images, or drop files, folders and layers here.</source>
    <translation>Fügen Sie Fotos oder Klassenbilder hinzu oder ziehen Sie Dateien, Ordner und Layer hierher.</translation>
-  </message>
-  <message>
-   <source>Add the image to the project as a half-transparent layer at its position</source>
-   <translation>Bild als halbtransparenten Layer an seiner Position zum Projekt hinzufügen</translation>
   </message>
   <message>
    <source>Adding a model</source>
@@ -286,10 +274,6 @@
   <message>
    <source>All used outputs of {path} have the class {name}, so every pixel would have it. Enter at least two classes; a class without interest can be “other”.</source>
    <translation>Alle verwendeten Ausgaben von {path} haben die Klasse {name}, sodass jedes Pixel sie hätte. Geben Sie mindestens zwei Klassen ein; eine Klasse ohne Interesse kann „other“ sein.</translation>
-  </message>
-  <message>
-   <source>Along the flight</source>
-   <translation>Entlang des Fluges</translation>
   </message>
   <message>
    <source>Along the route</source>
@@ -676,10 +660,6 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
    <translation>Layer mit Befunden oder Abweichungen wählen</translation>
   </message>
   <message>
-   <source>Choose a model first. It defines the pixel size of the image.</source>
-   <translation>Wählen Sie zuerst ein Modell. Es legt die Pixelgröße des Bildes fest.</translation>
-  </message>
-  <message>
    <source>Choose a raster layer or file for the test picture.</source>
    <translation>Wählen Sie einen Rasterlayer oder eine Datei für das Testbild.</translation>
   </message>
@@ -980,6 +960,10 @@ Die Eingabe kann ein Auszug (.osm, .osm.pbf), ein QuickOSM-Layer, ein Geofabrik-
    <translation>Diagnose kopieren</translation>
   </message>
   <message>
+   <source>Copy longitude and latitude (WGS 84)</source>
+   <translation>Geografische Länge und Breite kopieren (WGS 84)</translation>
+  </message>
+  <message>
    <source>Copy of the model with the class offset, in meters, in its metadata.</source>
    <translation>Kopie des Modells mit dem Klassenversatz in Metern in den Metadaten.</translation>
   </message>
@@ -990,14 +974,6 @@ Die Eingabe kann ein Auszug (.osm, .osm.pbf), ein QuickOSM-Layer, ein Geofabrik-
   <message>
    <source>Copy position</source>
    <translation>Position kopieren</translation>
-  </message>
-  <message>
-   <source>Copy the information that a bug report needs</source>
-   <translation>Angaben kopieren, die ein Fehlerbericht braucht</translation>
-  </message>
-  <message>
-   <source>Copy the position in the format used last. The arrow shows all formats.</source>
-   <translation>Position im zuletzt verwendeten Format kopieren. Der Pfeil zeigt alle Formate.</translation>
   </message>
   <message>
    <source>Correct</source>
@@ -1104,10 +1080,6 @@ Ganze Geländeblöcke werden für die Validierung zurückgelegt; kein Pixel lieg
    <translation>Farbiges Klassenbild dekodieren</translation>
   </message>
   <message>
-   <source>Degrees, minutes, seconds (WGS 84)</source>
-   <translation>Grad, Minuten, Sekunden (WGS 84)</translation>
-  </message>
-  <message>
    <source>Describe image</source>
    <translation>Bild beschreiben</translation>
   </message>
@@ -1134,10 +1106,6 @@ Ganze Geländeblöcke werden für die Validierung zurückgelegt; kein Pixel lieg
   <message>
    <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages. Check them, then paste them into a new issue.</source>
    <translation>Die Diagnose liegt in der Zwischenablage: Versionen, Pakete, Geräte und die letzten Meldungen. Prüfen Sie sie und fügen Sie sie dann in einen neuen Fehlerbericht (Issue) ein.</translation>
-  </message>
-  <message>
-   <source>Direction of the image’s top, in degrees clockwise from grid north</source>
-   <translation>Richtung der Bildoberkante, in Grad im Uhrzeigersinn von Gitternord</translation>
   </message>
   <message>
    <source>Direction of the major semi-axis (°)</source>
@@ -1272,10 +1240,6 @@ Ganze Geländeblöcke werden für die Validierung zurückgelegt; kein Pixel lieg
    <translation>Layer wird gezeichnet</translation>
   </message>
   <message>
-   <source>Drawing “{layer}” as the map shows it…</source>
-   <translation>„{layer}“ wird gezeichnet, wie die Karte es zeigt…</translation>
-  </message>
-  <message>
    <source>Drawing “{layer}” with {width} × {height} pixels of {resolution:g} cm. Check that its provider permits this use.</source>
    <translation>„{layer}“ wird mit {width} × {height} Pixeln zu {resolution:g} cm gezeichnet. Prüfen Sie, ob der Anbieter diese Nutzung erlaubt.</translation>
   </message>
@@ -1378,14 +1342,6 @@ Ganze Geländeblöcke werden für die Validierung zurückgelegt; kein Pixel lieg
   <message>
    <source>Epochs</source>
    <translation>Epochen</translation>
-  </message>
-  <message>
-   <source>Epochs within the time limit on this computer: about {count}</source>
-   <translation>Epochen innerhalb der Zeitgrenze auf diesem Computer: etwa {count}</translation>
-  </message>
-  <message>
-   <source>Epochs within the time limit: about {count}. For a better model, choose a longer time or a coarser resolution.</source>
-   <translation>Epochen innerhalb der Zeitgrenze: etwa {count}. Für ein besseres Modell wählen Sie eine längere Zeit oder eine gröbere Auflösung.</translation>
   </message>
   <message>
    <source>Error</source>
@@ -1604,14 +1560,6 @@ Die Route ist ein Linienlayer oder eine Datei: GPX, KML, QGroundControl-Plan (.p
    <translation>Datei</translation>
   </message>
   <message>
-   <source>File name of the image</source>
-   <translation>Dateiname des Bildes</translation>
-  </message>
-  <message>
-   <source>File name, status, error probability, and position with its 95 % radius</source>
-   <translation>Dateiname, Status, Irrtumswahrscheinlichkeit und Position mit ihrem 95-%-Radius</translation>
-  </message>
-  <message>
    <source>File with secret bytes, for example 32 random bytes, that signs the onboard file (HMAC-SHA256). With “semref … --require-signature KEY” the aircraft rejects files that were changed or made by others. Keep this file secret: anyone who has it can sign.</source>
    <translation>Datei mit geheimen Bytes, zum Beispiel 32 zufälligen Bytes, mit der die Onboard-Datei signiert wird (HMAC-SHA256). Mit „semref … --require-signature KEY“ weist das Flugzeug Dateien zurück, die verändert wurden oder von anderen stammen. Halten Sie diese Datei geheim: Wer sie hat, kann signieren.</translation>
   </message>
@@ -1704,10 +1652,6 @@ SemRef leitet Pixelgröße, Fenstergröße, Schrittweite und Mindestfläche aus 
    <translation>Ordner für Kacheln</translation>
   </message>
   <message>
-   <source>Folder of your models, with a description of each model:</source>
-   <translation>Ordner Ihrer Modelle, mit einer Beschreibung jedes Modells:</translation>
-  </message>
-  <message>
    <source>Footprint</source>
    <translation>Bildfläche</translation>
   </message>
@@ -1762,14 +1706,6 @@ SemRef leitet Pixelgröße, Fenstergröße, Schrittweite und Mindestfläche aus 
   <message>
    <source>From image</source>
    <translation>Von Bild</translation>
-  </message>
-  <message>
-   <source>From {start:.0f} m to {end:.0f} m: with a shift of {shift:.0f} m to the left, success rises from {before:.0%} to {after:.0%}.</source>
-   <translation>Von {start:.0f} m bis {end:.0f} m: Bei einer Verschiebung um {shift:.0f} m nach links steigt der Erfolg von {before:.0%} auf {after:.0%}.</translation>
-  </message>
-  <message>
-   <source>From {start:.0f} m to {end:.0f} m: with a shift of {shift:.0f} m to the right, success rises from {before:.0%} to {after:.0%}.</source>
-   <translation>Von {start:.0f} m bis {end:.0f} m: Bei einer Verschiebung um {shift:.0f} m nach rechts steigt der Erfolg von {before:.0%} auf {after:.0%}.</translation>
   </message>
   <message>
    <source>Gaps</source>
@@ -1868,10 +1804,6 @@ Bilder ohne Position werden weggelassen, ebenso wahrscheinliche Positionen und P
    <translation>Ausrichtung (° von Gitternord)</translation>
   </message>
   <message>
-   <source>Heading (°)</source>
-   <translation>Ausrichtung (°)</translation>
-  </message>
-  <message>
    <source>Heading deviation (°)</source>
    <translation>Abweichung der Ausrichtung (°)</translation>
   </message>
@@ -1892,10 +1824,6 @@ Bilder ohne Position werden weggelassen, ebenso wahrscheinliche Positionen und P
    <translation>Toleranz der Ausrichtung (± °)</translation>
   </message>
   <message>
-   <source>Height (m)</source>
-   <translation>Höhe (m)</translation>
-  </message>
-  <message>
    <source>Heights (Z) left out: {features}.</source>
    <translation>Z-Werte weggelassen: {features}.</translation>
   </message>
@@ -1904,8 +1832,8 @@ Bilder ohne Position werden weggelassen, ebenso wahrscheinliche Positionen und P
    <translation>Stellen ausblenden, die nur Hinweise sind</translation>
   </message>
   <message>
-   <source>Highest ground speed of the flight, for example 20. Positions that cannot be reached at this speed from the positions before and after are marked as jumps. They still count as positions. The times of the images must be known.</source>
-   <translation>Höchste Geschwindigkeit des Flugs über Grund, zum Beispiel 20. Positionen, die von den Positionen davor und danach mit dieser Geschwindigkeit nicht erreichbar sind, werden als Sprünge markiert. Sie zählen weiterhin als Positionen. Die Aufnahmezeiten der Bilder müssen bekannt sein.</translation>
+   <source>Highest ground speed of the flight, for example 20. Images without a position are searched again on the ground that the aircraft can reach at this speed from the nearest position in time. Positions that cannot be reached from the positions before and after are marked as jumps. They still count as positions. The times of the images must be known.</source>
+   <translation>Höchste Geschwindigkeit des Flugs über Grund, zum Beispiel 20. Bilder ohne Position werden noch einmal auf dem Gelände gesucht, das das Luftfahrzeug mit dieser Geschwindigkeit von der zeitlich nächsten Position aus erreichen kann. Positionen, die von den Positionen davor und danach nicht erreichbar sind, werden als Sprünge markiert. Sie zählen weiterhin als Positionen. Die Aufnahmezeiten der Bilder müssen bekannt sein.</translation>
   </message>
   <message>
    <source>Hole is outside shell</source>
@@ -2240,10 +2168,6 @@ Bilder ohne Position werden weggelassen, ebenso wahrscheinliche Positionen und P
    <translation>Größter Fehler einer Position, die als richtig zählt. Ohne Angabe 2 % der Breite der Bildfläche. Eine Position von „Veröffentlichte Methode“ ist richtig, wenn sie das nächste Fenster nennt.</translation>
   </message>
   <message>
-   <source>Largest findings of each kind</source>
-   <translation>Größte Befunde jeder Art</translation>
-  </message>
-  <message>
    <source>Last image</source>
    <translation>Letztes Bild</translation>
   </message>
@@ -2254,10 +2178,6 @@ Bilder ohne Position werden weggelassen, ebenso wahrscheinliche Positionen und P
   <message>
    <source>Latitude</source>
    <translation>Geografische Breite</translation>
-  </message>
-  <message>
-   <source>Latitude, longitude (WGS 84)</source>
-   <translation>Breite, Länge (WGS 84)</translation>
   </message>
   <message>
    <source>Layer of lines with tags as columns, or the extract. Roads and railways get the class road, rivers and streams the class water. The tags width and lanes give the width, otherwise the rules. Tunnels are left out.</source>
@@ -2414,14 +2334,6 @@ Bilder ohne Position werden weggelassen, ebenso wahrscheinliche Positionen und P
   <message>
    <source>Longitude and latitude are accurate to {error:.4f} m.</source>
    <translation>Länge und Breite sind auf {error:.4f} m genau.</translation>
-  </message>
-  <message>
-   <source>Longitude, latitude</source>
-   <translation>Länge, Breite</translation>
-  </message>
-  <message>
-   <source>Longitude, latitude (WGS 84)</source>
-   <translation>Länge, Breite (WGS 84)</translation>
   </message>
   <message>
    <source>Looking for changes</source>
@@ -2788,10 +2700,6 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
    <translation>Name in segmentation_models_pytorch, zum Beispiel unet, fpn oder deeplabv3. Für ONNX-Dateien nicht verwendet.</translation>
   </message>
   <message>
-   <source>Name of the matched window: its first column and row on the map</source>
-   <translation>Name des gefundenen Fensters: seine erste Spalte und Zeile auf der Karte</translation>
-  </message>
-  <message>
    <source>Names in the order of the outputs, separated by “;”. Outputs with the same name are merged. Leave a name empty for an output that is not used, for example building;road;;road.</source>
    <translation>Namen in der Reihenfolge der Ausgaben, durch „;“ getrennt. Ausgaben mit demselben Namen werden zusammengefasst. Lassen Sie den Namen einer Ausgabe leer, die nicht verwendet wird, zum Beispiel building;road;;road.</translation>
   </message>
@@ -2956,8 +2864,8 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
    <translation>Nordwert des Mittelpunkts</translation>
   </message>
   <message>
-   <source>Not added, because they are not image files: {layers}. Use the layer button to add the current map view of a layer.</source>
-   <translation>Nicht hinzugefügt, weil es keine Bilddateien sind: {layers}. Mit der Layer-Schaltfläche fügen Sie die aktuelle Kartenansicht eines Layers hinzu.</translation>
+   <source>Not added, because they are not image files: {layers}.</source>
+   <translation>Nicht hinzugefügt, weil es keine Bilddateien sind: {layers}.</translation>
   </message>
   <message>
    <source>Not available (required Python package in brackets): {devices}.</source>
@@ -3122,10 +3030,6 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   <message>
    <source>One feature for each finding, in the CRS of the label map.</source>
    <translation>Ein Objekt je Befund, im KBS der Klassenkarte.</translation>
-  </message>
-  <message>
-   <source>One flight? {count} photos in sequence</source>
-   <translation>Ein Flug? {count} Fotos in Folge</translation>
   </message>
   <message>
    <source>One line for each track, from image to image.</source>
@@ -3312,8 +3216,8 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
    <translation>Seite mit den Befunden nach Art und Klasse.</translation>
   </message>
   <message>
-   <source>Page with the track and its error ellipses, the source of each position, heading, height and gaps.</source>
-   <translation>Seite mit der Spur und ihren Fehlerellipsen, der Quelle jeder Position, Ausrichtung, Höhe und Lücken.</translation>
+   <source>Page with the track and its error ellipses, the source and heading of each position, and gaps.</source>
+   <translation>Seite mit der Spur und ihren Fehlerellipsen, der Quelle und Ausrichtung jeder Position und Lücken.</translation>
   </message>
   <message>
    <source>Part of the layer to test. Map tiles need it. If not set, the whole layer is used.</source>
@@ -3468,10 +3372,6 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
    <translation>Position aus dem Flug, eigene Position verworfen</translation>
   </message>
   <message>
-   <source>Position of the image’s center, in degrees (WGS 84)</source>
-   <translation>Position der Bildmitte, in Grad (WGS 84)</translation>
-  </message>
-  <message>
    <source>Position with heading</source>
    <translation>Position mit Ausrichtung</translation>
   </message>
@@ -3568,10 +3468,6 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
    <translation>Wahrscheinlichkeit, ab der ein Pixel die Klasse hat, für Netze mit einer Ausgabe. Ohne Angabe 0,5.</translation>
   </message>
   <message>
-   <source>Probability that the position is wrong</source>
-   <translation>Wahrscheinlichkeit, dass die Position falsch ist</translation>
-  </message>
-  <message>
    <source>Processes that do the work. local:4 starts four processes on this computer. tcp://ADDRESS:PORT uses the workers of a Dask scheduler, which must read the same files under the same paths. If not set, QGIS does the work.</source>
    <translation>Prozesse, die die Arbeit übernehmen. local:4 startet vier Prozesse auf diesem Computer. tcp://ADRESSE:PORT verwendet die Worker eines Dask-Schedulers, die dieselben Dateien unter denselben Pfaden lesen müssen. Ohne Angabe übernimmt QGIS die Arbeit.</translation>
   </message>
@@ -3626,10 +3522,6 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   <message>
    <source>Quality of the labels that the model makes of photos. “usable” means 20 % missed landmarks, 20 % spurious landmarks, 5 % mislabeled landmarks and a boundary jitter of 1 m. “good” means half of these errors, “poor” twice as much. Errors of the map and the camera are not changed.</source>
    <translation>Qualität der Klassen, die das Modell aus Fotos ableitet. „brauchbar“ bedeutet 20 % übersehene, 20 % erfundene und 5 % falsch klassifizierte Landmarken sowie ein Grenzrauschen von 1 m. „gut“ bedeutet die Hälfte dieser Fehler, „schlecht“ das Doppelte. Fehler der Karte und der Kamera bleiben unverändert.</translation>
-  </message>
-  <message>
-   <source>Radius (m)</source>
-   <translation>Radius (m)</translation>
   </message>
   <message>
    <source>Radius of the search area around the prior position. It is used only with a prior position.</source>
@@ -4212,20 +4104,8 @@ Bei einer Überlappung bleibt das Polygon mit der höheren Priorität, sonst das
    <translation>Verschieben Sie unten die Strecken mit einem Vorschlag und beurteilen Sie die Route noch einmal.</translation>
   </message>
   <message>
-   <source>Show lines from the center to the landmarks of the topology vector</source>
-   <translation>Linien von der Mitte zu den Landmarken des Topologievektors zeigen</translation>
-  </message>
-  <message>
    <source>Show models with their descriptions…</source>
    <translation>Modelle mit ihren Beschreibungen zeigen…</translation>
-  </message>
-  <message>
-   <source>Show models…</source>
-   <translation>Modelle zeigen…</translation>
-  </message>
-  <message>
-   <source>Show one image after the other</source>
-   <translation>Ein Bild nach dem anderen zeigen</translation>
   </message>
   <message>
    <source>Show or hide the SemRef dock, which finds the positions of images</source>
@@ -4532,10 +4412,6 @@ Beschrieben wird das größte mittige Quadrat des Bildes, wie bei den Fenstern e
    <translation>Testen Sie mit Bildern eines anderen Datums in „Lokalisierung bewerten“. Sind die angenommenen Störungen zu gering, ist der erwartete Erfolg zu hoch.</translation>
   </message>
   <message>
-   <source>Tested versions</source>
-   <translation>Getestete Versionen</translation>
-  </message>
-  <message>
    <source>Testing the network</source>
    <translation>Netz wird getestet</translation>
   </message>
@@ -4714,10 +4590,6 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
   <message>
    <source>The exported model {path} differs from the trained network by {difference:.2g} in a logit.</source>
    <translation>Das exportierte Modell {path} weicht in einem Logit um {difference:.2g} vom trainierten Netz ab.</translation>
-  </message>
-  <message>
-   <source>The extent and “{image}” do not overlap. Set an extent within the image.</source>
-   <translation>Die Ausdehnung und „{image}“ überlappen sich nicht. Legen Sie eine Ausdehnung innerhalb des Bildes fest.</translation>
   </message>
   <message>
    <source>The extent for “{layer}” does not fit its CRS {crs}. Choose another extent.</source>
@@ -5016,10 +4888,6 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Die Karte hat nur eine Klasse, deshalb sehen alle Orte gleich aus.</translation>
   </message>
   <message>
-   <source>The map view is now in the list of images. It is kept until you close QGIS.</source>
-   <translation>Die Kartenansicht steht jetzt in der Liste der Bilder. Sie bleibt, bis Sie QGIS schließen.</translation>
-  </message>
-  <message>
    <source>The maps disagree</source>
    <translation>Die Karten widersprechen sich</translation>
   </message>
@@ -5204,10 +5072,6 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Das Programm unter {address} ist kein Dask-Scheduler oder hat eine andere Version. Geben Sie die Adresse ein, die der Scheduler ausgibt, nicht die seines Dashboards.</translation>
   </message>
   <message>
-   <source>The project has no raster layer.</source>
-   <translation>Das Projekt hat keinen Rasterlayer.</translation>
-  </message>
-  <message>
    <source>The range of {setting} is {low:g} to {high:g}. Enter two numbers from {least:g} to {most:g}, the smaller one first.</source>
    <translation>Der Bereich von {setting} ist {low:g} bis {high:g}. Geben Sie zwei Zahlen von {least:g} bis {most:g} ein, die kleinere zuerst.</translation>
   </message>
@@ -5310,10 +5174,6 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
   <message>
    <source>The time limit ended the training. Train again to continue this training.</source>
    <translation>Die Zeitgrenze hat das Training beendet. Trainieren Sie noch einmal, um dieses Training fortzusetzen.</translation>
-  </message>
-  <message>
-   <source>The time limit is too short for one epoch. Choose a longer time or a coarser resolution.</source>
-   <translation>Die Zeitgrenze ist zu kurz für eine Epoche. Wählen Sie eine längere Zeit oder eine gröbere Auflösung.</translation>
   </message>
   <message>
    <source>The training can't be saved in {folder} ({reason}). Free some disk space and start the training again; it continues after the last saved epoch.</source>
@@ -5572,10 +5432,6 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Spur</translation>
   </message>
   <message>
-   <source>Track {number}</source>
-   <translation>Spur {number}</translation>
-  </message>
-  <message>
    <source>Tracks</source>
    <translation>Spuren</translation>
   </message>
@@ -5776,10 +5632,6 @@ Alle Einstellungen kommen aus der Datenbank. Unveränderte Zeilen behalten ihre 
    <translation>Werte für alle Felder ohne Angabe. Ohne Voreinstellung die in den Metadaten der Datei.</translation>
   </message>
   <message>
-   <source>Vector</source>
-   <translation>Vektor</translation>
-  </message>
-  <message>
    <source>Verdict</source>
    <translation>Urteil</translation>
   </message>
@@ -5792,16 +5644,8 @@ Alle Einstellungen kommen aus der Datenbank. Unveränderte Zeilen behalten ihre 
    <translation>Warnungen können die Zahl der Landmarken verringern. Prüfen Sie die an wichtigen Stellen der Karte.</translation>
   </message>
   <message>
-   <source>Well-known text in the project’s CRS</source>
-   <translation>Well-known Text im KBS des Projekts</translation>
-  </message>
-  <message>
    <source>Where the maps overlap, the reference map has no labels; choose maps of the same ground.</source>
    <translation>Wo sich die Karten überlappen, hat die Referenzkarte keine Klassen; wählen Sie Karten desselben Geländes.</translation>
-  </message>
-  <message>
-   <source>Whether a position was found</source>
-   <translation>Ob eine Position gefunden wurde</translation>
   </message>
   <message>
    <source>Width of the ground that a typical photo shows, for example 150. If not set, height and focal length of the camera give it, or the pixels of the imagery.</source>
@@ -6416,14 +6260,6 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>falsche Position</translation>
   </message>
   <message>
-   <source>x, y in the database’s CRS</source>
-   <translation>x, y im KBS der Datenbank</translation>
-  </message>
-  <message>
-   <source>x, y in the project’s CRS ({crs})</source>
-   <translation>x, y im KBS des Projekts ({crs})</translation>
-  </message>
-  <message>
    <source>{area} m²</source>
    <translation>{area} m²</translation>
   </message>
@@ -6520,10 +6356,6 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>{device} konnte nicht gestartet werden ({reason}); das Netz läuft auf {other}.</translation>
   </message>
   <message>
-   <source>{device} is not available. It needs the Python package {package}.</source>
-   <translation>{device} ist nicht verfügbar. Nötig ist das Python-Paket {package}.</translation>
-  </message>
-  <message>
    <source>{device} is selected, but this onnxruntime does not support it; the Python package {package} does. The network runs on {other}.</source>
    <translation>{device} ist gewählt, aber dieses onnxruntime unterstützt es nicht; das Python-Paket {package} schon. Das Netz läuft auf {other}.</translation>
   </message>
@@ -6584,6 +6416,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>{image}: Abstand {distance:.3f}, Konfidenz {confidence:.2f}</translation>
   </message>
   <message>
+   <source>{image}: found within {radius:.0f} m of {other}.</source>
+   <translation>{image}: gefunden höchstens {radius:.0f} m von {other}.</translation>
+  </message>
+  <message>
    <source>{image}: its own position contradicts the flight and was outvoted.</source>
    <translation>{image}: Die eigene Position widerspricht dem Flug und wurde überstimmt.</translation>
   </message>
@@ -6610,10 +6446,6 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>{layer} has features with infinite coordinates. Delete these features.</source>
    <translation>{layer} hat Objekte mit unendlichen Koordinaten. Löschen Sie diese Objekte.</translation>
-  </message>
-  <message>
-   <source>{layer}: current map view</source>
-   <translation>{layer}: aktuelle Kartenansicht</translation>
   </message>
   <message>
    <source>{layer}: {features} features</source>
@@ -7408,10 +7240,6 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>{value} Landmarken im Bild</translation>
   </message>
   <message>
-   <source>{version} (not tested)</source>
-   <translation>{version} (nicht getestet)</translation>
-  </message>
-  <message>
    <source>{where} can't be written: {reason}. Choose another output.</source>
    <translation>{where} kann nicht geschrieben werden: {reason}. Wählen Sie eine andere Ausgabe.</translation>
   </message>
@@ -7496,8 +7324,12 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>„ist unbekannt“ schließt dieses Gelände vom Training aus. Wählen Sie die zweite Möglichkeit nur, wenn alle Flächen der Klassen gezeichnet wurden, und legen Sie eine Ausdehnung ohne ungezeichnetes Gelände fest. Bei einem Layer mit einer einzigen Klasse, etwa Gebäuden, verwendet SemRef immer die Klasse „other“.</translation>
   </message>
   <message>
-   <source>“{image}” has no georeference, or a rotated one, so the extent cannot be applied. Leave “Extent” empty.</source>
-   <translation>„{image}“ hat keine oder eine gedrehte Georeferenz, deshalb lässt sich die Ausdehnung nicht anwenden. Lassen Sie „Ausdehnung“ leer.</translation>
+   <source>“{image}” does not overlap the extent or the mask. Set an extent or a mask within the image.</source>
+   <translation>„{image}“ überlappt die Ausdehnung oder die Maske nicht. Wählen Sie eine Ausdehnung oder Maske innerhalb des Bilds.</translation>
+  </message>
+  <message>
+   <source>“{image}” has no georeference, or a rotated one, so neither an extent nor a mask can be applied. Leave both empty.</source>
+   <translation>„{image}“ hat keine oder eine gedrehte Georeferenz, deshalb lassen sich weder Ausdehnung noch Maske anwenden. Lassen Sie beide leer.</translation>
   </message>
   <message>
    <source>“{key}” contains no polygon. Leave it empty to compare the whole map.</source>
@@ -7562,10 +7394,6 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>“{layer}” has no polygons. Choose a polygon layer.</source>
    <translation>„{layer}“ hat keine Polygone. Wählen Sie einen Polygonlayer.</translation>
-  </message>
-  <message>
-   <source>“{layer}” has no resolution of its own, and neither have the metadata of {model}. Select a model with a resolution.</source>
-   <translation>„{layer}“ hat keine eigene Auflösung, und die Metadaten von {model} enthalten auch keine. Wählen Sie ein Modell mit einer Auflösung.</translation>
   </message>
   <message>
    <source>“{layer}” has no resolution of its own. Enter a resolution.</source>

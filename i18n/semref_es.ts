@@ -64,10 +64,6 @@
    <translation>Radio del 95 % en vuelo (m)</translation>
   </message>
   <message>
-   <source>95 % radius in m: it contains the true position in 95 % of cases</source>
-   <translation>Radio del 95 % en m: contiene la posición verdadera en el 95 % de los casos</translation>
-  </message>
-  <message>
    <source>95 % radius up to {radius:.0f} m</source>
    <translation>Radio del 95 % de hasta {radius:.0f} m</translation>
   </message>
@@ -192,10 +188,6 @@
    <translation>Añadir una red de terceros: un archivo ONNX o un punto de control de PyTorch</translation>
   </message>
   <message>
-   <source>Add a raster layer of the project</source>
-   <translation>Añadir una capa ráster del proyecto</translation>
-  </message>
-  <message>
    <source>Add class</source>
    <translation>Añadir clase</translation>
   </message>
@@ -230,10 +222,6 @@
   <message>
    <source>Add photos or label images, or drop files, folders and layers here.</source>
    <translation>Añada fotos o imágenes de etiquetas, o suelte aquí archivos, carpetas y capas.</translation>
-  </message>
-  <message>
-   <source>Add the image to the project as a half-transparent layer at its position</source>
-   <translation>Añade la imagen al proyecto como capa semitransparente en su posición</translation>
   </message>
   <message>
    <source>Adding a model</source>
@@ -286,10 +274,6 @@
   <message>
    <source>All used outputs of {path} have the class {name}, so every pixel would have it. Enter at least two classes; a class without interest can be “other”.</source>
    <translation>Todas las salidas usadas de {path} tienen la clase {name}, así que todos los píxeles la tendrían. Indique al menos dos clases; una clase sin interés puede ser “other”.</translation>
-  </message>
-  <message>
-   <source>Along the flight</source>
-   <translation>A lo largo del vuelo</translation>
   </message>
   <message>
    <source>Along the route</source>
@@ -676,10 +660,6 @@ El GeoPackage contiene ventanas, hitos, un mapa reducido (vista general), clases
    <translation>Elegir una capa de hallazgos o discrepancias</translation>
   </message>
   <message>
-   <source>Choose a model first. It defines the pixel size of the image.</source>
-   <translation>Elija primero un modelo. Define el tamaño de píxel de la imagen.</translation>
-  </message>
-  <message>
    <source>Choose a raster layer or file for the test picture.</source>
    <translation>Elija una capa ráster o un archivo para la imagen de prueba.</translation>
   </message>
@@ -980,6 +960,10 @@ La entrada puede ser un extracto (.osm, .osm.pbf), una capa de QuickOSM, un shap
    <translation>Copiar diagnóstico</translation>
   </message>
   <message>
+   <source>Copy longitude and latitude (WGS 84)</source>
+   <translation>Copiar longitud y latitud (WGS 84)</translation>
+  </message>
+  <message>
    <source>Copy of the model with the class offset, in meters, in its metadata.</source>
    <translation>Copia del modelo con el desplazamiento de clase, en metros, en sus metadatos.</translation>
   </message>
@@ -990,14 +974,6 @@ La entrada puede ser un extracto (.osm, .osm.pbf), una capa de QuickOSM, un shap
   <message>
    <source>Copy position</source>
    <translation>Copiar posición</translation>
-  </message>
-  <message>
-   <source>Copy the information that a bug report needs</source>
-   <translation>Copia la información que necesita un informe de errores</translation>
-  </message>
-  <message>
-   <source>Copy the position in the format used last. The arrow shows all formats.</source>
-   <translation>Copia la posición en el último formato usado. La flecha muestra todos los formatos.</translation>
   </message>
   <message>
    <source>Correct</source>
@@ -1104,10 +1080,6 @@ Se reservan bloques enteros de terreno para la validación, y ningún píxel est
    <translation>Decodificar etiquetas en color</translation>
   </message>
   <message>
-   <source>Degrees, minutes, seconds (WGS 84)</source>
-   <translation>Grados, minutos, segundos (WGS 84)</translation>
-  </message>
-  <message>
    <source>Describe image</source>
    <translation>Describir imagen</translation>
   </message>
@@ -1134,10 +1106,6 @@ Se reservan bloques enteros de terreno para la validación, y ningún píxel est
   <message>
    <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages. Check them, then paste them into a new issue.</source>
    <translation>El diagnóstico está en el portapapeles: versiones, paquetes, dispositivos y últimos mensajes. Revíselo y péguelo en una incidencia nueva.</translation>
-  </message>
-  <message>
-   <source>Direction of the image’s top, in degrees clockwise from grid north</source>
-   <translation>Dirección de la parte superior de la imagen, en grados en sentido horario desde el norte de cuadrícula</translation>
   </message>
   <message>
    <source>Direction of the major semi-axis (°)</source>
@@ -1272,10 +1240,6 @@ Se reservan bloques enteros de terreno para la validación, y ningún píxel est
    <translation>Dibujando la capa</translation>
   </message>
   <message>
-   <source>Drawing “{layer}” as the map shows it…</source>
-   <translation>Dibujando “{layer}” tal como lo muestra el mapa…</translation>
-  </message>
-  <message>
    <source>Drawing “{layer}” with {width} × {height} pixels of {resolution:g} cm. Check that its provider permits this use.</source>
    <translation>Dibujando “{layer}” con {width} × {height} píxeles de {resolution:g} cm. Compruebe que su proveedor permite este uso.</translation>
   </message>
@@ -1378,14 +1342,6 @@ Se reservan bloques enteros de terreno para la validación, y ningún píxel est
   <message>
    <source>Epochs</source>
    <translation>Épocas</translation>
-  </message>
-  <message>
-   <source>Epochs within the time limit on this computer: about {count}</source>
-   <translation>Épocas dentro del límite de tiempo en este equipo: unas {count}</translation>
-  </message>
-  <message>
-   <source>Epochs within the time limit: about {count}. For a better model, choose a longer time or a coarser resolution.</source>
-   <translation>Épocas dentro del límite de tiempo: unas {count}. Para un modelo mejor, elija más tiempo o una resolución más gruesa.</translation>
   </message>
   <message>
    <source>Error</source>
@@ -1604,14 +1560,6 @@ La ruta es una capa de líneas o un archivo: GPX, KML, plan de QGroundControl (.
    <translation>Archivo</translation>
   </message>
   <message>
-   <source>File name of the image</source>
-   <translation>Nombre de archivo de la imagen</translation>
-  </message>
-  <message>
-   <source>File name, status, error probability, and position with its 95 % radius</source>
-   <translation>Nombre del archivo, estado, probabilidad de error y posición con su radio del 95 %</translation>
-  </message>
-  <message>
    <source>File with secret bytes, for example 32 random bytes, that signs the onboard file (HMAC-SHA256). With “semref … --require-signature KEY” the aircraft rejects files that were changed or made by others. Keep this file secret: anyone who has it can sign.</source>
    <translation>Archivo con bytes secretos, por ejemplo 32 bytes aleatorios, que firma el archivo de a bordo (HMAC-SHA256). Con “semref … --require-signature KEY” la aeronave rechaza los archivos modificados o creados por otros. Mantenga este archivo en secreto: quien lo tenga puede firmar.</translation>
   </message>
@@ -1704,10 +1652,6 @@ SemRef deduce del mapa y de las fotos el tamaño de píxel, el tamaño de ventan
    <translation>Carpeta para las teselas</translation>
   </message>
   <message>
-   <source>Folder of your models, with a description of each model:</source>
-   <translation>Carpeta de sus modelos, con una descripción de cada modelo:</translation>
-  </message>
-  <message>
    <source>Footprint</source>
    <translation>Huella</translation>
   </message>
@@ -1762,14 +1706,6 @@ SemRef deduce del mapa y de las fotos el tamaño de píxel, el tamaño de ventan
   <message>
    <source>From image</source>
    <translation>Desde la imagen</translation>
-  </message>
-  <message>
-   <source>From {start:.0f} m to {end:.0f} m: with a shift of {shift:.0f} m to the left, success rises from {before:.0%} to {after:.0%}.</source>
-   <translation>De {start:.0f} m a {end:.0f} m: con un desplazamiento de {shift:.0f} m a la izquierda, el acierto sube del {before:.0%} al {after:.0%}.</translation>
-  </message>
-  <message>
-   <source>From {start:.0f} m to {end:.0f} m: with a shift of {shift:.0f} m to the right, success rises from {before:.0%} to {after:.0%}.</source>
-   <translation>De {start:.0f} m a {end:.0f} m: con un desplazamiento de {shift:.0f} m a la derecha, el acierto sube del {before:.0%} al {after:.0%}.</translation>
   </message>
   <message>
    <source>Gaps</source>
@@ -1868,10 +1804,6 @@ Se omiten las imágenes sin posición, y también las posiciones probables y las
    <translation>Rumbo (° desde el norte de cuadrícula)</translation>
   </message>
   <message>
-   <source>Heading (°)</source>
-   <translation>Rumbo (°)</translation>
-  </message>
-  <message>
    <source>Heading deviation (°)</source>
    <translation>Desviación del rumbo (°)</translation>
   </message>
@@ -1892,10 +1824,6 @@ Se omiten las imágenes sin posición, y también las posiciones probables y las
    <translation>Tolerancia del rumbo (± °)</translation>
   </message>
   <message>
-   <source>Height (m)</source>
-   <translation>Altura (m)</translation>
-  </message>
-  <message>
    <source>Heights (Z) left out: {features}.</source>
    <translation>Alturas (Z) omitidas: {features}.</translation>
   </message>
@@ -1904,8 +1832,8 @@ Se omiten las imágenes sin posición, y también las posiciones probables y las
    <translation>Ocultar los lugares que son solo informativos</translation>
   </message>
   <message>
-   <source>Highest ground speed of the flight, for example 20. Positions that cannot be reached at this speed from the positions before and after are marked as jumps. They still count as positions. The times of the images must be known.</source>
-   <translation>Velocidad máxima del vuelo sobre el terreno, por ejemplo 20. Las posiciones que no se pueden alcanzar a esta velocidad desde las posiciones anterior y posterior se marcan como saltos. Siguen contando como posiciones. Deben conocerse las horas de las imágenes.</translation>
+   <source>Highest ground speed of the flight, for example 20. Images without a position are searched again on the ground that the aircraft can reach at this speed from the nearest position in time. Positions that cannot be reached from the positions before and after are marked as jumps. They still count as positions. The times of the images must be known.</source>
+   <translation>Velocidad máxima del vuelo sobre el terreno, por ejemplo 20. Las imágenes sin posición se buscan de nuevo en el terreno que la aeronave puede alcanzar a esta velocidad desde la posición más cercana en el tiempo. Las posiciones que no se pueden alcanzar desde las posiciones anterior y posterior se marcan como saltos. Siguen contando como posiciones. Deben conocerse las horas de las imágenes.</translation>
   </message>
   <message>
    <source>Hole is outside shell</source>
@@ -2240,10 +2168,6 @@ Se omiten las imágenes sin posición, y también las posiciones probables y las
    <translation>Mayor error de una posición que cuenta como correcta. Si no se indica, el 2 % del ancho de la huella. Una posición de “Método publicado” es correcta si nombra la ventana más cercana.</translation>
   </message>
   <message>
-   <source>Largest findings of each kind</source>
-   <translation>Mayores hallazgos de cada tipo</translation>
-  </message>
-  <message>
    <source>Last image</source>
    <translation>Última imagen</translation>
   </message>
@@ -2254,10 +2178,6 @@ Se omiten las imágenes sin posición, y también las posiciones probables y las
   <message>
    <source>Latitude</source>
    <translation>Latitud</translation>
-  </message>
-  <message>
-   <source>Latitude, longitude (WGS 84)</source>
-   <translation>Latitud, longitud (WGS 84)</translation>
   </message>
   <message>
    <source>Layer of lines with tags as columns, or the extract. Roads and railways get the class road, rivers and streams the class water. The tags width and lanes give the width, otherwise the rules. Tunnels are left out.</source>
@@ -2414,14 +2334,6 @@ Se omiten las imágenes sin posición, y también las posiciones probables y las
   <message>
    <source>Longitude and latitude are accurate to {error:.4f} m.</source>
    <translation>La longitud y la latitud tienen una exactitud de {error:.4f} m.</translation>
-  </message>
-  <message>
-   <source>Longitude, latitude</source>
-   <translation>Longitud, latitud</translation>
-  </message>
-  <message>
-   <source>Longitude, latitude (WGS 84)</source>
-   <translation>Longitud, latitud (WGS 84)</translation>
   </message>
   <message>
    <source>Looking for changes</source>
@@ -2788,10 +2700,6 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
    <translation>Nombre en segmentation_models_pytorch, por ejemplo unet, fpn o deeplabv3. No se usa con archivos ONNX.</translation>
   </message>
   <message>
-   <source>Name of the matched window: its first column and row on the map</source>
-   <translation>Nombre de la ventana coincidente: su primera columna y fila en el mapa</translation>
-  </message>
-  <message>
    <source>Names in the order of the outputs, separated by “;”. Outputs with the same name are merged. Leave a name empty for an output that is not used, for example building;road;;road.</source>
    <translation>Nombres en el orden de las salidas, separados por “;”. Las salidas con el mismo nombre se unen. Deje vacío el nombre de una salida que no se usa, por ejemplo building;road;;road.</translation>
   </message>
@@ -2956,8 +2864,8 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
    <translation>Norte del centro</translation>
   </message>
   <message>
-   <source>Not added, because they are not image files: {layers}. Use the layer button to add the current map view of a layer.</source>
-   <translation>No se añadieron, porque no son archivos de imagen: {layers}. Use el botón de capa para añadir la vista actual del mapa de una capa.</translation>
+   <source>Not added, because they are not image files: {layers}.</source>
+   <translation>No se añadieron, porque no son archivos de imagen: {layers}.</translation>
   </message>
   <message>
    <source>Not available (required Python package in brackets): {devices}.</source>
@@ -3122,10 +3030,6 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
   <message>
    <source>One feature for each finding, in the CRS of the label map.</source>
    <translation>Un objeto espacial por cada hallazgo, en el SRC del mapa de etiquetas.</translation>
-  </message>
-  <message>
-   <source>One flight? {count} photos in sequence</source>
-   <translation>¿Un solo vuelo? {count} fotos en secuencia</translation>
   </message>
   <message>
    <source>One line for each track, from image to image.</source>
@@ -3312,8 +3216,8 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
    <translation>Página con los hallazgos por tipo y clase.</translation>
   </message>
   <message>
-   <source>Page with the track and its error ellipses, the source of each position, heading, height and gaps.</source>
-   <translation>Página con la trayectoria y sus elipses de error, el origen de cada posición, rumbo, altura y huecos.</translation>
+   <source>Page with the track and its error ellipses, the source and heading of each position, and gaps.</source>
+   <translation>Página con la trayectoria y sus elipses de error, el origen y el rumbo de cada posición, y huecos.</translation>
   </message>
   <message>
    <source>Part of the layer to test. Map tiles need it. If not set, the whole layer is used.</source>
@@ -3468,10 +3372,6 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
    <translation>Posición del vuelo, posición propia rechazada</translation>
   </message>
   <message>
-   <source>Position of the image’s center, in degrees (WGS 84)</source>
-   <translation>Posición del centro de la imagen, en grados (WGS 84)</translation>
-  </message>
-  <message>
    <source>Position with heading</source>
    <translation>Posición con rumbo</translation>
   </message>
@@ -3568,10 +3468,6 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
    <translation>Probabilidad a partir de la cual un píxel tiene la clase, para redes con una sola salida. Si no se indica, 0.5.</translation>
   </message>
   <message>
-   <source>Probability that the position is wrong</source>
-   <translation>Probabilidad de que la posición sea errónea</translation>
-  </message>
-  <message>
    <source>Processes that do the work. local:4 starts four processes on this computer. tcp://ADDRESS:PORT uses the workers of a Dask scheduler, which must read the same files under the same paths. If not set, QGIS does the work.</source>
    <translation>Procesos que hacen el trabajo. local:4 inicia cuatro procesos en este equipo. tcp://ADDRESS:PORT usa los procesos de trabajo de un planificador de Dask, que deben leer los mismos archivos en las mismas rutas. Si no se indica, QGIS hace el trabajo.</translation>
   </message>
@@ -3626,10 +3522,6 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
   <message>
    <source>Quality of the labels that the model makes of photos. “usable” means 20 % missed landmarks, 20 % spurious landmarks, 5 % mislabeled landmarks and a boundary jitter of 1 m. “good” means half of these errors, “poor” twice as much. Errors of the map and the camera are not changed.</source>
    <translation>Calidad de las etiquetas que el modelo crea a partir de fotos. “utilizable” significa 20 % de hitos omitidos, 20 % de hitos inventados, 5 % de hitos mal etiquetados y una fluctuación de los bordes de 1 m. “buena” significa la mitad de estos errores; “mala”, el doble. Los errores del mapa y de la cámara no cambian.</translation>
-  </message>
-  <message>
-   <source>Radius (m)</source>
-   <translation>Radio (m)</translation>
   </message>
   <message>
    <source>Radius of the search area around the prior position. It is used only with a prior position.</source>
@@ -4212,20 +4104,8 @@ En un solapamiento se conserva el polígono con mayor prioridad; si no la hay, e
    <translation>Desplace los tramos que tienen una sugerencia abajo y evalúe la ruta de nuevo.</translation>
   </message>
   <message>
-   <source>Show lines from the center to the landmarks of the topology vector</source>
-   <translation>Mostrar líneas del centro a los hitos del vector topológico</translation>
-  </message>
-  <message>
    <source>Show models with their descriptions…</source>
    <translation>Mostrar los modelos con sus descripciones…</translation>
-  </message>
-  <message>
-   <source>Show models…</source>
-   <translation>Mostrar modelos…</translation>
-  </message>
-  <message>
-   <source>Show one image after the other</source>
-   <translation>Mostrar una imagen tras otra</translation>
   </message>
   <message>
    <source>Show or hide the SemRef dock, which finds the positions of images</source>
@@ -4532,10 +4412,6 @@ La imagen se describe en su mayor cuadrado centrado, como las ventanas de una ba
    <translation>Pruebe con imágenes de otra fecha en “Evaluar la localización”. Si el ruido supuesto es demasiado bajo, el acierto esperado es demasiado alto.</translation>
   </message>
   <message>
-   <source>Tested versions</source>
-   <translation>Versiones probadas</translation>
-  </message>
-  <message>
    <source>Testing the network</source>
    <translation>Probando la red</translation>
   </message>
@@ -4714,10 +4590,6 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
   <message>
    <source>The exported model {path} differs from the trained network by {difference:.2g} in a logit.</source>
    <translation>El modelo exportado {path} difiere de la red entrenada en {difference:.2g} en un logit.</translation>
-  </message>
-  <message>
-   <source>The extent and “{image}” do not overlap. Set an extent within the image.</source>
-   <translation>La extensión y “{image}” no se solapan. Defina una extensión dentro de la imagen.</translation>
   </message>
   <message>
    <source>The extent for “{layer}” does not fit its CRS {crs}. Choose another extent.</source>
@@ -5016,10 +4888,6 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>El mapa tiene una sola clase, por lo que todos los lugares se ven iguales.</translation>
   </message>
   <message>
-   <source>The map view is now in the list of images. It is kept until you close QGIS.</source>
-   <translation>La vista del mapa está ahora en la lista de imágenes. Se conserva hasta que cierre QGIS.</translation>
-  </message>
-  <message>
    <source>The maps disagree</source>
    <translation>Los mapas discrepan</translation>
   </message>
@@ -5204,10 +5072,6 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>El programa en {address} no es un planificador de Dask o tiene otra versión. Indique la dirección que muestra el planificador, no la de su panel de control.</translation>
   </message>
   <message>
-   <source>The project has no raster layer.</source>
-   <translation>El proyecto no tiene ninguna capa ráster.</translation>
-  </message>
-  <message>
    <source>The range of {setting} is {low:g} to {high:g}. Enter two numbers from {least:g} to {most:g}, the smaller one first.</source>
    <translation>El rango de {setting} va de {low:g} a {high:g}. Indique dos números de {least:g} a {most:g}, primero el menor.</translation>
   </message>
@@ -5310,10 +5174,6 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
   <message>
    <source>The time limit ended the training. Train again to continue this training.</source>
    <translation>El límite de tiempo terminó el entrenamiento. Entrene de nuevo para continuarlo.</translation>
-  </message>
-  <message>
-   <source>The time limit is too short for one epoch. Choose a longer time or a coarser resolution.</source>
-   <translation>El límite de tiempo es demasiado corto para una época. Elija un tiempo mayor o una resolución más gruesa.</translation>
   </message>
   <message>
    <source>The training can't be saved in {folder} ({reason}). Free some disk space and start the training again; it continues after the last saved epoch.</source>
@@ -5572,10 +5432,6 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>Trayectoria</translation>
   </message>
   <message>
-   <source>Track {number}</source>
-   <translation>Trayectoria {number}</translation>
-  </message>
-  <message>
    <source>Tracks</source>
    <translation>Trayectorias</translation>
   </message>
@@ -5776,10 +5632,6 @@ Todos los parámetros provienen de la base de datos. Las filas sin cambios conse
    <translation>Valores para todos los campos que no se indican. Sin un ajuste predefinido, los de los metadatos del archivo.</translation>
   </message>
   <message>
-   <source>Vector</source>
-   <translation>Vector</translation>
-  </message>
-  <message>
    <source>Verdict</source>
    <translation>Veredicto</translation>
   </message>
@@ -5792,16 +5644,8 @@ Todos los parámetros provienen de la base de datos. Las filas sin cambios conse
    <translation>Las advertencias pueden reducir el número de hitos. Revise las de lugares importantes del mapa.</translation>
   </message>
   <message>
-   <source>Well-known text in the project’s CRS</source>
-   <translation>Texto WKT en el SRC del proyecto</translation>
-  </message>
-  <message>
    <source>Where the maps overlap, the reference map has no labels; choose maps of the same ground.</source>
    <translation>Donde los mapas se solapan, el mapa de referencia no tiene etiquetas; elija mapas del mismo terreno.</translation>
-  </message>
-  <message>
-   <source>Whether a position was found</source>
-   <translation>Si se encontró una posición</translation>
   </message>
   <message>
    <source>Width of the ground that a typical photo shows, for example 150. If not set, height and focal length of the camera give it, or the pixels of the imagery.</source>
@@ -6416,14 +6260,6 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>posición errónea</translation>
   </message>
   <message>
-   <source>x, y in the database’s CRS</source>
-   <translation>x, y en el SRC de la base de datos</translation>
-  </message>
-  <message>
-   <source>x, y in the project’s CRS ({crs})</source>
-   <translation>x, y en el SRC del proyecto ({crs})</translation>
-  </message>
-  <message>
    <source>{area} m²</source>
    <translation>{area} m²</translation>
   </message>
@@ -6520,10 +6356,6 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>{device} no se pudo iniciar ({reason}); la red se ejecuta en {other}.</translation>
   </message>
   <message>
-   <source>{device} is not available. It needs the Python package {package}.</source>
-   <translation>{device} no está disponible. Necesita el paquete de Python {package}.</translation>
-  </message>
-  <message>
    <source>{device} is selected, but this onnxruntime does not support it; the Python package {package} does. The network runs on {other}.</source>
    <translation>{device} está seleccionado, pero este onnxruntime no lo admite; el paquete de Python {package} sí. La red se ejecuta en {other}.</translation>
   </message>
@@ -6584,6 +6416,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>{image}: distancia {distance:.3f}, confianza {confidence:.2f}</translation>
   </message>
   <message>
+   <source>{image}: found within {radius:.0f} m of {other}.</source>
+   <translation>{image}: encontrada a {radius:.0f} m o menos de {other}.</translation>
+  </message>
+  <message>
    <source>{image}: its own position contradicts the flight and was outvoted.</source>
    <translation>{image}: su propia posición contradice el vuelo y se descartó.</translation>
   </message>
@@ -6610,10 +6446,6 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>{layer} has features with infinite coordinates. Delete these features.</source>
    <translation>{layer} tiene objetos espaciales con coordenadas infinitas. Elimine esos objetos espaciales.</translation>
-  </message>
-  <message>
-   <source>{layer}: current map view</source>
-   <translation>{layer}: vista actual del mapa</translation>
   </message>
   <message>
    <source>{layer}: {features} features</source>
@@ -7408,10 +7240,6 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>{value} hitos en la imagen</translation>
   </message>
   <message>
-   <source>{version} (not tested)</source>
-   <translation>{version} (sin probar)</translation>
-  </message>
-  <message>
    <source>{where} can't be written: {reason}. Choose another output.</source>
    <translation>No se puede escribir {where}: {reason}. Elija otra salida.</translation>
   </message>
@@ -7496,8 +7324,12 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>“es desconocido” excluye este terreno del entrenamiento. Seleccione la segunda opción solo si se dibujaron todas las superficies de las clases, y defina una extensión sin terreno por dibujar. SemRef siempre usa la clase “other” para una capa de una sola clase, como edificios.</translation>
   </message>
   <message>
-   <source>“{image}” has no georeference, or a rotated one, so the extent cannot be applied. Leave “Extent” empty.</source>
-   <translation>“{image}” no tiene georreferencia o está girada, por lo que no se puede aplicar la extensión. Deje “Extensión” vacío.</translation>
+   <source>“{image}” does not overlap the extent or the mask. Set an extent or a mask within the image.</source>
+   <translation>“{image}” no se solapa con la extensión o la máscara. Elija una extensión o una máscara dentro de la imagen.</translation>
+  </message>
+  <message>
+   <source>“{image}” has no georeference, or a rotated one, so neither an extent nor a mask can be applied. Leave both empty.</source>
+   <translation>“{image}” no tiene georreferencia o está girada, por lo que no se puede aplicar la extensión ni la máscara. Deje ambas vacías.</translation>
   </message>
   <message>
    <source>“{key}” contains no polygon. Leave it empty to compare the whole map.</source>
@@ -7562,10 +7394,6 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>“{layer}” has no polygons. Choose a polygon layer.</source>
    <translation>“{layer}” no tiene polígonos. Elija una capa de polígonos.</translation>
-  </message>
-  <message>
-   <source>“{layer}” has no resolution of its own, and neither have the metadata of {model}. Select a model with a resolution.</source>
-   <translation>“{layer}” no tiene resolución propia, y los metadatos de {model} tampoco. Seleccione un modelo con resolución.</translation>
   </message>
   <message>
    <source>“{layer}” has no resolution of its own. Enter a resolution.</source>

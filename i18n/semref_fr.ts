@@ -64,10 +64,6 @@
    <translation>Rayon à 95 % en vol (m)</translation>
   </message>
   <message>
-   <source>95 % radius in m: it contains the true position in 95 % of cases</source>
-   <translation>Rayon à 95 % en m : il contient la vraie position dans 95 % des cas</translation>
-  </message>
-  <message>
    <source>95 % radius up to {radius:.0f} m</source>
    <translation>Rayon à 95 % jusqu’à {radius:.0f} m</translation>
   </message>
@@ -192,10 +188,6 @@
    <translation>Ajouter un réseau d’un autre auteur : un fichier ONNX ou un point de contrôle de PyTorch</translation>
   </message>
   <message>
-   <source>Add a raster layer of the project</source>
-   <translation>Ajouter une couche raster du projet</translation>
-  </message>
-  <message>
    <source>Add class</source>
    <translation>Ajouter une classe</translation>
   </message>
@@ -230,10 +222,6 @@
   <message>
    <source>Add photos or label images, or drop files, folders and layers here.</source>
    <translation>Ajoutez des photos ou des images d’étiquettes, ou déposez ici des fichiers, des dossiers et des couches.</translation>
-  </message>
-  <message>
-   <source>Add the image to the project as a half-transparent layer at its position</source>
-   <translation>Ajouter l’image au projet, à sa position, comme couche semi-transparente</translation>
   </message>
   <message>
    <source>Adding a model</source>
@@ -286,10 +274,6 @@
   <message>
    <source>All used outputs of {path} have the class {name}, so every pixel would have it. Enter at least two classes; a class without interest can be “other”.</source>
    <translation>Toutes les sorties utilisées de {path} ont la classe {name} ; tous les pixels auraient donc cette classe. Saisissez au moins deux classes ; une classe sans intérêt peut être « other ».</translation>
-  </message>
-  <message>
-   <source>Along the flight</source>
-   <translation>Le long du vol</translation>
   </message>
   <message>
    <source>Along the route</source>
@@ -676,10 +660,6 @@ Le GeoPackage contient les fenêtres, les repères visuels, une carte réduite (
    <translation>Choisir une couche de constats ou de divergences</translation>
   </message>
   <message>
-   <source>Choose a model first. It defines the pixel size of the image.</source>
-   <translation>Choisissez d’abord un modèle. Il définit la taille de pixel de l’image.</translation>
-  </message>
-  <message>
    <source>Choose a raster layer or file for the test picture.</source>
    <translation>Choisissez une couche raster ou un fichier pour l’image de test.</translation>
   </message>
@@ -980,6 +960,10 @@ L’entrée peut être un extrait (.osm, .osm.pbf), une couche QuickOSM, un shap
    <translation>Copier le diagnostic</translation>
   </message>
   <message>
+   <source>Copy longitude and latitude (WGS 84)</source>
+   <translation>Copier la longitude et la latitude (WGS 84)</translation>
+  </message>
+  <message>
    <source>Copy of the model with the class offset, in meters, in its metadata.</source>
    <translation>Copie du modèle avec le décalage de classe, en mètres, dans ses métadonnées.</translation>
   </message>
@@ -990,14 +974,6 @@ L’entrée peut être un extrait (.osm, .osm.pbf), une couche QuickOSM, un shap
   <message>
    <source>Copy position</source>
    <translation>Copier la position</translation>
-  </message>
-  <message>
-   <source>Copy the information that a bug report needs</source>
-   <translation>Copier les informations nécessaires à un rapport de bogue</translation>
-  </message>
-  <message>
-   <source>Copy the position in the format used last. The arrow shows all formats.</source>
-   <translation>Copier la position dans le dernier format utilisé. La flèche affiche tous les formats.</translation>
   </message>
   <message>
    <source>Correct</source>
@@ -1104,10 +1080,6 @@ Des blocs de terrain entiers sont réservés à la validation, et aucun pixel n�
    <translation>Décoder des étiquettes en couleur</translation>
   </message>
   <message>
-   <source>Degrees, minutes, seconds (WGS 84)</source>
-   <translation>Degrés, minutes, secondes (WGS 84)</translation>
-  </message>
-  <message>
    <source>Describe image</source>
    <translation>Décrire une image</translation>
   </message>
@@ -1134,10 +1106,6 @@ Des blocs de terrain entiers sont réservés à la validation, et aucun pixel n�
   <message>
    <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages. Check them, then paste them into a new issue.</source>
    <translation>Le diagnostic est dans le presse-papiers : versions, paquets, appareils et derniers messages. Vérifiez-le, puis collez-le dans un nouveau ticket.</translation>
-  </message>
-  <message>
-   <source>Direction of the image’s top, in degrees clockwise from grid north</source>
-   <translation>Direction du haut de l’image, en degrés dans le sens horaire depuis le nord de la grille</translation>
   </message>
   <message>
    <source>Direction of the major semi-axis (°)</source>
@@ -1272,10 +1240,6 @@ Des blocs de terrain entiers sont réservés à la validation, et aucun pixel n�
    <translation>Dessin de la couche</translation>
   </message>
   <message>
-   <source>Drawing “{layer}” as the map shows it…</source>
-   <translation>Dessin de « {layer} » comme la carte le montre…</translation>
-  </message>
-  <message>
    <source>Drawing “{layer}” with {width} × {height} pixels of {resolution:g} cm. Check that its provider permits this use.</source>
    <translation>Dessin de « {layer} » avec {width} × {height} pixels de {resolution:g} cm. Vérifiez que son fournisseur autorise cet usage.</translation>
   </message>
@@ -1378,14 +1342,6 @@ Des blocs de terrain entiers sont réservés à la validation, et aucun pixel n�
   <message>
    <source>Epochs</source>
    <translation>Époques</translation>
-  </message>
-  <message>
-   <source>Epochs within the time limit on this computer: about {count}</source>
-   <translation>Époques dans la limite de temps sur cet ordinateur : environ {count}</translation>
-  </message>
-  <message>
-   <source>Epochs within the time limit: about {count}. For a better model, choose a longer time or a coarser resolution.</source>
-   <translation>Époques dans la limite de temps : environ {count}. Pour un meilleur modèle, choisissez une durée plus longue ou une résolution plus grossière.</translation>
   </message>
   <message>
    <source>Error</source>
@@ -1604,14 +1560,6 @@ L’itinéraire est une couche de lignes ou un fichier : GPX, KML, plan QGroundC
    <translation>Fichier</translation>
   </message>
   <message>
-   <source>File name of the image</source>
-   <translation>Nom de fichier de l’image</translation>
-  </message>
-  <message>
-   <source>File name, status, error probability, and position with its 95 % radius</source>
-   <translation>Nom du fichier, état, probabilité d’erreur et position avec son rayon à 95 %</translation>
-  </message>
-  <message>
    <source>File with secret bytes, for example 32 random bytes, that signs the onboard file (HMAC-SHA256). With “semref … --require-signature KEY” the aircraft rejects files that were changed or made by others. Keep this file secret: anyone who has it can sign.</source>
    <translation>Fichier d’octets secrets, par exemple 32 octets aléatoires, qui signe le fichier embarqué (HMAC-SHA256). Avec « semref … --require-signature KEY », l’aéronef rejette les fichiers modifiés ou créés par d’autres. Gardez ce fichier secret : quiconque le possède peut signer.</translation>
   </message>
@@ -1704,10 +1652,6 @@ SemRef déduit la taille de pixel, la taille de fenêtre, le pas et la surface m
    <translation>Dossier des tuiles</translation>
   </message>
   <message>
-   <source>Folder of your models, with a description of each model:</source>
-   <translation>Dossier de vos modèles, avec une description de chaque modèle :</translation>
-  </message>
-  <message>
    <source>Footprint</source>
    <translation>Emprise au sol</translation>
   </message>
@@ -1762,14 +1706,6 @@ SemRef déduit la taille de pixel, la taille de fenêtre, le pas et la surface m
   <message>
    <source>From image</source>
    <translation>De l’image</translation>
-  </message>
-  <message>
-   <source>From {start:.0f} m to {end:.0f} m: with a shift of {shift:.0f} m to the left, success rises from {before:.0%} to {after:.0%}.</source>
-   <translation>De {start:.0f} m à {end:.0f} m : avec un décalage de {shift:.0f} m vers la gauche, la réussite passe de {before:.0%} à {after:.0%}.</translation>
-  </message>
-  <message>
-   <source>From {start:.0f} m to {end:.0f} m: with a shift of {shift:.0f} m to the right, success rises from {before:.0%} to {after:.0%}.</source>
-   <translation>De {start:.0f} m à {end:.0f} m : avec un décalage de {shift:.0f} m vers la droite, la réussite passe de {before:.0%} à {after:.0%}.</translation>
   </message>
   <message>
    <source>Gaps</source>
@@ -1868,10 +1804,6 @@ Les images sans position sont exclues, de même que les positions probables et l
    <translation>Cap (° depuis le nord de la grille)</translation>
   </message>
   <message>
-   <source>Heading (°)</source>
-   <translation>Cap (°)</translation>
-  </message>
-  <message>
    <source>Heading deviation (°)</source>
    <translation>Écart de cap (°)</translation>
   </message>
@@ -1892,10 +1824,6 @@ Les images sans position sont exclues, de même que les positions probables et l
    <translation>Tolérance du cap (± °)</translation>
   </message>
   <message>
-   <source>Height (m)</source>
-   <translation>Hauteur (m)</translation>
-  </message>
-  <message>
    <source>Heights (Z) left out: {features}.</source>
    <translation>Altitudes (Z) ignorées : {features}.</translation>
   </message>
@@ -1904,8 +1832,8 @@ Les images sans position sont exclues, de même que les positions probables et l
    <translation>Masquer les endroits donnés seulement pour information</translation>
   </message>
   <message>
-   <source>Highest ground speed of the flight, for example 20. Positions that cannot be reached at this speed from the positions before and after are marked as jumps. They still count as positions. The times of the images must be known.</source>
-   <translation>Vitesse sol maximale du vol, par exemple 20. Les positions inaccessibles à cette vitesse depuis les positions précédente et suivante sont marquées comme sauts. Elles comptent tout de même comme positions. Les heures des images doivent être connues.</translation>
+   <source>Highest ground speed of the flight, for example 20. Images without a position are searched again on the ground that the aircraft can reach at this speed from the nearest position in time. Positions that cannot be reached from the positions before and after are marked as jumps. They still count as positions. The times of the images must be known.</source>
+   <translation>Vitesse sol maximale du vol, par exemple 20. Les images sans position sont de nouveau cherchées sur le terrain que l’aéronef peut atteindre à cette vitesse depuis la position la plus proche dans le temps. Les positions inaccessibles depuis les positions précédente et suivante sont marquées comme sauts. Elles comptent tout de même comme positions. Les heures des images doivent être connues.</translation>
   </message>
   <message>
    <source>Hole is outside shell</source>
@@ -2240,10 +2168,6 @@ Les images sans position sont exclues, de même que les positions probables et l
    <translation>Erreur maximale d’une position considérée comme juste. Par défaut, 2 % de la largeur de l’emprise au sol. Une position de « Méthode publiée » est juste si elle désigne la fenêtre la plus proche.</translation>
   </message>
   <message>
-   <source>Largest findings of each kind</source>
-   <translation>Plus grands constats de chaque type</translation>
-  </message>
-  <message>
    <source>Last image</source>
    <translation>Dernière image</translation>
   </message>
@@ -2254,10 +2178,6 @@ Les images sans position sont exclues, de même que les positions probables et l
   <message>
    <source>Latitude</source>
    <translation>Latitude</translation>
-  </message>
-  <message>
-   <source>Latitude, longitude (WGS 84)</source>
-   <translation>Latitude, longitude (WGS 84)</translation>
   </message>
   <message>
    <source>Layer of lines with tags as columns, or the extract. Roads and railways get the class road, rivers and streams the class water. The tags width and lanes give the width, otherwise the rules. Tunnels are left out.</source>
@@ -2414,14 +2334,6 @@ Les images sans position sont exclues, de même que les positions probables et l
   <message>
    <source>Longitude and latitude are accurate to {error:.4f} m.</source>
    <translation>La longitude et la latitude sont exactes à {error:.4f} m près.</translation>
-  </message>
-  <message>
-   <source>Longitude, latitude</source>
-   <translation>Longitude, latitude</translation>
-  </message>
-  <message>
-   <source>Longitude, latitude (WGS 84)</source>
-   <translation>Longitude, latitude (WGS 84)</translation>
   </message>
   <message>
    <source>Looking for changes</source>
@@ -2788,10 +2700,6 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
    <translation>Nom dans segmentation_models_pytorch, par exemple unet, fpn ou deeplabv3. N’est pas utilisé pour les fichiers ONNX.</translation>
   </message>
   <message>
-   <source>Name of the matched window: its first column and row on the map</source>
-   <translation>Nom de la fenêtre correspondante : sa première colonne et sa première ligne sur la carte</translation>
-  </message>
-  <message>
    <source>Names in the order of the outputs, separated by “;”. Outputs with the same name are merged. Leave a name empty for an output that is not used, for example building;road;;road.</source>
    <translation>Noms dans l’ordre des sorties, séparés par « ; ». Les sorties de même nom sont fusionnées. Laissez vide le nom d’une sortie non utilisée, par exemple building;road;;road.</translation>
   </message>
@@ -2956,8 +2864,8 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
    <translation>Ordonnée du centre</translation>
   </message>
   <message>
-   <source>Not added, because they are not image files: {layers}. Use the layer button to add the current map view of a layer.</source>
-   <translation>Non ajoutées, car ce ne sont pas des fichiers image : {layers}. Utilisez le bouton de couche pour ajouter la vue actuelle d’une couche.</translation>
+   <source>Not added, because they are not image files: {layers}.</source>
+   <translation>Non ajoutées, car ce ne sont pas des fichiers image : {layers}.</translation>
   </message>
   <message>
    <source>Not available (required Python package in brackets): {devices}.</source>
@@ -3122,10 +3030,6 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   <message>
    <source>One feature for each finding, in the CRS of the label map.</source>
    <translation>Une entité par constat, dans le SCR de la carte d’étiquettes.</translation>
-  </message>
-  <message>
-   <source>One flight? {count} photos in sequence</source>
-   <translation>Un seul vol ? {count} photos à la suite</translation>
   </message>
   <message>
    <source>One line for each track, from image to image.</source>
@@ -3312,8 +3216,8 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
    <translation>Page avec les constats par type et par classe.</translation>
   </message>
   <message>
-   <source>Page with the track and its error ellipses, the source of each position, heading, height and gaps.</source>
-   <translation>Page avec la trace et ses ellipses d’erreur, la source de chaque position, le cap, la hauteur et les lacunes.</translation>
+   <source>Page with the track and its error ellipses, the source and heading of each position, and gaps.</source>
+   <translation>Page avec la trace et ses ellipses d’erreur, la source et le cap de chaque position, et les lacunes.</translation>
   </message>
   <message>
    <source>Part of the layer to test. Map tiles need it. If not set, the whole layer is used.</source>
@@ -3468,10 +3372,6 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
    <translation>Position d’après le vol, position propre rejetée</translation>
   </message>
   <message>
-   <source>Position of the image’s center, in degrees (WGS 84)</source>
-   <translation>Position du centre de l’image, en degrés (WGS 84)</translation>
-  </message>
-  <message>
    <source>Position with heading</source>
    <translation>Position avec cap</translation>
   </message>
@@ -3568,10 +3468,6 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
    <translation>Probabilité à partir de laquelle un pixel a la classe, pour les réseaux à une sortie. Par défaut, 0,5.</translation>
   </message>
   <message>
-   <source>Probability that the position is wrong</source>
-   <translation>Probabilité que la position soit erronée</translation>
-  </message>
-  <message>
    <source>Processes that do the work. local:4 starts four processes on this computer. tcp://ADDRESS:PORT uses the workers of a Dask scheduler, which must read the same files under the same paths. If not set, QGIS does the work.</source>
    <translation>Processus qui effectuent le travail. local:4 démarre quatre processus sur cet ordinateur. tcp://ADRESSE:PORT utilise les processus de travail d’un ordonnanceur Dask, qui doivent lire les mêmes fichiers sous les mêmes chemins. Par défaut, QGIS effectue le travail.</translation>
   </message>
@@ -3626,10 +3522,6 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   <message>
    <source>Quality of the labels that the model makes of photos. “usable” means 20 % missed landmarks, 20 % spurious landmarks, 5 % mislabeled landmarks and a boundary jitter of 1 m. “good” means half of these errors, “poor” twice as much. Errors of the map and the camera are not changed.</source>
    <translation>Qualité des étiquettes que le modèle produit à partir de photos. « utilisable » signifie 20 % de repères visuels manqués, 20 % de faux repères visuels, 5 % de repères visuels mal classés et une irrégularité des limites de 1 m. « bonne » signifie la moitié de ces erreurs, « mauvaise » le double. Les erreurs de la carte et de la caméra ne changent pas.</translation>
-  </message>
-  <message>
-   <source>Radius (m)</source>
-   <translation>Rayon (m)</translation>
   </message>
   <message>
    <source>Radius of the search area around the prior position. It is used only with a prior position.</source>
@@ -4212,20 +4104,8 @@ Dans un recouvrement, le polygone de priorité supérieure est conservé, sinon 
    <translation>Décalez les tronçons accompagnés d’une suggestion ci-dessous, puis évaluez de nouveau l’itinéraire.</translation>
   </message>
   <message>
-   <source>Show lines from the center to the landmarks of the topology vector</source>
-   <translation>Afficher les lignes du centre aux repères visuels du vecteur topologique</translation>
-  </message>
-  <message>
    <source>Show models with their descriptions…</source>
    <translation>Afficher les modèles avec leur description…</translation>
-  </message>
-  <message>
-   <source>Show models…</source>
-   <translation>Afficher les modèles…</translation>
-  </message>
-  <message>
-   <source>Show one image after the other</source>
-   <translation>Afficher les images l’une après l’autre</translation>
   </message>
   <message>
    <source>Show or hide the SemRef dock, which finds the positions of images</source>
@@ -4532,10 +4412,6 @@ L’image est décrite dans son plus grand carré centré, comme les fenêtres d
    <translation>Testez avec des images d’une autre date dans « Évaluer la localisation ». Si le bruit supposé est trop faible, la réussite attendue est trop élevée.</translation>
   </message>
   <message>
-   <source>Tested versions</source>
-   <translation>Versions testées</translation>
-  </message>
-  <message>
    <source>Testing the network</source>
    <translation>Test du réseau</translation>
   </message>
@@ -4714,10 +4590,6 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   <message>
    <source>The exported model {path} differs from the trained network by {difference:.2g} in a logit.</source>
    <translation>Le modèle exporté {path} diffère du réseau entraîné de {difference:.2g} dans un logit.</translation>
-  </message>
-  <message>
-   <source>The extent and “{image}” do not overlap. Set an extent within the image.</source>
-   <translation>L’emprise et « {image} » ne se recouvrent pas. Indiquez une emprise à l’intérieur de l’image.</translation>
   </message>
   <message>
    <source>The extent for “{layer}” does not fit its CRS {crs}. Choose another extent.</source>
@@ -5016,10 +4888,6 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>La carte n’a qu’une seule classe ; tous les lieux se ressemblent donc.</translation>
   </message>
   <message>
-   <source>The map view is now in the list of images. It is kept until you close QGIS.</source>
-   <translation>La vue de la carte figure maintenant dans la liste des images. Elle est conservée jusqu’à la fermeture de QGIS.</translation>
-  </message>
-  <message>
    <source>The maps disagree</source>
    <translation>Les cartes divergent</translation>
   </message>
@@ -5204,10 +5072,6 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>Le programme à l’adresse {address} n’est pas un ordonnanceur Dask, ou est d’une autre version. Entrez l’adresse qu’affiche l’ordonnanceur, pas celle de son tableau de bord.</translation>
   </message>
   <message>
-   <source>The project has no raster layer.</source>
-   <translation>Le projet n’a pas de couche raster.</translation>
-  </message>
-  <message>
    <source>The range of {setting} is {low:g} to {high:g}. Enter two numbers from {least:g} to {most:g}, the smaller one first.</source>
    <translation>La plage de {setting} va de {low:g} à {high:g}. Entrez deux nombres compris entre {least:g} et {most:g}, le plus petit d’abord.</translation>
   </message>
@@ -5310,10 +5174,6 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   <message>
    <source>The time limit ended the training. Train again to continue this training.</source>
    <translation>La limite de temps a mis fin à l’entraînement. Relancez l’entraînement pour le poursuivre.</translation>
-  </message>
-  <message>
-   <source>The time limit is too short for one epoch. Choose a longer time or a coarser resolution.</source>
-   <translation>La limite de temps est trop courte pour une époque. Choisissez un temps plus long ou une résolution plus grossière.</translation>
   </message>
   <message>
    <source>The training can't be saved in {folder} ({reason}). Free some disk space and start the training again; it continues after the last saved epoch.</source>
@@ -5572,10 +5432,6 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>Trace</translation>
   </message>
   <message>
-   <source>Track {number}</source>
-   <translation>Trace {number}</translation>
-  </message>
-  <message>
    <source>Tracks</source>
    <translation>Traces</translation>
   </message>
@@ -5776,10 +5632,6 @@ Tous les paramètres viennent de la base de données. Les lignes inchangées gar
    <translation>Valeurs de tous les champs qui ne sont pas définis. Sans préréglage, celles des métadonnées du fichier.</translation>
   </message>
   <message>
-   <source>Vector</source>
-   <translation>Vecteur</translation>
-  </message>
-  <message>
    <source>Verdict</source>
    <translation>Verdict</translation>
   </message>
@@ -5792,16 +5644,8 @@ Tous les paramètres viennent de la base de données. Les lignes inchangées gar
    <translation>Les avertissements peuvent réduire le nombre de repères visuels. Vérifiez ceux des endroits importants de la carte.</translation>
   </message>
   <message>
-   <source>Well-known text in the project’s CRS</source>
-   <translation>Texte WKT dans le SCR du projet</translation>
-  </message>
-  <message>
    <source>Where the maps overlap, the reference map has no labels; choose maps of the same ground.</source>
    <translation>Là où les cartes se recouvrent, la carte de référence n’a pas d’étiquettes ; choisissez des cartes du même terrain.</translation>
-  </message>
-  <message>
-   <source>Whether a position was found</source>
-   <translation>Indique si une position a été trouvée</translation>
   </message>
   <message>
    <source>Width of the ground that a typical photo shows, for example 150. If not set, height and focal length of the camera give it, or the pixels of the imagery.</source>
@@ -6416,14 +6260,6 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>position erronée</translation>
   </message>
   <message>
-   <source>x, y in the database’s CRS</source>
-   <translation>x, y dans le SCR de la base de données</translation>
-  </message>
-  <message>
-   <source>x, y in the project’s CRS ({crs})</source>
-   <translation>x, y dans le SCR du projet ({crs})</translation>
-  </message>
-  <message>
    <source>{area} m²</source>
    <translation>{area} m²</translation>
   </message>
@@ -6520,10 +6356,6 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>{device} n’a pas pu démarrer ({reason}) ; le réseau s’exécute sur {other}.</translation>
   </message>
   <message>
-   <source>{device} is not available. It needs the Python package {package}.</source>
-   <translation>{device} n’est pas disponible. Il exige le paquet Python {package}.</translation>
-  </message>
-  <message>
    <source>{device} is selected, but this onnxruntime does not support it; the Python package {package} does. The network runs on {other}.</source>
    <translation>{device} est sélectionné, mais cet onnxruntime ne le prend pas en charge ; le paquet Python {package} le fait. Le réseau s’exécute sur {other}.</translation>
   </message>
@@ -6584,6 +6416,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>{image} : distance {distance:.3f}, confiance {confidence:.2f}</translation>
   </message>
   <message>
+   <source>{image}: found within {radius:.0f} m of {other}.</source>
+   <translation>{image} : trouvée à {radius:.0f} m au plus de {other}.</translation>
+  </message>
+  <message>
    <source>{image}: its own position contradicts the flight and was outvoted.</source>
    <translation>{image} : sa position propre contredit le vol et a été mise en minorité.</translation>
   </message>
@@ -6610,10 +6446,6 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>{layer} has features with infinite coordinates. Delete these features.</source>
    <translation>{layer} contient des entités aux coordonnées infinies. Supprimez ces entités.</translation>
-  </message>
-  <message>
-   <source>{layer}: current map view</source>
-   <translation>{layer} : vue actuelle de la carte</translation>
   </message>
   <message>
    <source>{layer}: {features} features</source>
@@ -7408,10 +7240,6 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>{value} repères visuels dans l’image</translation>
   </message>
   <message>
-   <source>{version} (not tested)</source>
-   <translation>{version} (non testée)</translation>
-  </message>
-  <message>
    <source>{where} can't be written: {reason}. Choose another output.</source>
    <translation>{where} ne peut pas être écrit : {reason}. Choisissez une autre sortie.</translation>
   </message>
@@ -7496,8 +7324,12 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>« est inconnu » exclut ce terrain de l’entraînement. Ne sélectionnez le second choix que si toutes les surfaces des classes ont été dessinées, et indiquez une emprise sans terrain non dessiné. SemRef utilise toujours la classe « other » pour une couche à une seule classe, comme les bâtiments.</translation>
   </message>
   <message>
-   <source>“{image}” has no georeference, or a rotated one, so the extent cannot be applied. Leave “Extent” empty.</source>
-   <translation>« {image} » n’a pas de géoréférencement, ou en a un avec rotation ; l’emprise ne peut donc pas être appliquée. Laissez « Emprise » vide.</translation>
+   <source>“{image}” does not overlap the extent or the mask. Set an extent or a mask within the image.</source>
+   <translation>« {image} » ne recouvre pas l’emprise ou le masque. Choisissez une emprise ou un masque à l’intérieur de l’image.</translation>
+  </message>
+  <message>
+   <source>“{image}” has no georeference, or a rotated one, so neither an extent nor a mask can be applied. Leave both empty.</source>
+   <translation>« {image} » n’a pas de géoréférencement, ou en a un avec rotation ; ni l’emprise ni le masque ne peuvent donc être appliqués. Laissez les deux vides.</translation>
   </message>
   <message>
    <source>“{key}” contains no polygon. Leave it empty to compare the whole map.</source>
@@ -7562,10 +7394,6 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>“{layer}” has no polygons. Choose a polygon layer.</source>
    <translation>« {layer} » n’a pas de polygones. Choisissez une couche de polygones.</translation>
-  </message>
-  <message>
-   <source>“{layer}” has no resolution of its own, and neither have the metadata of {model}. Select a model with a resolution.</source>
-   <translation>« {layer} » n’a pas de résolution propre, et les métadonnées de {model} n’en indiquent pas non plus. Sélectionnez un modèle avec une résolution.</translation>
   </message>
   <message>
    <source>“{layer}” has no resolution of its own. Enter a resolution.</source>

@@ -64,10 +64,6 @@
    <translation>飞行中的 95% 半径(m)</translation>
   </message>
   <message>
-   <source>95 % radius in m: it contains the true position in 95 % of cases</source>
-   <translation>95 % 半径（米）：在 95 % 的情况下包含真实位置</translation>
-  </message>
-  <message>
    <source>95 % radius up to {radius:.0f} m</source>
    <translation>95 % 半径最大 {radius:.0f} m</translation>
   </message>
@@ -192,10 +188,6 @@
    <translation>添加他人的网络：ONNX 文件或 PyTorch 检查点</translation>
   </message>
   <message>
-   <source>Add a raster layer of the project</source>
-   <translation>添加工程中的栅格图层</translation>
-  </message>
-  <message>
    <source>Add class</source>
    <translation>添加类别</translation>
   </message>
@@ -230,10 +222,6 @@
   <message>
    <source>Add photos or label images, or drop files, folders and layers here.</source>
    <translation>添加照片或标签影像，或将文件、文件夹和图层拖放到此处。</translation>
-  </message>
-  <message>
-   <source>Add the image to the project as a half-transparent layer at its position</source>
-   <translation>将影像作为半透明图层按其位置添加到工程</translation>
   </message>
   <message>
    <source>Adding a model</source>
@@ -286,10 +274,6 @@
   <message>
    <source>All used outputs of {path} have the class {name}, so every pixel would have it. Enter at least two classes; a class without interest can be “other”.</source>
    <translation>{path} 的所有已用输出都属于类别 {name}，因此每个像元都会是该类别。请至少输入两个类别；不关注的类别可以是“other”。</translation>
-  </message>
-  <message>
-   <source>Along the flight</source>
-   <translation>沿飞行过程</translation>
   </message>
   <message>
    <source>Along the route</source>
@@ -676,10 +660,6 @@ GeoPackage 包含窗口、地标、缩小的地图（概览）、类别和参数
    <translation>选择问题图层或不一致图层</translation>
   </message>
   <message>
-   <source>Choose a model first. It defines the pixel size of the image.</source>
-   <translation>请先选择模型。模型决定影像的像元大小。</translation>
-  </message>
-  <message>
    <source>Choose a raster layer or file for the test picture.</source>
    <translation>请为测试图片选择栅格图层或文件。</translation>
   </message>
@@ -980,6 +960,10 @@ The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shap
    <translation>复制诊断信息</translation>
   </message>
   <message>
+   <source>Copy longitude and latitude (WGS 84)</source>
+   <translation>复制经度和纬度（WGS 84）</translation>
+  </message>
+  <message>
    <source>Copy of the model with the class offset, in meters, in its metadata.</source>
    <translation>模型的副本，其元数据中包含类别偏移（米）。</translation>
   </message>
@@ -990,14 +974,6 @@ The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shap
   <message>
    <source>Copy position</source>
    <translation>复制位置</translation>
-  </message>
-  <message>
-   <source>Copy the information that a bug report needs</source>
-   <translation>复制错误报告所需的信息</translation>
-  </message>
-  <message>
-   <source>Copy the position in the format used last. The arrow shows all formats.</source>
-   <translation>按上次使用的格式复制位置。箭头显示所有格式。</translation>
   </message>
   <message>
    <source>Correct</source>
@@ -1104,10 +1080,6 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
    <translation>解码彩色标签</translation>
   </message>
   <message>
-   <source>Degrees, minutes, seconds (WGS 84)</source>
-   <translation>度、分、秒 (WGS 84)</translation>
-  </message>
-  <message>
    <source>Describe image</source>
    <translation>描述影像</translation>
   </message>
@@ -1134,10 +1106,6 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   <message>
    <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages. Check them, then paste them into a new issue.</source>
    <translation>诊断信息已复制到剪贴板：版本、软件包、设备和最近的消息。请检查后粘贴到新的 issue 中。</translation>
-  </message>
-  <message>
-   <source>Direction of the image’s top, in degrees clockwise from grid north</source>
-   <translation>影像上边的方向，自坐标北顺时针计，单位为度</translation>
   </message>
   <message>
    <source>Direction of the major semi-axis (°)</source>
@@ -1272,10 +1240,6 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
    <translation>正在绘制图层</translation>
   </message>
   <message>
-   <source>Drawing “{layer}” as the map shows it…</source>
-   <translation>正在按地图显示绘制“{layer}”…</translation>
-  </message>
-  <message>
    <source>Drawing “{layer}” with {width} × {height} pixels of {resolution:g} cm. Check that its provider permits this use.</source>
    <translation>正在以 {width} × {height} 个像元、{resolution:g} cm 的大小绘制“{layer}”。请确认其提供方允许此用途。</translation>
   </message>
@@ -1378,14 +1342,6 @@ Whole blocks of ground are set aside for validation, and no pixel is in both set
   <message>
    <source>Epochs</source>
    <translation>训练轮数</translation>
-  </message>
-  <message>
-   <source>Epochs within the time limit on this computer: about {count}</source>
-   <translation>本机在时间限制内的训练轮数：约 {count}</translation>
-  </message>
-  <message>
-   <source>Epochs within the time limit: about {count}. For a better model, choose a longer time or a coarser resolution.</source>
-   <translation>时间限制内的训练轮数：约 {count}。要得到更好的模型，请选择更长的时间或更粗的分辨率。</translation>
   </message>
   <message>
    <source>Error</source>
@@ -1604,14 +1560,6 @@ The route is a line layer or a file: GPX, KML, QGroundControl plan (.plan, also 
    <translation>文件</translation>
   </message>
   <message>
-   <source>File name of the image</source>
-   <translation>影像的文件名</translation>
-  </message>
-  <message>
-   <source>File name, status, error probability, and position with its 95 % radius</source>
-   <translation>文件名、状态、错误概率，以及位置及其 95 % 半径</translation>
-  </message>
-  <message>
    <source>File with secret bytes, for example 32 random bytes, that signs the onboard file (HMAC-SHA256). With “semref … --require-signature KEY” the aircraft rejects files that were changed or made by others. Keep this file secret: anyone who has it can sign.</source>
    <translation>包含机密字节的文件，例如 32 个随机字节，用于签署机载文件（HMAC-SHA256）。使用“semref … --require-signature KEY”时，飞行器会拒绝被更改或由他人生成的文件。请对此文件保密：持有它的任何人都能签署。</translation>
   </message>
@@ -1704,10 +1652,6 @@ SemRef 根据地图和照片确定像元大小、窗口大小、步长和最小�
    <translation>图块的文件夹</translation>
   </message>
   <message>
-   <source>Folder of your models, with a description of each model:</source>
-   <translation>您的模型文件夹，附各模型的说明：</translation>
-  </message>
-  <message>
    <source>Footprint</source>
    <translation>覆盖范围</translation>
   </message>
@@ -1762,14 +1706,6 @@ SemRef 根据地图和照片确定像元大小、窗口大小、步长和最小�
   <message>
    <source>From image</source>
    <translation>起始影像</translation>
-  </message>
-  <message>
-   <source>From {start:.0f} m to {end:.0f} m: with a shift of {shift:.0f} m to the left, success rises from {before:.0%} to {after:.0%}.</source>
-   <translation>从 {start:.0f} m 到 {end:.0f} m：向左移动 {shift:.0f} m，成功率从 {before:.0%} 提高到 {after:.0%}。</translation>
-  </message>
-  <message>
-   <source>From {start:.0f} m to {end:.0f} m: with a shift of {shift:.0f} m to the right, success rises from {before:.0%} to {after:.0%}.</source>
-   <translation>从 {start:.0f} m 到 {end:.0f} m：向右移动 {shift:.0f} m，成功率从 {before:.0%} 提高到 {after:.0%}。</translation>
   </message>
   <message>
    <source>Gaps</source>
@@ -1868,10 +1804,6 @@ Images without a position are left out, and so are likely positions and position
    <translation>航向（自坐标北，°）</translation>
   </message>
   <message>
-   <source>Heading (°)</source>
-   <translation>航向（°）</translation>
-  </message>
-  <message>
    <source>Heading deviation (°)</source>
    <translation>航向偏差（°）</translation>
   </message>
@@ -1892,10 +1824,6 @@ Images without a position are left out, and so are likely positions and position
    <translation>航向容差（± °）</translation>
   </message>
   <message>
-   <source>Height (m)</source>
-   <translation>高度（m）</translation>
-  </message>
-  <message>
    <source>Heights (Z) left out: {features}.</source>
    <translation>已舍弃高度 (Z)：{features}。</translation>
   </message>
@@ -1904,8 +1832,8 @@ Images without a position are left out, and so are likely positions and position
    <translation>隐藏仅供参考的位置</translation>
   </message>
   <message>
-   <source>Highest ground speed of the flight, for example 20. Positions that cannot be reached at this speed from the positions before and after are marked as jumps. They still count as positions. The times of the images must be known.</source>
-   <translation>航次的最高地速，例如 20。以此速度无法从前后位置到达的位置会标记为跳变。它们仍计为位置。影像的时间必须已知。</translation>
+   <source>Highest ground speed of the flight, for example 20. Images without a position are searched again on the ground that the aircraft can reach at this speed from the nearest position in time. Positions that cannot be reached from the positions before and after are marked as jumps. They still count as positions. The times of the images must be known.</source>
+   <translation>航次的最高地速，例如 20。没有位置的影像会在飞行器以此速度从时间最近的位置可到达的地面上再次搜索。从前后位置无法到达的位置会标记为跳变。它们仍计为位置。影像的时间必须已知。</translation>
   </message>
   <message>
    <source>Hole is outside shell</source>
@@ -2240,10 +2168,6 @@ Images without a position are left out, and so are likely positions and position
    <translation>视为正确的位置的最大误差。如果未设置，则为覆盖范围宽度的 2 %。“已发表方法”的位置如果指出最近的窗口，则视为正确。</translation>
   </message>
   <message>
-   <source>Largest findings of each kind</source>
-   <translation>各种类的最大问题</translation>
-  </message>
-  <message>
    <source>Last image</source>
    <translation>最后一张图像</translation>
   </message>
@@ -2254,10 +2178,6 @@ Images without a position are left out, and so are likely positions and position
   <message>
    <source>Latitude</source>
    <translation>纬度</translation>
-  </message>
-  <message>
-   <source>Latitude, longitude (WGS 84)</source>
-   <translation>纬度, 经度 (WGS 84)</translation>
   </message>
   <message>
    <source>Layer of lines with tags as columns, or the extract. Roads and railways get the class road, rivers and streams the class water. The tags width and lanes give the width, otherwise the rules. Tunnels are left out.</source>
@@ -2414,14 +2334,6 @@ Images without a position are left out, and so are likely positions and position
   <message>
    <source>Longitude and latitude are accurate to {error:.4f} m.</source>
    <translation>经度和纬度精确到 {error:.4f} m。</translation>
-  </message>
-  <message>
-   <source>Longitude, latitude</source>
-   <translation>经度, 纬度</translation>
-  </message>
-  <message>
-   <source>Longitude, latitude (WGS 84)</source>
-   <translation>经度, 纬度 (WGS 84)</translation>
   </message>
   <message>
    <source>Looking for changes</source>
@@ -2788,10 +2700,6 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation>segmentation_models_pytorch 中的名称，例如 unet、fpn 或 deeplabv3。不用于 ONNX 文件。</translation>
   </message>
   <message>
-   <source>Name of the matched window: its first column and row on the map</source>
-   <translation>所匹配窗口的名称：其在地图上的起始列和起始行</translation>
-  </message>
-  <message>
    <source>Names in the order of the outputs, separated by “;”. Outputs with the same name are merged. Leave a name empty for an output that is not used, for example building;road;;road.</source>
    <translation>按输出顺序的名称，以“;”分隔。同名的输出会合并。不使用的输出请将名称留空，例如 building;road;;road。</translation>
   </message>
@@ -2956,8 +2864,8 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation>中心北坐标</translation>
   </message>
   <message>
-   <source>Not added, because they are not image files: {layers}. Use the layer button to add the current map view of a layer.</source>
-   <translation>未添加，因为不是影像文件：{layers}。请使用图层按钮添加图层的当前地图视图。</translation>
+   <source>Not added, because they are not image files: {layers}.</source>
+   <translation>未添加，因为不是影像文件：{layers}。</translation>
   </message>
   <message>
    <source>Not available (required Python package in brackets): {devices}.</source>
@@ -3122,10 +3030,6 @@ The result is too optimistic if the real errors are larger or the ground has cha
   <message>
    <source>One feature for each finding, in the CRS of the label map.</source>
    <translation>每个问题对应一个要素，采用标签图的坐标参照系。</translation>
-  </message>
-  <message>
-   <source>One flight? {count} photos in sequence</source>
-   <translation>是同一航次吗？{count} 张连续的照片</translation>
   </message>
   <message>
    <source>One line for each track, from image to image.</source>
@@ -3312,8 +3216,8 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation>包含按种类和类别统计的问题的页面。</translation>
   </message>
   <message>
-   <source>Page with the track and its error ellipses, the source of each position, heading, height and gaps.</source>
-   <translation>包含航迹及其误差椭圆、各位置的来源、航向、高度和间断的页面。</translation>
+   <source>Page with the track and its error ellipses, the source and heading of each position, and gaps.</source>
+   <translation>包含航迹及其误差椭圆、各位置的来源和航向以及间断的页面。</translation>
   </message>
   <message>
    <source>Part of the layer to test. Map tiles need it. If not set, the whole layer is used.</source>
@@ -3468,10 +3372,6 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation>位置来自航次，自身位置被拒绝</translation>
   </message>
   <message>
-   <source>Position of the image’s center, in degrees (WGS 84)</source>
-   <translation>影像中心的位置，单位为度（WGS 84）</translation>
-  </message>
-  <message>
    <source>Position with heading</source>
    <translation>有航向的位置</translation>
   </message>
@@ -3568,10 +3468,6 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation>像元达到该概率即属于该类别，用于只有一个输出的网络。如果未设置，则为 0.5。</translation>
   </message>
   <message>
-   <source>Probability that the position is wrong</source>
-   <translation>位置错误的概率</translation>
-  </message>
-  <message>
    <source>Processes that do the work. local:4 starts four processes on this computer. tcp://ADDRESS:PORT uses the workers of a Dask scheduler, which must read the same files under the same paths. If not set, QGIS does the work.</source>
    <translation>执行工作的进程。local:4 在本机上启动四个进程。tcp://ADDRESS:PORT 使用 Dask 调度器的工作进程，它们必须能在相同路径下读取相同文件。如果未设置，则由 QGIS 执行工作。</translation>
   </message>
@@ -3626,10 +3522,6 @@ The result is too optimistic if the real errors are larger or the ground has cha
   <message>
    <source>Quality of the labels that the model makes of photos. “usable” means 20 % missed landmarks, 20 % spurious landmarks, 5 % mislabeled landmarks and a boundary jitter of 1 m. “good” means half of these errors, “poor” twice as much. Errors of the map and the camera are not changed.</source>
    <translation>模型由照片生成的标签的质量。“可用”表示 20 % 漏检地标、20 % 虚假地标、5 % 错分地标和 1 m 的边界抖动。“好”表示这些误差的一半，“差”表示两倍。地图和相机的误差不变。</translation>
-  </message>
-  <message>
-   <source>Radius (m)</source>
-   <translation>半径（m）</translation>
   </message>
   <message>
    <source>Radius of the search area around the prior position. It is used only with a prior position.</source>
@@ -4212,20 +4104,8 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
    <translation>按建议移动下列航段，然后重新评价航线。</translation>
   </message>
   <message>
-   <source>Show lines from the center to the landmarks of the topology vector</source>
-   <translation>显示从中心到拓扑向量各地标的连线</translation>
-  </message>
-  <message>
    <source>Show models with their descriptions…</source>
    <translation>显示模型及其说明…</translation>
-  </message>
-  <message>
-   <source>Show models…</source>
-   <translation>显示模型…</translation>
-  </message>
-  <message>
-   <source>Show one image after the other</source>
-   <translation>逐幅显示影像</translation>
   </message>
   <message>
    <source>Show or hide the SemRef dock, which finds the positions of images</source>
@@ -4532,10 +4412,6 @@ The image is described in its largest centered square, like the windows of a dat
    <translation>请在“评估定位”中用另一日期的影像检验。如果假定的噪声过低，预期成功率就会过高。</translation>
   </message>
   <message>
-   <source>Tested versions</source>
-   <translation>已测试的版本</translation>
-  </message>
-  <message>
    <source>Testing the network</source>
    <translation>正在测试网络</translation>
   </message>
@@ -4714,10 +4590,6 @@ Use a label map of another date than that of the database, with a map displaceme
   <message>
    <source>The exported model {path} differs from the trained network by {difference:.2g} in a logit.</source>
    <translation>导出的模型 {path} 与训练所得网络的一个 logit 相差 {difference:.2g}。</translation>
-  </message>
-  <message>
-   <source>The extent and “{image}” do not overlap. Set an extent within the image.</source>
-   <translation>范围与“{image}”不重叠。请设置位于影像内的范围。</translation>
   </message>
   <message>
    <source>The extent for “{layer}” does not fit its CRS {crs}. Choose another extent.</source>
@@ -5016,10 +4888,6 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>地图只有一个类别，因此所有地点看起来都一样。</translation>
   </message>
   <message>
-   <source>The map view is now in the list of images. It is kept until you close QGIS.</source>
-   <translation>当前地图视图已加入影像列表，并保留到 QGIS 关闭为止。</translation>
-  </message>
-  <message>
    <source>The maps disagree</source>
    <translation>地图不一致</translation>
   </message>
@@ -5204,10 +5072,6 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>{address} 处的程序不是 Dask 调度器，或版本不同。请输入调度器输出的地址，而不是其仪表板的地址。</translation>
   </message>
   <message>
-   <source>The project has no raster layer.</source>
-   <translation>项目中没有栅格图层。</translation>
-  </message>
-  <message>
    <source>The range of {setting} is {low:g} to {high:g}. Enter two numbers from {least:g} to {most:g}, the smaller one first.</source>
    <translation>{setting} 的区间为 {low:g} 到 {high:g}。请输入 {least:g} 到 {most:g} 之间的两个数，较小者在前。</translation>
   </message>
@@ -5310,10 +5174,6 @@ Use a label map of another date than that of the database, with a map displaceme
   <message>
    <source>The time limit ended the training. Train again to continue this training.</source>
    <translation>训练因时间限制而结束。再次训练可从此处继续。</translation>
-  </message>
-  <message>
-   <source>The time limit is too short for one epoch. Choose a longer time or a coarser resolution.</source>
-   <translation>时间限制不足以完成一轮。请选择更长的时间或更粗的分辨率。</translation>
   </message>
   <message>
    <source>The training can't be saved in {folder} ({reason}). Free some disk space and start the training again; it continues after the last saved epoch.</source>
@@ -5572,10 +5432,6 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>航迹</translation>
   </message>
   <message>
-   <source>Track {number}</source>
-   <translation>航迹 {number}</translation>
-  </message>
-  <message>
    <source>Tracks</source>
    <translation>航迹</translation>
   </message>
@@ -5776,10 +5632,6 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
    <translation>所有未设置字段的值。没有预设时，使用文件元数据中的值。</translation>
   </message>
   <message>
-   <source>Vector</source>
-   <translation>向量</translation>
-  </message>
-  <message>
    <source>Verdict</source>
    <translation>评定</translation>
   </message>
@@ -5792,16 +5644,8 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
    <translation>警告可能会减少地标数量。请检查地图重要位置的警告。</translation>
   </message>
   <message>
-   <source>Well-known text in the project’s CRS</source>
-   <translation>WKT 文本（工程坐标参照系）</translation>
-  </message>
-  <message>
    <source>Where the maps overlap, the reference map has no labels; choose maps of the same ground.</source>
    <translation>在两张地图重叠之处，参考地图没有标签；请选择同一地面的地图。</translation>
-  </message>
-  <message>
-   <source>Whether a position was found</source>
-   <translation>是否找到位置</translation>
   </message>
   <message>
    <source>Width of the ground that a typical photo shows, for example 150. If not set, height and focal length of the camera give it, or the pixels of the imagery.</source>
@@ -6416,14 +6260,6 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>错误位置</translation>
   </message>
   <message>
-   <source>x, y in the database’s CRS</source>
-   <translation>x, y（数据库坐标参照系）</translation>
-  </message>
-  <message>
-   <source>x, y in the project’s CRS ({crs})</source>
-   <translation>x, y（工程坐标参照系 {crs}）</translation>
-  </message>
-  <message>
    <source>{area} m²</source>
    <translation>{area} m²</translation>
   </message>
@@ -6520,10 +6356,6 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>{device} 无法启动（{reason}）；网络在 {other} 上运行。</translation>
   </message>
   <message>
-   <source>{device} is not available. It needs the Python package {package}.</source>
-   <translation>{device} 不可用。它需要 Python 包 {package}。</translation>
-  </message>
-  <message>
    <source>{device} is selected, but this onnxruntime does not support it; the Python package {package} does. The network runs on {other}.</source>
    <translation>已选择 {device}，但此 onnxruntime 不支持它；Python 包 {package} 支持。网络在 {other} 上运行。</translation>
   </message>
@@ -6584,6 +6416,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>{image}：距离 {distance:.3f}，置信度 {confidence:.2f}</translation>
   </message>
   <message>
+   <source>{image}: found within {radius:.0f} m of {other}.</source>
+   <translation>{image}：在距 {other} {radius:.0f} m 范围内找到。</translation>
+  </message>
+  <message>
    <source>{image}: its own position contradicts the flight and was outvoted.</source>
    <translation>{image}：其自身位置与航次矛盾，已被否决。</translation>
   </message>
@@ -6610,10 +6446,6 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>{layer} has features with infinite coordinates. Delete these features.</source>
    <translation>{layer} 中有坐标为无穷大的要素。请删除这些要素。</translation>
-  </message>
-  <message>
-   <source>{layer}: current map view</source>
-   <translation>{layer}：当前地图视图</translation>
   </message>
   <message>
    <source>{layer}: {features} features</source>
@@ -7408,10 +7240,6 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>影像中有 {value} 个地标</translation>
   </message>
   <message>
-   <source>{version} (not tested)</source>
-   <translation>{version}（未测试）</translation>
-  </message>
-  <message>
    <source>{where} can't be written: {reason}. Choose another output.</source>
    <translation>无法写入 {where}：{reason}。请选择其他输出。</translation>
   </message>
@@ -7496,8 +7324,12 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>“未知”会将这些地面排除在训练之外。仅当各类别的所有区域都已绘制时才选择第二个选项，并设置不含未绘制地面的范围。对于只有一个类别（如建筑物）的图层，SemRef 始终使用类别“other”。</translation>
   </message>
   <message>
-   <source>“{image}” has no georeference, or a rotated one, so the extent cannot be applied. Leave “Extent” empty.</source>
-   <translation>“{image}”没有地理参考，或其地理参考有旋转，因此无法应用范围。请将“范围”留空。</translation>
+   <source>“{image}” does not overlap the extent or the mask. Set an extent or a mask within the image.</source>
+   <translation>“{image}”与范围或掩膜不重叠。请选择影像内的范围或掩膜。</translation>
+  </message>
+  <message>
+   <source>“{image}” has no georeference, or a rotated one, so neither an extent nor a mask can be applied. Leave both empty.</source>
+   <translation>“{image}”没有地理参考，或其地理参考有旋转，因此无法应用范围和掩膜。请将两者留空。</translation>
   </message>
   <message>
    <source>“{key}” contains no polygon. Leave it empty to compare the whole map.</source>
@@ -7562,10 +7394,6 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>“{layer}” has no polygons. Choose a polygon layer.</source>
    <translation>“{layer}”没有多边形。请选择多边形图层。</translation>
-  </message>
-  <message>
-   <source>“{layer}” has no resolution of its own, and neither have the metadata of {model}. Select a model with a resolution.</source>
-   <translation>“{layer}”没有自身的分辨率，{model} 的元数据中也没有。请选择带有分辨率的模型。</translation>
   </message>
   <message>
    <source>“{layer}” has no resolution of its own. Enter a resolution.</source>
