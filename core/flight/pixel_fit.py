@@ -86,10 +86,10 @@ def pose_of(mapping: Mapping) -> np.ndarray:
     A mapping of M parameters at once gives (M, 4).
     """
     points = mapping(np.array([[0.0, 0], [-1, 0], [1, 0], [0, -1], [0, 1]]))
-    center, left, right, up, down = np.moveaxis(points, -2, 0)
-    across, along = (right - left) / 2, (down - up) / 2
-    ratio = (across[..., 0] + along[..., 1] + 1j * (across[..., 1] - along[..., 0])) / 2
-    turn, log_scale = np.angle(ratio), np.log(np.maximum(np.abs(ratio), 1e-9))
+    center, west, east, north, south = np.moveaxis(points, -2, 0)
+    across, along = (east - west) / 2, (south - north) / 2
+    right, down = (across[..., 0] + along[..., 1]) / 2, (across[..., 1] - along[..., 0]) / 2
+    turn, log_scale = np.arctan2(down, right), np.log(np.maximum(np.hypot(right, down), 1e-9))
     return np.concatenate([center, np.stack([turn, log_scale], axis=-1)], axis=-1)
 
 
