@@ -102,7 +102,7 @@ def _score(
     norm = max(float((seen**2).sum()), 1e-30)
     energy = np.einsum("nhk,nhk->n", there, there)
     product = np.einsum("nhk,hk->n", there, seen)
-    scores = product / np.sqrt(norm * np.maximum(energy + quiet * known[0].size, 1e-30))
+    scores = product / np.sqrt(norm * np.maximum(energy + quiet * known[0].size, 1e-6))
     usable = (known.mean(axis=(1, 2)) >= LEAST_KNOWN_MOVED) & (energy > 0)
     return np.where(usable, scores, NOT_COMPARABLE), product / norm, there
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from semref.core.correlation.refine import NOT_COMPARABLE, ScoredPose, pose_covariance, refine, score_at
+from semref.core.correlation.refine_many import refine_many
 
 TRUE = ScoredPose(703.4, 598.1, 41.0, 1.03)
 PIXEL_M = 500 / 64 * TRUE.pixel_size_m
@@ -42,3 +43,11 @@ def test_the_covariance_grows_with_the_noise_of_the_labels(patch_pyramid, image)
 def test_an_undetermined_pose_has_an_infinite_covariance(patch_pyramid, image):
     alike = type(image)(np.ones_like(image.evidence), image.known, image.pixel)
     assert np.isinf(pose_covariance(alike, patch_pyramid, TRUE, patch_pyramid.quiet)).all()
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("place", [TRUE, ScoredPose(-3000, 0, 0, 1)])
+def test_an_image_of_one_class_agrees_nowhere(patch_pyramid, image, place):
+    alike = type(image)(np.ones_like(image.evidence), image.known, image.pixel)
+    (found,) = refine_many(alike, patch_pyramid, [place], 0.0, 2)
+    assert found.score == (0.0 if place is TRUE else NOT_COMPARABLE)
