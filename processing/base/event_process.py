@@ -77,10 +77,10 @@ class EventProcess:
             # Full path, because a program of that name in the current folder would be found first.
             taskkill = os.path.join(os.environ.get("SYSTEMROOT", "C:\\Windows"), "System32", "taskkill.exe")
             QProcess.execute(taskkill, ["/F", "/T", "/PID", str(self._process.processId())])
-        else:
-            # It has no group yet if it has just been started.
+        elif group := self._process.processId():
+            # 0, which would be QGIS's own group, if it ended meanwhile; no group yet if it has just been started.
             with contextlib.suppress(ProcessLookupError):
-                os.killpg(self._process.processId(), signal.SIGKILL)
+                os.killpg(group, signal.SIGKILL)
         self._process.kill()
         self._process.waitForFinished(_KILLED_WITHIN_MS)
 
