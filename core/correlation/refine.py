@@ -124,13 +124,17 @@ def move_pose(pose: ScoredPose, move: np.ndarray) -> ScoredPose:
     Args:
         move: (4,) right and down in image pixels, radians clockwise, ln scale.
     """
-    shift = axes(pose) @ move[:2]
-    return ScoredPose(
-        pose.x + shift[0],
-        pose.y + shift[1],
-        (pose.heading_deg + float(np.degrees(move[2]))) % 360.0,
-        pose.pixel_size_m * float(np.exp(move[3])),
-    )
+    at = np.array([[pose.x, pose.y, pose.heading_deg, pose.pixel_size_m]])
+    return ScoredPose(*moved(at, move[None])[0].tolist())
+
+
+def moved(at: np.ndarray, moves: np.ndarray) -> np.ndarray:
+    """Return (N, 4) rows of x, y, heading and pixel size after N steps, as in ``move_pose``."""
+    cos, sin = np.cos(np.radians(at[:, 2])), np.sin(np.radians(at[:, 2]))
+    turned = at[:, 3, None, None] * np.array([[cos, -sin], [sin, cos]]).transpose(2, 0, 1)
+    shifted = at[:, :2] + (turned @ moves[:, :2, None])[..., 0]
+    headings = (at[:, 2] + np.degrees(moves[:, 2])) % 360.0
+    return np.column_stack([shifted, headings, at[:, 3] * np.exp(moves[:, 3])])
 
 
 def score_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> float:
@@ -222,12 +226,10 @@ def slopes_of(image: EvidenceLevel, both: np.ndarray) -> np.ndarray:
         both: (…, h, w · C) sum of map and image.
     """
     (height, width), channels = image.known.shape, image.evidence.shape[2]
-    slopes = np.zeros((4, *both.shape), np.float32)
+    slopes = np.empty((4, *both.shape), np.float32)
     gradient_x, gradient_y, by_turn, by_scale = slopes
     # Slopes by one coarse pixel, and by the turn and scale that move the middle of the edge by one.
-    np.subtract(both[..., 2 * channels :], both[..., : -2 * channels], out=gradient_x[..., channels:-channels])
-    np.subtract(both[..., 2:, :], both[..., :-2, :], out=gradient_y[..., 1:-1, :])
-    slopes[:2] /= 4
+    np.divide(gradients(both, channels), 2, out=slopes[:2])
     x = np.repeat((np.arange(width, dtype=np.float32) - (width - 1) / 2) * image.pixel[0], channels)
     y = ((np.arange(height, dtype=np.float32) - (height - 1) / 2) * image.pixel[1])[:, None]
     by_x, by_y = gradient_x / image.pixel[0], gradient_y / image.pixel[1]
@@ -236,6 +238,20 @@ def slopes_of(image: EvidenceLevel, both: np.ndarray) -> np.ndarray:
     by_turn *= 2 / width
     by_scale *= 2 / height
     return slopes
+
+
+def gradients(planes: np.ndarray, channels: int) -> np.ndarray:
+    """Return (2, …, h, w · C) float32 central differences to the right and down; 0 at the ends, where they are unknown.
+
+    Args:
+        planes: (…, h, w · C).
+        channels: C.
+    """
+    found = np.zeros((2, *planes.shape), np.float32)
+    np.subtract(planes[..., 2 * channels :], planes[..., : -2 * channels], out=found[0][..., channels:-channels])
+    np.subtract(planes[..., 2:, :], planes[..., :-2, :], out=found[1][..., 1:-1, :])
+    found /= 2
+    return found
 
 
 def _normal(pull: _Pull) -> np.ndarray:
@@ -270,13 +286,3 @@ def clustered_covariance(pulls: np.ndarray, shape_hw: tuple[int, int], blocks: i
     sums = np.add.reduceat(np.add.reduceat(sums, rows, axis=1), columns, axis=2).reshape(len(pulls), -1)
     sums = sums - sums.mean(axis=1, keepdims=True)
     return np.einsum("ik,jk->ij", sums, sums)
-
-
-def difference(planes: np.ndarray, axis: int) -> np.ndarray:
-    """Return central differences along an axis; 0 at both ends, where the slope is unknown."""
-    slope = np.zeros_like(planes)
-    inner = [slice(None)] * planes.ndim
-    after, before = list(inner), list(inner)
-    inner[axis], after[axis], before[axis] = slice(1, -1), slice(2, None), slice(None, -2)
-    slope[tuple(inner)] = (planes[tuple(after)] - planes[tuple(before)]) / 2
-    return slope

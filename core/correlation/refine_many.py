@@ -18,6 +18,7 @@ from .refine import (
     NOT_COMPARABLE,
     ScoredPose,
     map_under,
+    moved,
     parameter_units,
     slopes_of,
 )
@@ -45,17 +46,8 @@ def refine_many(
         is_better = scores > best_scores
         best[is_better], best_scores[is_better] = at[is_better], scores[is_better]
         if step < steps:
-            at = _moved(at, _moves(image, there, np.maximum(gains, 0)))
+            at = moved(at, _moves(image, there, np.maximum(gains, 0)))
     return [ScoredPose(*row) for row in np.column_stack([best, best_scores]).tolist()]
-
-
-def _moved(at: np.ndarray, moves: np.ndarray) -> np.ndarray:
-    """Return rows of poses after (N, 4) steps, see ``move_pose``."""
-    cos, sin = np.cos(np.radians(at[:, 2])), np.sin(np.radians(at[:, 2]))
-    axes = at[:, 3, None, None] * np.array([[cos, -sin], [sin, cos]]).transpose(2, 0, 1)
-    shifted = at[:, :2] + (axes @ moves[:, :2, None])[..., 0]
-    headings = (at[:, 2] + np.degrees(moves[:, 2])) % 360.0
-    return np.column_stack([shifted, headings, at[:, 3] * np.exp(moves[:, 3])])
 
 
 def _maps_under(image: EvidenceLevel, pyramid: MapPyramid, at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -15,7 +15,7 @@ import numpy as np
 from ..geometry.error_settings import SharedErrors
 from ..geometry.pose import SLOPE_DEVIATION, STRETCH_DEVIATION
 from .class_pyramid import EvidenceLevel, MapPyramid
-from .refine import DAMPING, LEAST_KNOWN_MOVED, NOT_COMPARABLE, ScoredPose, axes, clustered_covariance, difference
+from .refine import DAMPING, LEAST_KNOWN_MOVED, NOT_COMPARABLE, ScoredPose, axes, clustered_covariance, gradients
 
 POSE, COUNT = 4, 9
 """Parameters of a level pose (right, down, heading, ln pixel size; the unit of the first two is half a diagonal), and
@@ -185,7 +185,8 @@ class _System:
         if gain <= 0:
             return None
         both = there + gain * self._seen
-        gradient_x, gradient_y = difference(both, 1) / 2, difference(both, 0) / 2
+        height, width, channels = both.shape
+        gradient_x, gradient_y = gradients(both.reshape(height, -1), channels).reshape(2, height, width, channels) / 2
         by_x = gradient_x * (self.half / self._image.pixel[0])
         by_y = gradient_y * (self.half / self._image.pixel[1])
         moves = self._moves[..., None]
