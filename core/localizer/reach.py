@@ -34,9 +34,11 @@ class Reach:
     start: int
 
     def narrow(self, prior: Prior) -> Prior | None:
-        """Return a prior limited to this ground; None if it is limited to a smaller one already."""
-        if prior.position is not None and prior.radius is not None and prior.radius <= self.radius:
-            return None
+        """Return a prior limited to this ground; None if its own search area does not contain all of it."""
+        if prior.position is not None and prior.radius is not None:
+            away = float(np.hypot(*np.subtract(self.position, prior.position)))
+            if away + self.radius > prior.radius:
+                return None
         return replace(prior, position=self.position, radius=self.radius)
 
 

@@ -239,7 +239,7 @@ def _within_reach(
     speed: float,
     feedback: QgsProcessingFeedback,
 ) -> list[LocalizedImage]:
-    """Search images without a position within reach of the others; photos are read again, which saves memory."""
+    """Search images without a position within reach of the others; they are read again, which saves memory."""
     from ...core.pipeline import Pipeline
 
     def search(n: int, reach: Reach) -> Localization | None:
@@ -248,7 +248,7 @@ def _within_reach(
             return None
         localizer = pipeline.localizer.with_risk(reach.allowed_risk)
         narrowed = Pipeline(localizer, replace(pipeline.search, known=prior), pipeline.read)
-        return narrowed.run(localized[n].path, cameras[n]).localization
+        return localize_image(localized[n].path, narrowed, cameras[n], lambda *_: None).result
 
     paths, results = [item.path for item in localized], [item.result for item in localized]
     limits = speed, pipeline.localizer.settings.allowed_risk

@@ -25,11 +25,12 @@ from ..messages.sentences import worded
 from ..translation import tr
 from . import parameters, priors
 from .algorithm import LOCALIZATION, SemRefAlgorithm, cancelable, check_canceled
-from .localized_image import LabelImages, LocalizedImage, has_photos
+from .localized_image import LocalizedImage, has_photos
 from .parameters import with_help
 from .scheduler import with_progress, workers
 
 if TYPE_CHECKING:
+    import numpy as np
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
 
     from ...core.database.model import ReferenceDatabase
@@ -247,8 +248,13 @@ def _with_overview(database: ReferenceDatabase, path: str, feedback: QgsProcessi
         return database
 
 
-def localize_image(path: str, pipeline: Pipeline, camera: Camera, keep: LabelImages) -> LocalizedImage:
-    """Localize an image. An error of one image must not stop the others: it becomes the reason of its row."""
+def localize_image(
+    path: str, pipeline: Pipeline, camera: Camera, keep: Callable[[str, np.ndarray], None]
+) -> LocalizedImage:
+    """Localize an image and call ``keep`` with its path and labels.
+
+    An error of one image must not stop the others: it becomes the reason of its row.
+    """
     try:
         result = pipeline.run(path, camera)
         item = _localized(path, result.localization, camera, result.shape_hw)

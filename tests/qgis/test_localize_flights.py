@@ -8,8 +8,10 @@ from made_inputs import NORTH, WEST, scattered_objects, write_raster, write_text
 from osgeo import ogr
 from qgis.core import QgsProcessingException
 
+from semref.core.errors import ImageError
 from semref.core.geometry.frame import MapFrame
 from semref.core.simulation.views import View, cut, map_coordinates
+from semref.storage.label_images import LabelImageReader
 
 LOCALIZE = "semref:localizeimages"
 LABELS = scattered_objects(900, 1000, 1300, seed=5)
@@ -135,3 +137,19 @@ def test_an_image_of_few_landmarks_is_found_within_reach_of_another(localize, fe
     assert (rows[1]["x"], rows[1]["y"]) == pytest.approx(small.position, abs=2)
     assert rows[1]["confidence"] < rows[0]["confidence"] and rows[1]["jump"] == 0
     assert "1.png: found within 19" in feedback.textLog() and "of 0.png" in feedback.textLog()
+
+
+def test_an_image_that_is_gone_at_the_second_search_stays_without_a_position(localize, monkeypatch):
+    small = View(WEST + 490, NORTH - 400, 90, 1.0, 78, 78)
+    read, paths = LabelImageReader.__call__, []
+
+    def read_once(reader, path, *others):
+        if path in paths:
+            raise ImageError("{path} is gone.", path=path)
+        paths.append(path)
+        return read(reader, path, *others)
+
+    monkeypatch.setattr(LabelImageReader, "__call__", read_once)
+    asked = {"SCALE_MINIMUM": 0.2, "SCALE_MAXIMUM": 1.1, "RISK": 0.006}
+    rows, _, _ = localize([FLIGHT[0], small], TIMES, MAXIMUM_SPEED=194, **asked)
+    assert [row["status"] for row in rows] == ["fix", "likely"]

@@ -75,4 +75,6 @@ def test_a_prior_is_only_made_smaller():
     reach = Reach((100.0, 0.0), 200.0, 1e-4, 0)
     narrowed = reach.narrow(Prior(heading_deg=10.0))
     assert (narrowed.position, narrowed.radius, narrowed.heading_deg) == ((100.0, 0.0), 200.0, 10.0)
+    assert reach.narrow(Prior((0.0, 0.0), 300.0)).radius == 200.0
     assert reach.narrow(Prior((0.0, 0.0), 150.0)) is None
+    assert reach.narrow(Prior((0.0, 0.0), 299.0)) is None, "it would allow places outside the search area"
