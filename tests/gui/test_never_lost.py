@@ -59,7 +59,11 @@ def test_only_the_last_runs_are_kept(qgis_app):
     made = [run_history.begin_run("/area.gpkg", "", 1) for _ in range(25)]
     for run in made:
         Path(run.file).write_bytes(b"results")
+    foreign = run_history.runs_folder() / "0 my copies"
+    foreign.mkdir()
     run_history.forget_old_runs()
+    # Only folders of SemRef's runs are deleted.
+    foreign.rmdir()
     kept = run_history.run_records()
     assert [run.folder for run in kept] == [run.folder for run in reversed(made[-20:])]
     for run in kept:

@@ -66,7 +66,7 @@ def forget_old_runs() -> None:
     """
     kept = run_records()[:_MOST_KEPT]
     for folder in _folders() if len(kept) == _MOST_KEPT else []:
-        if folder < Path(kept[-1].folder):
+        if folder < Path(kept[-1].folder) and _read_record(folder) is not None:
             shutil.rmtree(folder, ignore_errors=True)
 
 
