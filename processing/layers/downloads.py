@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from typing import Callable
 from urllib.parse import unquote
@@ -94,17 +94,20 @@ def _limit_reply(request: QNetworkRequest, reply: QNetworkReply) -> None:
     def look() -> None:
         # QGIS reads only complete replies.
         watched = tuple(_watched)
-        if reply.bytesAvailable() >= limits.ANSWER_BYTES or any(downloads.is_too_large for downloads in watched):
-            for downloads in watched:
-                downloads.is_too_large = True
-            reply.abort()
+        with suppress(RuntimeError):
+            if reply.bytesAvailable() >= limits.ANSWER_BYTES or any(downloads.is_too_large for downloads in watched):
+                for downloads in watched:
+                    downloads.is_too_large = True
+                reply.abort()
 
-    # Limits Qt's buffer for fast servers.
-    reply.setReadBufferSize(2 * limits.ANSWER_BYTES)
-    # Not downloadProgress: Qt omits some of its signals, maybe the one that fills the buffer. QGIS would then wait for
-    # its timeout.
-    watching[0].looks.append(look)
-    reply.readyRead.connect(look)
+    # Qt may have deleted the reply. PyQt then raises RuntimeError, which would end QGIS in this thread.
+    with suppress(RuntimeError):
+        # Limits Qt's buffer for fast servers.
+        reply.setReadBufferSize(2 * limits.ANSWER_BYTES)
+        # Not downloadProgress: Qt omits some of its signals, maybe the one that fills the buffer. QGIS would then wait
+        # for its timeout.
+        reply.readyRead.connect(look)
+        watching[0].looks.append(look)
 
 
 def _is_for_raster(request: QNetworkRequest) -> bool:

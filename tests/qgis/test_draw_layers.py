@@ -141,6 +141,26 @@ def test_tiles_without_an_end_are_given_up_also_when_python_collects_garbage_mea
         gc.unfreeze()
 
 
+def test_a_reply_that_qt_has_deleted_is_left_alone(qgis_app, monkeypatch):
+    """PyQt ends the whole program if a slot raises an error in QGIS's network thread."""
+    from qgis.PyQt import sip
+    from qgis.PyQt.QtCore import QUrl
+    from qgis.PyQt.QtNetwork import QNetworkAccessManager, QNetworkRequest
+
+    from semref.processing.layers import downloads
+
+    monkeypatch.setattr(downloads, "_is_for_raster", lambda request: True)
+    request, manager = QNetworkRequest(QUrl("data:,tile")), QNetworkAccessManager()
+    with downloads.watched_downloads() as watched:
+        replies = [manager.get(request) for _ in range(2)]
+        downloads._limit_reply(request, replies[0])
+        for reply in replies:
+            sip.delete(reply)
+        watched.looks[0]()
+        downloads._limit_reply(request, replies[1])
+    assert len(watched.looks) == 1 and not watched.is_broken
+
+
 def test_a_redirect_to_a_file_is_not_followed(segment, tiles, tmp_path):
     (tmp_path / "secret.png").write_bytes(tile_png(0, 0, 0))
     with pytest.raises(QgsProcessingException, match=r"redirects to file:.*secret\.png; SemRef reads tiles over http"):
