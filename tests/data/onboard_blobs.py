@@ -6,8 +6,8 @@ import io
 import json
 import zipfile
 
-import cv2
 import numpy as np
+from made_labels import blobs
 
 from semref.core.database.build import BuildSettings, build_from_labels
 from semref.core.database.model import ReferenceDatabase
@@ -28,17 +28,11 @@ FRAME = MapFrame('PROJCS["a metric CRS"]', (600000.0, 2.0, 0.0, 5200000.0, 0.0, 
 SETTINGS = BuildSettings(120.0, 40.0, minimum_area=28.0, levels=(1.0, 2.0))
 
 
-def blobs(height=320, width=400):
-    noise = np.random.default_rng(0).random((5, height, width)).astype(np.float32)
-    smooth = np.stack([cv2.GaussianBlur(layer, (0, 0), 1.8) for layer in noise])
-    return np.array((0, 2, 3, 5, 7), np.uint8)[smooth.argmax(axis=0)]
-
-
 def linear(points_xy):
     return 9 + (points_xy[:, 0] - 600000) / 80000, 47 + (points_xy[:, 1] - 5200000) / 111000
 
 
-MAP = blobs()
+MAP = blobs(0, (320, 400), (0, 2, 3, 5, 7), 1.8)
 
 
 def build_blobs() -> ReferenceDatabase:

@@ -7,16 +7,19 @@ from collections import Counter
 import numpy as np
 import pytest
 import shapely
-from made_annotation import KINDS, feature, numbered, random_features, square
+from made_annotation import KINDS, SOUTH, WEST, feature, numbered, random_features, square
 
 from semref.core.annotation import findings as kinds
 from semref.core.annotation.check import AnnotationCheck, CheckSettings, DrawnRegion, find_raster_losses
-from semref.core.annotation.findings import ERROR, INFORMATION, WARNING
+from semref.core.annotation.findings import ERROR, INFORMATION, NOTHING, WARNING
 from semref.core.annotation.polygons import AnnotatedFeature
 from semref.core.annotation.raster_losses import runs_of_strip
 
 LANDMARKS = (1, 2, 3, 4)
+BROKEN_LINE = [(kinds.INVALID, ERROR, 0, None), (kinds.NO_AREA, WARNING, 0, None)]
 BOWTIE = shapely.from_wkt("POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))")
+TWO_BOWTIES = shapely.multipolygons([BOWTIE, shapely.transform(BOWTIE, lambda xy: xy + (20, 0)), square(50, 0, 2)])
+LINE = shapely.from_wkt("POLYGON ((0 0, 4 4, 0 0, 0 0))")
 
 
 def check(features, minimum_area=0.0, maximum_gap=1.0) -> AnnotationCheck:
@@ -39,38 +42,21 @@ def found(features, **settings) -> list:
         ([feature(None)], [(kinds.NO_GEOMETRY, WARNING, 0, None)]),
         ([feature(shapely.from_wkt("POLYGON EMPTY"))], [(kinds.NO_GEOMETRY, WARNING, 0, None)]),
         ([feature(BOWTIE)], [(kinds.INVALID, ERROR, 0, None)]),
-        (
-            [feature(square(0, 0, 5)), feature(square(3, 0, 5), 2)],
-            [(kinds.OVERLAP, ERROR, 1, 0)],
-        ),
-        (
-            [feature(square(0, 0, 5), 1, 2.0), feature(square(3, 0, 5), 2, 1.0)],
-            [(kinds.OVERLAP, INFORMATION, 0, 1)],
-        ),
-        (
-            [feature(square(0, 0, 5)), feature(square(3, 0, 6), 1)],
-            [(kinds.SAME_CLASS_NEIGHBORS, INFORMATION, 0, 1)],
-        ),
-        (
-            [feature(square(0, 0, 5)), feature(square(0, 0, 5))],
-            [(kinds.DUPLICATE, WARNING, 1, 0)],
-        ),
-        (
-            [feature(square(0, 0, 5)), feature(square(0, 0, 5), 2)],
-            [(kinds.DUPLICATE, ERROR, 1, 0)],
-        ),
-        (
-            [feature(square(0, 0, 5)), feature(square(0, 0, 5), 2, 1.0)],
-            [(kinds.DUPLICATE, WARNING, 1, 0)],
-        ),
+        ([feature(LINE)], BROKEN_LINE),
+        ([feature(LINE, NOTHING)], BROKEN_LINE),
+        ([AnnotatedFeature(0, b"no geometry", 1)], [(kinds.INVALID, ERROR, 0, None)]),
+        ([feature(TWO_BOWTIES)], 2 * [(kinds.INVALID, ERROR, 0, None)]),
+        ([feature(square(0, 0, 5)), feature(square(3, 0, 5), 2)], [(kinds.OVERLAP, ERROR, 1, 0)]),
+        ([feature(square(0, 0, 5), 1, 2.0), feature(square(3, 0, 5), 2, 1.0)], [(kinds.OVERLAP, INFORMATION, 0, 1)]),
+        ([feature(square(0, 0, 5)), feature(square(3, 0, 6), 1)], [(kinds.SAME_CLASS_NEIGHBORS, INFORMATION, 0, 1)]),
+        ([feature(square(0, 0, 5)), feature(square(0, 0, 5))], [(kinds.DUPLICATE, WARNING, 1, 0)]),
+        ([feature(square(0, 0, 5)), feature(square(0, 0, 5), 2)], [(kinds.DUPLICATE, ERROR, 1, 0)]),
+        ([feature(square(0, 0, 5)), feature(square(0, 0, 5), 2, 1.0)], [(kinds.DUPLICATE, WARNING, 1, 0)]),
         (
             [feature(square(0, 0, 5)), feature(shapely.from_wkt("POLYGON ((5 5, 5 3, 5 0, 0 0, 0 5, 5 5))"))],
             [(kinds.DUPLICATE, WARNING, 1, 0)],
         ),
-        (
-            [feature(square(0, 0, 5)), feature(square(5, 5, 4))],
-            [(kinds.SAME_CLASS_NEIGHBORS, INFORMATION, 1, 0)],
-        ),
+        ([feature(square(0, 0, 5)), feature(square(5, 5, 4))], [(kinds.SAME_CLASS_NEIGHBORS, INFORMATION, 1, 0)]),
         ([feature(square(0, 0, 5), 9), feature(square(5, 5, 4), 9)], []),
         ([feature(square(0, 0, 5), 9), feature(square(5, 0, 4), 9)], [(kinds.SAME_CLASS_NEIGHBORS, INFORMATION, 1, 0)]),
         ([feature(shapely.union_all([square(0, 0, 5), square(5, 5, 4)]))], []),
@@ -79,43 +65,43 @@ def found(features, **settings) -> list:
             [(kinds.HIDDEN, WARNING, 0, 1), (kinds.OVERLAP, INFORMATION, 1, 0)],
         ),
         (
-            [feature(shapely.difference(square(0, 0, 5), square(2, 2, 0.9)))],
-            [(kinds.GAP, WARNING, None, None)],
+            [feature(square(0, 0, 6)), feature(square(-1, -1, 6), 2, 1.0), feature(square(0, 0, 9), 3, 0.5)],
+            [
+                (kinds.HIDDEN, WARNING, 0, 1),
+                *((kinds.OVERLAP, INFORMATION, *pair) for pair in ((1, 0), (1, 2), (2, 0))),
+            ],
         ),
-        (
-            [feature(shapely.difference(square(0, 0, 5), square(2, 2, 1.1)))],
-            [],
-        ),
+        ([feature(shapely.difference(square(0, 0, 5), square(2, 2, 0.9)))], [(kinds.GAP, WARNING, None, None)]),
+        ([feature(shapely.difference(square(0, 0, 5), square(2, 2, 1.1)))], []),
         (
             [feature(shapely.box(0, 0, 50, 20)), feature(shapely.box(0, 20, 50, 20.1), 2)],
             [(kinds.SLIVER, WARNING, 1, None)],
         ),
     ],
     ids=[
-        "nothing",
-        "clean neighbors",
-        "null",
-        "empty",
-        "invalid",
-        "overlap",
-        "decided overlap",
-        "same class overlap",
-        "duplicate",
-        "duplicate of another class",
-        "decided duplicate",
-        "duplicate with more vertices",
-        "corner",
-        "corner of no landmarks",
-        "neighbors that are no landmarks",
-        "corner of one feature",
-        "hidden",
-        "gap",
-        "large hole",
-        "sliver",
+        *("nothing", "clean neighbors", "null", "empty", "invalid", "no area", "neither area nor class", "unreadable"),
+        *("two broken parts", "overlap", "decided overlap", "same class overlap", "duplicate"),
+        *("duplicate of another class", "decided duplicate", "duplicate with more vertices", "corner"),
+        *("corner of no landmarks", "neighbors that are no landmarks", "corner of one feature", "hidden"),
+        *("hidden by several", "gap", "large hole", "sliver"),
     ],
 )
 def test_each_kind_is_found_with_its_severity_and_ids(features, expected):
     assert found(features) == expected
+
+
+def test_a_crossing_is_reported_with_its_place_and_reason():
+    (finding,) = check(numbered([feature(square(9, 9, 1)), feature(BOWTIE, 3)])).findings
+    assert (finding.feature_id, finding.class_value) == (1, 3)
+    assert finding.reason == f"Self-intersection ({WEST + 2:.2f}, {SOUTH + 2:.2f})"
+    assert shapely.from_wkb(finding.wkb).centroid.coords[0] == pytest.approx((WEST + 2, SOUTH + 2))
+
+
+def test_neighbors_of_one_class_are_listed_smaller_first_with_their_border():
+    features = [feature(square(0, 0, 5)), feature(square(5, 1, 3)), feature(square(0, 5, 5), 2)]
+    (finding,) = check(numbered(features)).findings
+    assert (finding.feature_id, finding.other_id, finding.is_landmark) == (1, 0, True)
+    assert finding.number == pytest.approx(3)
 
 
 def test_small_landmarks_are_reported_as_drawn():

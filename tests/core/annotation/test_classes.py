@@ -3,7 +3,7 @@
 import pytest
 
 from semref.core.annotation.classes import ClassLookup, distinct, lookup_of, raw_text, require_known_classes
-from semref.core.errors import AnnotationError, ClassTableError
+from semref.core.errors import AnnotationError
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 
 TABLE = ClassTable(
@@ -34,11 +34,6 @@ def test_classes_of_a_style_may_share_a_label_or_have_several_values():
     lookup = lookup_of([(("a", "b"), "Wood", "#112233"), (("c",), "Wood", "")], False)
     assert [c.name for c in lookup.table] == ["a", "c"]
     assert (lookup.value("b"), lookup.value("c")) == (1, 2) and lookup.table.classes[0].color == "#112233"
-
-
-def test_more_classes_than_a_map_has_values_are_refused():
-    with pytest.raises(ClassTableError):
-        lookup_of([((n,), str(n), "") for n in range(300)], False)
 
 
 def test_whole_numbers_have_no_point_and_texts_no_blanks_around():

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
 import pytest
 import shapely
 from made_annotation import feature, numbered, square
@@ -54,19 +53,6 @@ def test_what_is_no_polygon_with_a_class_is_left_out(left_out):
     assert polygons_of(left_out, feature(square(0, 0, 5))).features.tolist() == [1]
 
 
-def test_geometries_are_those_of_the_features_or_none():
-    geometries = feature_geometries([feature(square(0, 0, 3)), feature(None), AnnotatedFeature(0, b"\x00", 1)])
-    assert geometries[0].area == pytest.approx(9)
-    assert geometries[1] is None
-    assert geometries[2] is None
-
-
 def test_in_drawing_the_later_of_equal_priority_is_on_top():
     polygons = polygons_of(feature(square(0, 0, 1), 1, 5.0), feature(square(0, 0, 2)), feature(square(0, 0, 3)))
     assert polygons.drawn_ranks().tolist() == [2, 0, 1]
-
-
-def test_in_repairing_the_smaller_then_the_lower_class_is_on_top():
-    features = [feature(square(0, 0, 9), 1, 5.0), feature(square(0, 0, 3), 2), feature(square(0, 0, 2), 9)]
-    polygons = polygons_of(*features, feature(square(5, 5, 3), 1))
-    assert np.argsort(polygons.repair_ranks()).tolist() == [1, 3, 2, 0]

@@ -38,15 +38,3 @@ def test_pieces_losses_and_merges_are_those_of_opencv(seed):
             if other > one and classes[one] == classes[other]:
                 expected.add((one, int(other)))
     assert {tuple(pair) for pair in merged_regions(runs, classes).tolist()} == expected
-
-
-def test_strips_joined_are_the_runs_of_the_whole():
-    regions, _ = random_regions(9)
-    whole, joined = runs_of_strip(regions, 0), runs_in_strips(regions)
-    for name in ("rows", "starts", "stops", "regions"):
-        np.testing.assert_array_equal(getattr(joined, name), getattr(whole, name))
-
-
-def test_runs_have_their_first_and_last_pixel():
-    runs = runs_of_strip(np.array([[0, 7, 7, 2], [2, 0, 0, 0]]), 10)
-    assert list(zip(runs.rows, runs.starts, runs.stops, runs.regions)) == [(10, 1, 3, 7), (10, 3, 4, 2), (11, 0, 1, 2)]

@@ -9,15 +9,7 @@ import pytest
 import shapely
 from made_annotation import KINDS, feature, moved, numbered, random_features, square
 
-from semref.core.annotation.findings import (
-    DISSOLVED,
-    GAP,
-    INVALID,
-    NO_AREA,
-    NOTHING,
-    OVERLAP,
-    SLIVER,
-)
+from semref.core.annotation.findings import DISSOLVED, GAP, INVALID, NO_AREA, NOTHING, OVERLAP, SLIVER
 from semref.core.annotation.merging import THIN_M, MergeSettings
 from semref.core.annotation.polygons import AnnotatedFeature
 from semref.core.annotation.repair import AnnotationRepair
@@ -181,8 +173,28 @@ def test_a_sliver_is_merged_only_if_it_has_neighbors():
 
 def test_pieces_under_the_minimum_area_are_merged_when_it_is_given():
     features = numbered([feature(square(0, 0, 10), 1), feature(square(4, 4, 1), 2)])
-    assert len(repair(features).polygons) == 2
+    for limit, count in ((0.0, 2), (1.0, 2), (1.1, 1)):
+        assert len(repair(features, minimum_area=limit).polygons) == count
     assert shapely.area(polygons_of(repair(features, minimum_area=2.0))).tolist() == pytest.approx([100])
+
+
+def test_slivers_that_have_only_each_other_become_one():
+    strips = [feature(shapely.box(0, 0.1 * n, 20, 0.1 * n + 0.1), n + 1) for n in range(3)]
+    assert shapely.area(polygons_of(repair(numbered(strips)))).tolist() == pytest.approx([6])
+
+
+@pytest.mark.parametrize(
+    ("features", "kind", "feature_id"),
+    [
+        ([feature(shapely.difference(square(0, 0, 10), square(4, 4, 0.5)))], GAP, None),
+        ([feature(square(0, 0, 10)), feature(shapely.box(0, 10, 10, 10.1), 2)], SLIVER, 1),
+    ],
+    ids=["gap", "sliver"],
+)
+def test_a_merge_is_reported_with_the_visible_feature(features, kind, feature_id):
+    (change,) = repair(numbered(features)).changes
+    assert (change.kind, change.feature_id, change.other_class) == (kind, feature_id, 1)
+    assert shapely.from_wkb(change.wkb).area == pytest.approx(change.area)
 
 
 def test_touching_polygons_of_one_class_take_the_attributes_of_the_largest():

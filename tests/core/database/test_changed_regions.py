@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from semref.core.database import changed_regions
-from semref.core.database.changed_regions import block_bounds, blocks_of, changed_places
+from semref.core.database.changed_regions import blocks_of, changed_places
 from semref.core.labels import block_hashes
 
 SHAPE_HW = (70, 90)
@@ -48,8 +48,3 @@ def test_neighboring_blocks_are_one_place_and_blocks_apart_are_two():
 )
 def test_an_area_touches_the_blocks_it_shares_a_pixel_with(area, blocks):
     assert blocks_of(area, SHAPE_HW) == blocks
-
-
-def test_blocks_at_the_edges_end_with_the_map():
-    assert block_bounds((1, 1), SHAPE_HW) == (32, 32, 64, 64)
-    assert block_bounds((2, 2), SHAPE_HW) == (64, 64, 90, 70)

@@ -3,11 +3,10 @@
 import numpy as np
 import pytest
 
-from semref.core.database.look_alikes import describe_window, vector_rows, window_at
+from semref.core.database.look_alikes import describe_window, window_at
 from semref.core.database.model import MapLandmarks, ReferenceDatabase, Windows
 from semref.core.database.parameters import BuildParameters
 from semref.core.labels.class_table import ClassTable, LandCoverClass
-from semref.core.windows.topology_vector import topology_vector, vector_objects
 
 
 @pytest.fixture
@@ -56,13 +55,3 @@ def test_a_window_without_a_vector_has_no_similar_windows(database):
 @pytest.mark.parametrize(("x", "index"), [(10, 0), (70, 0), (80, 1), (249, 4), (301, -1)])
 def test_the_window_at_a_place_is_the_one_with_the_nearest_center(database, x, index):
     assert window_at(database.windows, x, 50) == index
-
-
-def test_the_objects_of_a_vector_give_its_distance_ratios_in_order():
-    rng = np.random.default_rng(4)
-    centers, classes = rng.uniform(0, 200, (25, 2)), rng.integers(1, 4, 25)
-    kept = vector_objects(centers, classes, (100, 100), (1, 2, 3))
-    ratios, _, ranks = vector_rows(topology_vector(centers, classes, (100, 100), (1, 2, 3)))
-    distances = np.hypot(*(centers[kept] - 100).T)
-    assert distances / distances.max() == pytest.approx(ratios, abs=1e-6)
-    assert classes[kept] / 3 == pytest.approx(ranks, abs=1e-6)

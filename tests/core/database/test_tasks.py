@@ -4,33 +4,22 @@ import threading
 import time
 from dataclasses import replace
 
-import cv2
 import numpy as np
 import pytest
+from made_labels import TABLE, blobs
 
 from semref.core.database import build
-from semref.core.database.build import BuildSettings, DatabaseBuilder, tile_boxes, window_boxes
+from semref.core.database.build import BuildSettings, DatabaseBuilder, tile_boxes
 from semref.core.database.tasks import TASKS, Threads
 from semref.core.geometry.frame import MapFrame
-from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.overview import HeldOverview
 from semref.core.labels.sources import ArrayLabels
-from semref.core.windows.grid import WindowGrid
 
-TABLE = ClassTable(
-    (LandCoverClass(2, "building", "#ff0000", "reference"), LandCoverClass(5, "water", "#0000ff", "reference"))
-)
 FRAME = MapFrame("a metric CRS", (600000.0, 2.0, 0.0, 5200000.0, 0.0, -2.0))
 SETTINGS = BuildSettings(window_size=200.0, stride=74.0, minimum_area=20.0, levels=(1.0, 2.5))
 
 
-def landscape(height=1300, width=1150, seed=0):
-    noise = np.random.default_rng(seed).random((3, height, width)).astype(np.float32)
-    smooth = np.stack([cv2.GaussianBlur(layer, (0, 0), 9) for layer in noise])
-    return np.array((0, 2, 5), np.uint8)[smooth.argmax(axis=0)]
-
-
-LABELS = landscape()
+LABELS = blobs(0, (1300, 1150), (0, 2, 5), 9)
 
 
 def wait_until(holds):
@@ -137,15 +126,3 @@ def test_tiles_cover_the_map_once_and_begin_with_whole_blocks(shape, factor):
         assert column % 512 == row % 512 == column % factor == row % factor == 0
         covered[-(-row // 10) : -(-(row + height) // 10), -(-column // 10) : -(-(column + width) // 10)] += 1
     assert (covered == 1).all()
-
-
-@pytest.mark.usefixtures("small_pieces")
-def test_each_window_belongs_to_one_part():
-    grid = WindowGrid(1150, 1300, 100, 37)
-    found = [
-        (x, y)
-        for column, row, width, height in window_boxes(grid)
-        for x in (column + WindowGrid(width, height, 100, 37).columns).tolist()
-        for y in (row + WindowGrid(width, height, 100, 37).rows).tolist()
-    ]
-    assert sorted(found) == sorted((x, y) for x in grid.columns.tolist() for y in grid.rows.tolist())

@@ -6,6 +6,7 @@ from functools import partial
 import cv2
 import numpy as np
 import pytest
+from made_labels import TABLE, blobs
 
 from semref.core.database import changed_regions, update
 from semref.core.database.build import BuildSettings, build_from_labels
@@ -15,19 +16,9 @@ from semref.core.database.update import DatabaseUpdater
 from semref.core.errors import DatabaseError, LabelMapError
 from semref.core.geometry.frame import MapFrame
 from semref.core.labels import block_hashes as map_hash_module
-from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
-from semref.core.landmarks.landmarks import extract_landmarks, rows_from_objects
 from semref.core.landmarks.regions import ReachingRegions
-from semref.core.windows import distinctiveness as distinctiveness_module
 
-TABLE = ClassTable(
-    (
-        LandCoverClass(2, "building", "#ff0000", "reference"),
-        LandCoverClass(3, "forest", "#00ff00"),
-        LandCoverClass(5, "water", "#0000ff", "reference"),
-    )
-)
 VALUES = (0, 2, 3, 5)
 PIXEL = 0.7
 FRAME = MapFrame("a metric CRS", (600000.3, PIXEL, 0.0, 5200000.1, 0.0, -PIXEL))
@@ -42,12 +33,6 @@ def small_blocks(monkeypatch):
     monkeypatch.setattr(update, "HASHED_BLOCK", 32)
     monkeypatch.setattr(changed_regions, "HASHED_BLOCK", 32)
     monkeypatch.setattr(changed_regions, "ReachingRegions", partial(ReachingRegions, tile_px=24))
-
-
-def blobs(seed, scale=1.5):
-    noise = np.random.default_rng(seed).random((4, HEIGHT, WIDTH)).astype(np.float32)
-    smooth = np.stack([cv2.GaussianBlur(layer, (0, 0), scale) for layer in noise])
-    return np.array(VALUES, np.uint8)[smooth.argmax(axis=0)]
 
 
 def houses(seed):
@@ -72,7 +57,12 @@ def rivers(seed):
     return labels
 
 
-MAPS = {"blobs": blobs, "large blobs": lambda seed: blobs(seed, 5.0), "houses": houses, "rivers": rivers}
+MAPS = {
+    "blobs": lambda seed: blobs(seed, (HEIGHT, WIDTH)),
+    "large blobs": lambda seed: blobs(seed, (HEIGHT, WIDTH), scale=5.0),
+    "houses": houses,
+    "rivers": rivers,
+}
 
 
 def built(labels, settings=SETTINGS):
@@ -159,7 +149,7 @@ def test_edits_far_apart_and_a_whole_new_map_give_the_rebuild():
     before = built(labels)
     changes = assert_is_the_rebuild(before, edited)
     assert 0 < len(changes.touched) < len(before.windows)
-    assert_is_the_rebuild(before, blobs(9))
+    assert_is_the_rebuild(before, MAPS["blobs"](9))
 
 
 def field_with(*shapes):
@@ -174,38 +164,24 @@ def field_with(*shapes):
 RIVER, POND, U = (0, 90, HEIGHT, 4), (60, 60, 10, 10), ((20, 20, 100, 3), (20, 140, 100, 3), (117, 20, 3, 123))
 
 
+CHANGES = {
+    "pond new": ([], [POND], 0, 1),
+    "pond gone": ([POND], [], 1, 0),
+    "split": ([POND], [(60, 60, 10, 4), (60, 66, 10, 4)], 1, 2),
+    "merged": ([(60, 60, 10, 4), (60, 66, 10, 4)], [POND], 2, 1),
+    "river cut": ([RIVER], [(0, 90, 70, 4), (72, 90, HEIGHT - 72, 4)], 1, 2),
+    "river joined": ([(0, 90, 70, 4), (72, 90, HEIGHT - 72, 4)], [RIVER], 2, 1),
+    "beside the river": ([RIVER], [RIVER, (70, 96, 10, 10)], 0, 1),
+    "inside a U": ([*U], [*U, POND], 0, 1),
+    "gone inside a U": ([*U, POND], [*U], 1, 0),
+    "grown inside a U": ([*U, POND], [*U, (60, 60, 10, 14)], 1, 1),
+    "U closed": ([*U], [*U, (60, 20, 3, 123)], 1, 1),
+    "river gone": ([RIVER], [], 1, 0),
+}
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("before", "after", "removed", "added"),
-    [
-        ([], [POND], 0, 1),
-        ([POND], [], 1, 0),
-        ([POND], [(60, 60, 10, 4), (60, 66, 10, 4)], 1, 2),
-        ([(60, 60, 10, 4), (60, 66, 10, 4)], [POND], 2, 1),
-        ([RIVER], [(0, 90, 70, 4), (72, 90, HEIGHT - 72, 4)], 1, 2),
-        ([(0, 90, 70, 4), (72, 90, HEIGHT - 72, 4)], [RIVER], 2, 1),
-        ([RIVER], [RIVER, (70, 96, 10, 10)], 0, 1),
-        ([*U], [*U, POND], 0, 1),
-        ([*U, POND], [*U], 1, 0),
-        ([*U, POND], [*U, (60, 60, 10, 14)], 1, 1),
-        ([*U], [*U, (60, 20, 3, 123)], 1, 1),
-        ([RIVER], [], 1, 0),
-    ],
-    ids=[
-        "pond new",
-        "pond gone",
-        "split",
-        "merged",
-        "river cut",
-        "river joined",
-        "beside the river",
-        "inside a U",
-        "gone inside a U",
-        "grown inside a U",
-        "U closed",
-        "river gone",
-    ],
-)
+@pytest.mark.parametrize(("before", "after", "removed", "added"), CHANGES.values(), ids=CHANGES)
 def test_changes_of_objects_are_counted(before, after, removed, added):
     labels, edited = field_with(*before), field_with(*after)
     rows, columns = np.nonzero(labels != edited)
@@ -274,68 +250,26 @@ def test_a_map_that_loses_its_last_reference_object_is_refused():
 @pytest.mark.parametrize(
     ("labels", "transform", "sentence"),
     [
-        (
-            houses(0)[1:],
-            FRAME.geotransform,
-            "^The label map has 190 × 149 pixels from 600000.3, 5200000.1, but the data",
-        ),
-        (houses(0), (600001.0, PIXEL, 0, 5200000.1, 0, -PIXEL), "^The label map has 190 × 150 pixels from 600001, "),
-        (
-            houses(0),
-            (600000.3, 1.0, 0, 5200000.1, 0, -1.0),
-            "^The label map has pixels of 1 m, but the database was built",
-        ),
-        (
-            houses(0) + 4 * (houses(0) == 3),
-            FRAME.geotransform,
-            "^The label map has the value 7, which is not a class of the database",
-        ),
+        (houses(0)[1:], FRAME.geotransform, "190 × 149 pixels from 600000.3, 5200000.1, but the data"),
+        (houses(0), (600001.0, PIXEL, 0, 5200000.1, 0, -PIXEL), "190 × 150 pixels from 600001, "),
+        (houses(0), (600000.3, 1.0, 0, 5200000.1, 0, -1.0), "pixels of 1 m, but the database was built"),
+        (houses(0) + 4 * (houses(0) == 3), FRAME.geotransform, "the value 7, which is not a class of the database"),
     ],
     ids=["size", "corner", "pixel size", "classes"],
 )
 def test_a_map_that_does_not_fit_is_refused(labels, transform, sentence):
-    with pytest.raises(LabelMapError, match=sentence):
+    with pytest.raises(LabelMapError, match=f"^The label map has {sentence}"):
         updated(built(houses(0)), labels.astype(np.uint8), frame=MapFrame(FRAME.crs, transform))
 
 
 def test_databases_without_hashes_or_bounds_or_windows_are_refused():
     database = built(houses(0))
     windows = Windows(*(getattr(database.windows, item.name)[1:] for item in fields(Windows)))
+    unhashed = replace(database, parameters=replace(database.parameters, block_hashes=()))
     for lacking, sentence in (
-        (
-            replace(database, parameters=replace(database.parameters, block_hashes=())),
-            "built the database without block hashes",
-        ),
+        (unhashed, "built the database without block hashes"),
         (replace(database, references=replace(database.references, bounds_px=None)), "bounds of landmarks"),
         (replace(database, windows=windows), "windows of level 1, but its grid has"),
     ):
         with pytest.raises(DatabaseError, match=sentence):
             updated(lacking, houses(0))
-
-
-# --- basics ---
-
-
-@pytest.mark.parametrize("kind", MAPS)
-def test_a_region_is_the_same_to_the_last_bit_whatever_piece_it_is_found_in(kind):
-    labels = MAPS[kind](7)
-    whole = {tuple(row[4:]): tuple(row) for row in rows_from_objects(extract_landmarks(labels, (2,), 1))}
-    for column, row in ((0, 0), (17, 5), (61, 44)):
-        piece = extract_landmarks(labels[row:, column:], (2,), 1)
-        rows = rows_from_objects(piece) + (0, column, row, 0, column, row, column, row)
-        found = [tuple(r) for r in rows if r[4] > column and r[5] > row]
-        assert len(found) > 3 and all(whole[r[4:]] == r for r in found)
-
-
-def test_distances_do_not_depend_on_what_else_is_compared():
-    rng = np.random.default_rng(4)
-    vectors = np.round(rng.random((300, 30)), 1).astype(np.float32)
-    vectors[100:] = vectors[:200] + rng.choice((0, 1e-6, -1e-6), (200, 30)).astype(np.float32)
-    windows = vectors, rng.uniform(0, 2000, (300, 2)), np.full(300, 50.0)
-    found = np.concatenate([d for _, d in distinctiveness_module.nearest_distances(windows, windows)])
-    for i in range(0, 300, 13):
-        single = [part[i : i + 1] for part in windows]
-        [(_, distances)] = distinctiveness_module.nearest_distances(single, windows)
-        apart = (np.abs(windows[1] - windows[1][i]) >= 50).any(axis=1)
-        exact = np.sqrt(((vectors[i].astype(float) - vectors[apart]) ** 2).sum(axis=1)).min()
-        assert distances[0] == found[i] == pytest.approx(exact, rel=1e-12)

@@ -2,18 +2,8 @@
 
 import pytest
 
-from semref.core.evaluation import evaluation
-from semref.core.evaluation.evaluation import MOST_IN_A_CELL, Evaluation, EvaluationJob, TrialRanges
-from semref.core.geometry.frame import MapFrame
+from semref.core.evaluation.evaluation import MOST_IN_A_CELL, Evaluation
 from semref.core.localization import Method
-
-
-def test_the_evaluation_gets_all_values_of_the_job(monkeypatch):
-    monkeypatch.setattr(evaluation, "Evaluation", lambda *given: given)
-    frame, ranges = MapFrame.at((1.0, 2.0), 0.5), TrialRanges(missed=(1.0, 2.0))
-    job = EvaluationJob("area.gpkg", "labels.tif", frame, ranges, 7, 20, 2.5)
-    assert job.evaluation("database", "labels") == ("database", "labels", frame, ranges, 7, 20, 2.5)
-
 
 BOTH = [Method.AUTOMATIC, Method.TOPOLOGY_VECTOR]
 

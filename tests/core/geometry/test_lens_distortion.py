@@ -9,7 +9,6 @@ import pytest
 from semref.core.geometry.camera import Camera, Lens
 from semref.core.geometry.lens_distortion import LensDistortion, border
 from semref.core.geometry.leveling import Attitude, leveling
-from semref.core.geometry.pose import turn_of
 
 PHANTOM = LensDistortion(
     (3659.78 / 4864, 3653.17 / 4864),
@@ -115,24 +114,3 @@ def test_a_lens_without_attitude_gives_no_nadir():
 def test_the_shift_is_how_far_corners_are_moved():
     assert LensDistortion((0.75, 0.75), (0, 0), (0.0, 0.0, 0.0)).shift(0.75) == pytest.approx(0, abs=1e-6)
     assert 0.02 < PHANTOM.shift(0.75) < 0.2
-
-
-def test_a_bent_image_of_a_map_is_found_nearer_with_its_lens():
-    """Fit landmarks of a map with known truth, with the lens and without."""
-    random = np.random.default_rng(7)
-    way = leveling(Attitude(0, 0), 0.75 * SHAPE[1], SHAPE, PHANTOM)
-    # Landmarks are not evenly spread: an even spread would hide part of the distortion.
-    level = random.uniform((0.0, 0.0), (way.shape_hw[1], way.shape_hw[0] / 2), (40, 2))
-    seen = way.in_image(level)
-    middle, turn = complex(way.shape_hw[1], way.shape_hw[0]) / 2, turn_of(30.0, 0.5)
-    on_map = 600000 + 5200000j + turn * ((level[:, 0] - middle.real) - 1j * (level[:, 1] - middle.imag))
-
-    def error(points_xy, center):
-        image = (points_xy[:, 0] - center[0]) - 1j * (points_xy[:, 1] - center[1])
-        matrix = np.column_stack([image, np.ones(len(image))])
-        (_, place), *_ = np.linalg.lstsq(matrix, on_map, rcond=None)
-        return abs(place - (600000 + 5200000j))
-
-    without = error(seen, (SHAPE[1] / 2, SHAPE[0] / 2))
-    stated = error(level, (middle.real, middle.imag))
-    assert stated < 1e-6 and without > 1.0

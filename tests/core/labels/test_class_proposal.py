@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pytest
 
-from semref.core.errors import ClassTableError
 from semref.core.labels.class_proposal import FoundClass, proposed_table
 from semref.core.labels.class_table import class_table_from_csv
 
@@ -52,8 +51,3 @@ def test_every_text_of_the_layer_finds_a_class_of_its_own():
     assert len(table) == 6
     found = [table.find(text.strip()) for text in texts[2:5]]
     assert None not in found and len({c.value for c in found}) == 3
-
-
-def test_more_classes_than_a_label_map_has_values_are_refused():
-    with pytest.raises(ClassTableError, match="256"):
-        proposed_table([FoundClass(str(n), f"class {n}") for n in range(256)])

@@ -145,30 +145,21 @@ def test_a_line_may_end_early_or_go_on_and_a_class_may_have_the_value_zero():
 @pytest.mark.parametrize(
     ("rows", "sentence"),
     [
-        (("1,a", "1,b", "2,c"), "The class table has the value 1 more than once; values and names must be unique."),
-        (("1,a", "2,a", "3,b"), "The class table has the name a more than once; values and names must be unique."),
-        (
-            ("1,a", "1,b", "2,c", "2,d"),
-            "The class table has the value 1, 2 more than once; values and names must be unique.",
-        ),
+        (("1,a", "1,b", "2,c"), "value 1"),
+        (("1,a", "2,a", "3,b"), "name a"),
+        (("1,a", "1,b", "2,c", "2,d"), "value 1, 2"),
     ],
 )
 def test_repeated_values_and_names_are_refused(rows, sentence):
-    with refuses(sentence):
+    with refuses(f"The class table has the {sentence} more than once; values and names must be unique."):
         csv(*rows, header="value,name")
 
 
 @pytest.mark.parametrize(
     ("text", "name"),
     [
-        ("", None),
-        ("forest", None),
-        ("8", None),
-        ("1000", None),
-        ("water", "water"),
-        (" Water ", "water"),
-        ("7", "water"),
-        ("007", "water"),
+        *((unknown, None) for unknown in ("", "forest", "8", "1000")),
+        *((known, "water") for known in ("water", " Water ", "7", "007")),
         ("BUILDING", "building"),
     ],
 )
@@ -222,12 +213,6 @@ def test_default_colors_are_valid_distinct_and_always_the_same():
     assert colors[:2] == ["#cc6677", "#332288"]
 
 
-@pytest.mark.parametrize("names", [[], ["b", "a"]], ids=["empty", "two"])
-def test_classes_known_by_name_are_numbered_in_their_order(names):
-    table = class_table_from_names(names)
-    assert [(c.value, c.name, c.role) for c in table] == [(n + 1, name, "background") for n, name in enumerate(names)]
-
-
 def test_a_label_map_has_at_most_255_classes():
     assert len(class_table_from_names(str(n) for n in range(255))) == 255
     with refuses(
@@ -262,34 +247,22 @@ def test_colors_are_read_as_red_green_blue():
 
 
 @pytest.mark.parametrize(
-    ("values", "code"),
+    ("values", "said"),
     [
-        (
-            {"draw_order": float("nan")},
-            "Class “{name}” has a draw_order that is not a finite number; use a number such as 3.",
-        ),
-        (
-            {"draw_order": float("inf")},
-            "Class “{name}” has a draw_order that is not a finite number; use a number such as 3.",
-        ),
-        (
-            {"name": "n" * (limits.NAME_CHARACTERS + 1)},
-            "The name of class {value} has more than {most} characters; use a shorter name.",
-        ),
+        ({"draw_order": float("nan")}, "a draw_order that is not a finite number"),
+        ({"draw_order": float("inf")}, "a draw_order that is not a finite number"),
+        ({"name": "n" * (limits.NAME_CHARACTERS + 1)}, "The name of class 1 has more than"),
     ],
 )
-def test_what_no_file_could_hold_is_refused(values, code):
-    with pytest.raises(ClassTableError) as refused:
+def test_what_no_file_could_hold_is_refused(values, said):
+    with pytest.raises(ClassTableError, match=said):
         LandCoverClass(**{"value": 1, "name": "house", "color": "#ff0000", **values})
-    assert refused.value.sentence.template == code
     assert LandCoverClass(1, "n" * limits.NAME_CHARACTERS, "#ff0000", draw_order=1e300).draw_order == 1e300
 
 
 def test_a_line_too_long_for_any_table_is_refused():
-    line = "value,name\n1," + "n" * 200_000
-    with pytest.raises(ClassTableError) as refused:
-        class_table_from_csv(line, "classes.csv")
-    assert refused.value.sentence.template == "{path} has a line of more than {most} characters. Choose another file."
+    with pytest.raises(ClassTableError, match="classes.csv has a line of more than"):
+        class_table_from_csv("value,name\n1," + "n" * 200_000, "classes.csv")
 
 
 def test_a_table_gets_a_class_for_ground_that_no_polygon_covers():

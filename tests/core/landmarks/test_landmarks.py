@@ -3,11 +3,11 @@
 import cv2
 import numpy as np
 import pytest
+from made_labels import blobs
 
 from semref.core.landmarks.landmarks import (
     extract_landmarks,
     minimum_area_px,
-    objects_from_rows,
     rows_from_objects,
     whole_half_pixels,
 )
@@ -43,11 +43,6 @@ def sorted_rows(rows):
     return rows[np.lexsort(np.round(rows, 6).T)]
 
 
-def random_labels(seed, height=60, width=70, scale=1.5):
-    noise = np.random.default_rng(seed).random((4, height, width)).astype(np.float32)
-    return np.stack([cv2.GaussianBlur(layer, (0, 0), scale) for layer in noise]).argmax(axis=0).astype(np.uint8)
-
-
 @pytest.mark.parametrize(
     "labels",
     [
@@ -68,7 +63,7 @@ def test_an_image_without_reference_classes_has_no_objects(labels):
 @pytest.mark.parametrize("seed", range(6))
 @pytest.mark.parametrize("minimum_area", [0.5, 6.0, 40.0])
 def test_objects_are_those_of_a_plain_computation_region_by_region(seed, minimum_area):
-    labels = random_labels(seed, scale=(0.1, 0.8, 1.5, 3.0)[seed % 4])
+    labels = blobs(seed, (60, 70), range(4), (0.1, 0.8, 1.5, 3.0)[seed % 4])
     found = rows_from_objects(extract_landmarks(labels, [1, 2, 3], minimum_area))
     expected = plain_rows(labels, [1, 2, 3], minimum_area)
     assert found.shape == expected.shape
@@ -112,12 +107,7 @@ def test_pixels_and_lines_have_no_area_and_are_never_objects(lines):
 
 
 def test_pixels_that_touch_at_corners_are_one_region():
-    labels = drawn(
-        "11..",
-        "11..",
-        "..11",
-        "..11",
-    )
+    labels = drawn("11..", "11..", "..11", "..11")
     objects = extract_landmarks(labels, [1], 1.0)
     assert objects.bounds.tolist() == [[0, 0, 4, 4]]
     assert objects.centers_xy.tolist() == [[2.0, 2.0]]
@@ -161,21 +151,12 @@ def test_an_object_that_reaches_the_border_is_marked(row, column, touches):
 
 
 def test_objects_come_by_class_and_then_from_top_to_bottom():
-    labels = random_labels(3, 100, 100)
+    labels = blobs(3, (100, 100), range(4))
     objects = extract_landmarks(labels, [3, 1, 2], 1.0)
     keys = [(c, top, left) for c, (left, top, _, _) in zip(objects.classes.tolist(), objects.bounds.tolist())]
     assert len(keys) > 20 and keys == sorted(keys)
     again = extract_landmarks(labels.copy(), [1, 2, 3], 1.0)
     assert (rows_from_objects(again) == rows_from_objects(objects)).all()
-
-
-@pytest.mark.parametrize("values", [[], [1, 2, 3]], ids=["empty", "three classes"])
-def test_objects_become_rows_and_back(values):
-    objects = extract_landmarks(random_labels(7), values, 4.0)
-    again = objects_from_rows(rows_from_objects(objects), (60, 70))
-    for name in ("centers_xy", "classes", "areas_px", "bounds", "touches_edge"):
-        before, after = getattr(objects, name), getattr(again, name)
-        assert before.dtype == after.dtype and before.tolist() == after.tolist()
 
 
 @pytest.mark.parametrize(

@@ -3,6 +3,7 @@
 import cv2
 import numpy as np
 import pytest
+from made_labels import blobs
 
 from semref.core.labels.sources import ArrayLabels
 from semref.core.landmarks.landmarks import extract_landmarks, rows_from_objects
@@ -23,19 +24,13 @@ def winding():
     return labels
 
 
-def blobs(scale):
-    noise = np.random.default_rng(3).random((2, 120, 150)).astype(np.float32)
-    smooth = np.stack([cv2.GaussianBlur(layer, (0, 0), scale) for layer in noise])
-    return np.array((0, 5), np.uint8)[smooth.argmax(axis=0)]
-
-
-def rows(seed=1):
-    """Return lines that touch only at corners."""
-    ys, xs = np.indices((120, 150))
-    return np.where((ys // 2 + xs // 2) % 4 == 0, 5, 0).astype(np.uint8)
-
-
-MAPS = {"winding": winding(), "blobs": blobs(2.0), "crumbs": blobs(0.7), "corners": rows()}
+YS, XS = np.indices((120, 150))
+MAPS = {
+    "winding": winding(),
+    "blobs": blobs(3, (120, 150), (0, 5), 2.0),
+    "crumbs": blobs(3, (120, 150), (0, 5), 0.7),
+    "corners": np.where((YS // 2 + XS // 2) % 4 == 0, 5, 0).astype(np.uint8),
+}
 
 
 def found_in(labels, places, tile, source=None):

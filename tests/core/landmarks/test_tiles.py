@@ -1,56 +1,165 @@
-"""Landmarks found tile by tile, in any order, equal those of the whole map."""
+"""Landmarks found tile by tile, in any order, equal those of the whole map to the last bit."""
 
 import cv2
 import numpy as np
 import pytest
+from made_labels import blobs
 
 from semref.core.labels.sources import ArrayLabels
+from semref.core.landmarks import border_following
 from semref.core.landmarks.landmarks import extract_landmarks, objects_from_rows, rows_array, rows_from_objects
 from semref.core.landmarks.tiles import crossing_regions, measure_region, tile_landmarks
 
 VALUES = (2, 5, 9)
+SHAPE = HEIGHT, WIDTH = 80, 90
+PATCHED, TRACED = 10**9, 0
+"""Largest number of pixels of a region across tiles that is read as a patch; the border of larger ones is followed."""
 
 
-def blobs(scale, seed):
-    noise = np.random.default_rng(seed).random((4, 70, 90)).astype(np.float32)
-    smooth = np.stack([cv2.GaussianBlur(layer, (0, 0), scale) for layer in noise])
-    return np.array((0, *VALUES), np.uint8)[smooth.argmax(axis=0)]
+def by_tiles(labels_hw, width, height, minimum_area, patch_pixels):
+    found = [
+        tile_landmarks(labels_hw[y : y + height, x : x + width], (x, y), labels_hw.shape, VALUES, minimum_area)
+        for y in range(0, labels_hw.shape[0], height)
+        for x in range(0, labels_hw.shape[1], width)
+    ][::-1]
+    source = ArrayLabels(labels_hw)
+    measured = (measure_region(source, *region, minimum_area, patch_pixels) for region in crossing_regions(found))
+    crossing = rows_array([row for row in measured if row is not None])
+    return objects_from_rows(np.concatenate([crossing, *(tile.rows for tile in found)]), labels_hw.shape)
+
+
+def assert_tiles_are_the_whole(labels_hw, width, height, minimum_area=1.0, patch_pixels=PATCHED):
+    found, whole = (
+        by_tiles(labels_hw, width, height, minimum_area, patch_pixels),
+        extract_landmarks(labels_hw, VALUES, minimum_area),
+    )
+    np.testing.assert_array_equal(rows_from_objects(found), rows_from_objects(whole))
+    np.testing.assert_array_equal(found.touches_edge, whole.touches_edge)
+
+
+# Maps that are hard in different ways.
 
 
 def specks():
-    return np.random.default_rng(1).choice(np.array((0, *VALUES), np.uint8), (70, 90))
+    return np.random.default_rng(1).choice(np.array((0, *VALUES), np.uint8), SHAPE)
+
+
+def snakes(seed=2):
+    rng = np.random.default_rng(seed)
+    labels = blobs(seed, SHAPE, (0, *VALUES), 1.0)
+    for thickness in (1, 1, 1, 2, 3):
+        points = np.stack([rng.integers(0, WIDTH, 12), rng.integers(0, HEIGHT, 12)], axis=1).astype(np.int32)
+        cv2.polylines(labels, [points], False, int(rng.choice(VALUES)), thickness)
+    return labels
+
+
+def spiral():
+    """Return one long line that crosses each band many times, with islands between its turns."""
+    labels = np.zeros((WIDTH, WIDTH), np.uint8)
+    angles = np.linspace(0, 10 * np.pi, 400)
+    points = 45 + np.stack([np.cos(angles), np.sin(angles)], axis=1) * (4 + angles * 1.2)[:, None]
+    cv2.polylines(labels, [np.round(points).astype(np.int32)], False, 5, 2)
+    labels[43:47, 43:47] = 9
+    return labels
+
+
+def combs():
+    """Return teeth up and teeth down: joined only in the last band, or only in the first."""
+    labels = np.zeros(SHAPE, np.uint8)
+    labels[2:36, 3:87:4] = labels[2:36, 4:87:4] = labels[34:36, 3:87] = 2
+    labels[40:78, 3:87:4] = labels[40:78, 4:87:4] = labels[40:42, 3:87] = 2
+    return labels
+
+
+def nested_rings():
+    labels = np.zeros(SHAPE, np.uint8)
+    for n, inset in enumerate(range(1, 38, 3)):
+        cv2.rectangle(labels, (inset, inset), (WIDTH - 1 - inset, 79 - inset), VALUES[n // 4 % 3], 1 + n % 2)
+    return labels
+
+
+def lines():
+    """Return lines one pixel wide without area, and some that enclose area."""
+    labels = np.zeros(SHAPE, np.uint8)
+    labels[:, ::6] = 5
+    labels[5:70, 2] = labels[70, 2:6] = 9
+    cv2.line(labels, (30, 0), (80, 79), 2, 1)
+    cv2.circle(labels, (60, 30), 20, 9, 1)
+    return labels
 
 
 def diagonals():
     """Return regions that continue in the next tile only at corners."""
-    rows, columns = np.indices((70, 90))
+    rows, columns = np.indices(SHAPE)
     return np.where((rows // 3 + columns // 3) % 5 == 0, 5, np.where(rows % 20 == 0, 2, 0)).astype(np.uint8)
 
 
-MAPS = {"blobs": blobs(2.0, 0), "crumbs": blobs(0.8, 3), "specks": specks(), "diagonals": diagonals()}
+MAPS = {
+    "nothing": np.zeros(SHAPE, np.uint8),
+    "one region": np.full(SHAPE, 5, np.uint8),
+    "small blobs": blobs(0, SHAPE, (0, *VALUES), 1.0),
+    "blobs": blobs(0, SHAPE, (0, *VALUES), 2.5),
+    "large blobs": blobs(0, SHAPE, (0, *VALUES), 8.0),
+    **{make.__name__: make() for make in (specks, snakes, spiral, combs, nested_rings, lines, diagonals)},
+}
+each_map = pytest.mark.parametrize("labels", MAPS.values(), ids=MAPS)
+each_way = pytest.mark.parametrize("patch_pixels", [PATCHED, TRACED, 400], ids=["patched", "traced", "both"])
 
 
-def by_tiles(labels, width, height, minimum_area=1.0):
-    found = [
-        tile_landmarks(labels[y : y + height, x : x + width], (x, y), labels.shape, VALUES, minimum_area)
-        for y in range(0, labels.shape[0], height)
-        for x in range(0, labels.shape[1], width)
-    ][::-1]
-    source = ArrayLabels(labels)
-    measured = (measure_region(source, value, region, minimum_area) for value, region in crossing_regions(found))
-    crossing = rows_array([row for row in measured if row is not None])
-    return objects_from_rows(np.concatenate([crossing, *(tile.rows for tile in found)]), labels.shape)
+@pytest.mark.slow
+@each_map
+@each_way
+def test_tiles_of_any_size_give_the_landmarks_of_the_whole_map(labels, patch_pixels):
+    for width, height in ((90, 1), (90, 7), (90, 79), (200, 200), (16, 16), (7, 90), (31, 2), (1, 1)):
+        assert_tiles_are_the_whole(labels, width, height, 1.0, patch_pixels)
 
 
-@pytest.mark.parametrize(
-    "width, height",
-    [(90, 70), (16, 16), (7, 90), (90, 5), pytest.param(1, 1, marks=pytest.mark.slow), (31, 2), (2, 33)],
-)
-@pytest.mark.parametrize("name", MAPS)
-def test_tiles_of_any_size_give_the_landmarks_of_the_whole_to_the_last_bit(name, width, height):
-    found, whole = by_tiles(MAPS[name], width, height), extract_landmarks(MAPS[name], VALUES, 1.0)
-    assert len(whole) > 3
-    np.testing.assert_array_equal(rows_from_objects(found), rows_from_objects(whole))
+@each_map
+@pytest.mark.parametrize("minimum_area", [0.5, 12.0, 100.0])
+def test_the_minimum_area_is_that_of_the_whole_region(labels, minimum_area):
+    for patch_pixels in (PATCHED, TRACED):
+        assert_tiles_are_the_whole(labels, 90, 9, minimum_area, patch_pixels)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_random_maps_turned_and_mirrored_give_the_landmarks_of_the_whole_map(seed):
+    labels = snakes(seed) if seed % 2 else blobs(seed, SHAPE, (0, *VALUES))
+    for turned in (labels, labels[::-1], labels[:, ::-1], labels.T):
+        assert_tiles_are_the_whole(np.ascontiguousarray(turned), 90, 5 + seed, 1.0, TRACED if seed % 3 else PATCHED)
+
+
+DRAWN = {
+    "U": ("##...##", "##...##", "##...##", "#######", "#######"),
+    "arch": ("#######", "#######", "##...##", "##...##", "##...##"),
+    "J": ("##.....", "##...##", "##...##", "#######", "......."),
+    "late start": (".....##", "##...##", "##...##", "#######", "##....."),
+    "corners": ("##.....", "##.....", "..##...", "..##...", "....##."),
+    "comb": ("##.##.##", "##.##.##", "#..#..##", "########", "#..#...#"),
+    "island": ("#######", "#.....#", "#.###.#", "#.###.#", "#.....#", "#######"),
+    "diamond": ("..#..", ".#.#.", "#...#", ".#.#.", "..#.."),
+}
+
+
+@each_way
+@pytest.mark.parametrize("drawing", DRAWN.values(), ids=DRAWN)
+def test_parts_that_join_only_in_another_band_are_one_object(drawing, patch_pixels):
+    labels = np.pad(np.array([[0 if c == "." else 5 for c in line] for line in drawing], np.uint8), 1)
+    for rows in (1, 2, 3, 4):
+        assert_tiles_are_the_whole(labels, 90, rows, 0.5, patch_pixels)
+
+
+@pytest.mark.parametrize("shape", [(1, 1), (1, 40), (40, 1), (2, 2), (300, 3), (3, 300)])
+def test_maps_of_any_shape_can_be_read_in_bands(shape):
+    labels = np.random.default_rng(shape[0]).choice(np.array((0, 5, 5, 5), np.uint8), shape)
+    for rows in (1, 2, 50):
+        assert_tiles_are_the_whole(labels, 300, rows, 0.5, TRACED)
+
+
+@pytest.mark.parametrize("reach", [3, 5])
+def test_what_is_traced_is_equal_across_the_blocks_it_is_read_in(monkeypatch, reach):
+    monkeypatch.setattr(border_following, "_REACH", reach)
+    for name in ("snakes", "spiral", "one region"):
+        assert_tiles_are_the_whole(MAPS[name], 90, 11, 1.0, TRACED)
 
 
 def test_a_tile_has_no_neighbors_beyond_the_edge_of_the_map():

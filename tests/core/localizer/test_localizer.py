@@ -1,36 +1,21 @@
 """The published method from label image to position, and its messages without a position."""
 
-import re
 from dataclasses import replace
 
-import cv2
 import numpy as np
 import pytest
+from made_labels import TABLE, blobs
 
 from semref.core.database.build import BuildSettings, build_from_labels
 from semref.core.errors import DatabaseError, LabelMapError
 from semref.core.geometry.frame import MapFrame
-from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
 from semref.core.localization import Status
 from semref.core.localizer.localizer import Localizer, describe_image
 
-TABLE = ClassTable(
-    (
-        LandCoverClass(2, "building", "#ff0000", "reference"),
-        LandCoverClass(3, "forest", "#00ff00"),
-        LandCoverClass(5, "water", "#0000ff", "reference"),
-    )
-)
 FRAME = MapFrame("a metric CRS", (600000.0, 2.0, 0.0, 5200000.0, 0.0, -2.0))
 SIZE, STRIDE = 60, 20
 SETTINGS = BuildSettings(2.0 * SIZE, 2.0 * STRIDE, minimum_area=28.0)
-
-
-def blobs(seed=0, height=160, width=200):
-    noise = np.random.default_rng(seed).random((4, height, width)).astype(np.float32)
-    smooth = np.stack([cv2.GaussianBlur(layer, (0, 0), 1.8) for layer in noise])
-    return np.array((0, 2, 3, 5), np.uint8)[smooth.argmax(axis=0)]
 
 
 def localizer_of(labels, settings=SETTINGS):
@@ -51,7 +36,7 @@ def cut(labels, name, size=SIZE):
     return labels[row : row + size, column : column + size]
 
 
-MAP = blobs()
+MAP = blobs(0, (160, 200), scale=1.8)
 
 
 @pytest.fixture(scope="module")
@@ -124,18 +109,6 @@ def test_an_image_of_finer_pixels_is_found(factor):
         assert result.window == name and result.distance < 2e-5
 
 
-def test_regular_plots_cut_on_a_window_have_distance_zero():
-    """All distances are tied; map and image must sort the plots in the same order."""
-    plot = np.array([[0, 0], [5, 0], [0, 5]], np.int32)
-    labels = np.zeros((160, 160), np.uint8)
-    for row in range(3, 150, 12):
-        for column in range(3, 150, 12):
-            cv2.fillPoly(labels, [plot + (column, row)], 5)
-    localizer, windows = localizer_of(labels, BuildSettings(120.0, 24.0, 20.0))
-    for name in windows.names:
-        assert localizer.localize_by_topology_vector(cut(labels, name)).distance < 1e-5
-
-
 @pytest.mark.parametrize(("size", "side"), [(30, 5), (40, 7), (60, 20), (44, 25)])
 def test_objects_of_exactly_the_minimum_area_count_in_the_map_and_in_the_image(size, side):
     """In these sizes, a fraction of the window's area ends a rounding error above the area."""
@@ -204,12 +177,6 @@ def test_too_few_references_are_counted_only_where_windows_can_be_matched():
 
 
 def test_a_database_without_any_vector_is_refused():
-    with pytest.raises(
-        DatabaseError,
-        match=re.escape(
-            "No window of the database has the 3 landmarks a topology vector needs; build it with larger "
-            "windows, a smaller minimum area or more reference classes."
-        ),
-    ):
-        localizer, _ = localizer_of(with_blocks((60, 60), (5, 5, 9, 2), (25, 25, 9, 5)))
+    localizer, _ = localizer_of(with_blocks((60, 60), (5, 5, 9, 2), (25, 25, 9, 5)))
+    with pytest.raises(DatabaseError, match="No window of the database has the 3 landmarks a topology vector needs"):
         localizer.check("topology vector")

@@ -146,6 +146,7 @@ def test_a_model_without_class_names_is_refused_without_a_parameter_of_the_plugi
         (["--threads", "0"], "--threads: 0"),
         (["--threads", "1.5"], "--threads: invalid"),
         (["--threads", "1000000000000"], "from 1 to 256"),
+        (["--device", "abacus"], "directml"),
         (["--sun", "361"], "--sun: 361"),
         (["--sun", "nan"], "--sun: nan"),
         (["--risk", "0.9"], "--risk: 0.9"),
@@ -202,13 +203,6 @@ def test_a_full_stdout_is_reported_in_one_sentence(database, repository, tmp_pat
         done = subprocess.run(command, cwd=tmp_path, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
     assert done.returncode == REFUSED
     assert done.stderr == "info: stdout can't be written: No space left on device. Choose another output.\n"
-
-
-def test_a_wrong_command_line_ends_with_the_usage(capsys):
-    with pytest.raises(SystemExit) as ended:
-        main(["localize", "a.png"])
-    assert ended.value.code == WRONG_USAGE
-    assert "--database" in capsys.readouterr().err
 
 
 def test_a_copy_of_core_is_all_that_is_needed(database, image, repository, tmp_path):

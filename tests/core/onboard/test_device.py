@@ -8,7 +8,6 @@ import pytest
 from made_models import NAMES, write_model
 
 from semref.core.labels.class_table import class_table_from_csv
-from semref.core.onboard.command_line import main
 from semref.core.onboard.image_records import label_reader
 from semref.core.onboard.log import start_log
 
@@ -41,9 +40,3 @@ def test_a_device_that_is_not_there_is_a_warning(logged):
     warning, line = logged("cuda")
     assert (warning["level"], warning["event"]) == ("warning", "device")
     assert "CUDA is selected" in warning["reason"] and line["device"] == "CPU"
-
-
-def test_an_unknown_device_is_a_wrong_command_line(capsys):
-    with pytest.raises(SystemExit) as ended:
-        main(["localize", "a.png", "--database", "a.npz", "--device", "abacus"])
-    assert ended.value.code == 2 and "directml" in capsys.readouterr().err

@@ -8,10 +8,7 @@ import json
 import math
 import os
 import shutil
-import subprocess
-import sys
 import threading
-import zipfile
 from datetime import datetime, timezone
 from pathlib import Path
 
@@ -29,8 +26,6 @@ from semref.core.onboard.flight import FORMAT, VERSION
 from semref.core.onboard.read import read_onboard
 from semref.core.onboard.state_file import StateFile
 from semref.core.onboard.write import write_onboard
-
-ROOT = Path(__file__).resolve().parents[3]
 
 STEP = 60
 COUNT = 7
@@ -170,14 +165,6 @@ def test_a_restart_goes_on_where_the_flight_was(watch, folder, tmp_path):
     assert all(off(record, number) < 3 for number, record in zip((5, 6), after))
 
 
-def test_a_state_without_a_flight_is_refused(database, folder, tmp_path, capsys):
-    state = tmp_path / "flight.npz"
-    with pytest.raises(SystemExit) as ended:
-        main(["watch", str(folder), "--database", database, "--once", "--state", str(state)])
-    assert ended.value.code == WRONG_USAGE
-    assert "--flight" in capsys.readouterr().err and not state.exists()
-
-
 @pytest.mark.slow
 def test_the_answers_after_a_restart_are_those_without_one(watch, folder, tmp_path):
     put(folder, range(COUNT))
@@ -218,19 +205,6 @@ def test_a_damaged_state_is_reported_and_the_flight_starts_again(watch, folder, 
     assert state.read_bytes()[:2] == b"PK" and state.stat().st_size > 1000
 
 
-def sign(path, data):
-    """Write a state with the right key."""
-    path.write_bytes(data + StateFile.at(str(path), None).code(data))
-
-
-def zipped(path, method=zipfile.ZIP_STORED, **members):
-    file = io.BytesIO()
-    with zipfile.ZipFile(file, "w", method) as archive:
-        for name, data in members.items():
-            archive.writestr(f"{name}.npy", data)
-    sign(path, file.getvalue())
-
-
 def arrays_of(state):
     with np.load(io.BytesIO(state.read_bytes()[:-32])) as found:
         return dict(found)
@@ -266,14 +240,6 @@ def test_a_state_of_another_database_is_not_used(watch, folder, tmp_path, capsys
     _, records = watch("--state", str(state))
     assert len(records) == 1
     assert "another database" in json.loads(capsys.readouterr().err.splitlines()[-1])["reason"]
-
-
-def test_a_folder_of_the_state_that_is_missing_ends_the_start_once(watch, folder, tmp_path, capsys):
-    put(folder, range(2))
-    code, records = watch("--state", str(tmp_path / "nowhere" / "flight.npz"))
-    assert (code, records) == (REFUSED, [])
-    (line,) = capsys.readouterr().err.splitlines()
-    assert "nowhere" in line and "does not exist" in line
 
 
 # --- ownership of the state ---
@@ -409,29 +375,6 @@ def test_the_next_image_is_localized_while_a_slow_disk_takes_the_state(watch, fo
 
 
 # --- other files at the path of the state ---
-
-
-@pytest.mark.slow
-def test_a_link_with_the_name_of_a_temporary_file_is_not_followed(watch, folder, tmp_path):
-    victim = tmp_path / "victim"
-    victim.write_text("mine", encoding="utf-8")
-    (tmp_path / "flight.npz.part").symlink_to(victim)
-    put(folder, range(1))
-    watch("--state", str(tmp_path / "flight.npz"))
-    assert victim.read_text(encoding="utf-8") == "mine" and (tmp_path / "flight.npz").is_file()
-
-
-@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with names")
-def test_a_pipe_in_the_place_of_the_state_blocks_nothing(folder, database, tmp_path):
-    os.mkfifo(tmp_path / "flight.npz")
-    os.mkfifo(tmp_path / "flight.npz.part")
-    put(folder, range(1))
-    run = [sys.executable, "-m", "core", "watch", str(folder), "--database", database, "--once", "--flight"]
-    ended = subprocess.run(
-        [*run, "--state", str(tmp_path / "flight.npz")], cwd=ROOT, capture_output=True, timeout=60, check=False
-    )
-    assert ended.returncode == REFUSED and b"not a regular file" in ended.stderr
-    assert (tmp_path / "flight.npz").is_fifo()
 
 
 # --- older onboard files ---

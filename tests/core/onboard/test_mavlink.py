@@ -11,11 +11,11 @@ from datetime import datetime, timezone
 import cv2
 import numpy as np
 import pytest
-from onboard_area import CENTER, HERE, LIKELY, SMALL, linear, write_area
+from onboard_area import CENTER, HERE, linear, write_area
 
 from semref.core.errors import ParameterError
 from semref.core.geometry.lon_lat import fit_lon_lat, local_axes, meters_from
-from semref.core.onboard.command_line import ALL_FIXED, REFUSED, SOME_WITHOUT_FIX, WRONG_USAGE, main
+from semref.core.onboard.command_line import ALL_FIXED, REFUSED, WRONG_USAGE, main
 from semref.core.onboard.mavlink import UNKNOWN, MavlinkOptions, MavlinkSink
 
 EXTENT = (600000.0, 5199300.0, 600700.0, 5200000.0)
@@ -225,19 +225,6 @@ def test_watch_sends_positions_to_an_autopilot(database, autopilot, tmp_path):
     row, found = json.loads(fixes.read_text()), heard("COMMAND_INT")
     assert found.x == pytest.approx(row["latitude"] * 1e7, abs=1)
     assert found.y == pytest.approx(row["longitude"] * 1e7, abs=1)
-
-
-def test_watch_sends_no_likely_position_to_an_autopilot(database, autopilot, tmp_path):
-    folder = tmp_path / "incoming"
-    folder.mkdir()
-    cv2.imwrite(str(folder / "a.png"), SMALL)
-    where, heard = autopilot
-    fixes = tmp_path / "fixes"
-    arguments = ["watch", str(folder), "--database", database, "--once", "--fixes", str(fixes), "--mavlink", where]
-    assert main([*arguments, "--mavlink-as", "external", *LIKELY]) == SOME_WITHOUT_FIX
-    assert json.loads(fixes.read_text())["status"] == "likely"
-    assert heard(None).get_type() == "HEARTBEAT"
-    assert heard(None, 0.2) is None
 
 
 @pytest.mark.parametrize(

@@ -58,10 +58,6 @@ def refusal(path, key) -> str:
     return str(refused.value)
 
 
-def test_a_signed_file_needs_no_key_where_nobody_asks(folder):
-    assert len(read_onboard(str(folder / "signed.npz")).database.references)
-
-
 def test_an_unsigned_file_is_refused(folder):
     assert "is not signed" in refusal(folder / "unsigned.npz", folder / "key")
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 import re
-import shutil
 import socket
 import subprocess
 import sys
@@ -113,15 +112,6 @@ def test_watch_takes_an_image_when_it_is_complete(monkeypatch):
     assert [next(arriving), next(arriving), next(arriving)] == ["b", "a", "b"]
 
 
-def test_watch_takes_images_as_they_come(watching, folder):
-    process = watching()
-    for name in ("a.png", "b.png"):
-        put(folder, name)
-        found = json.loads(process.stdout.readline())
-        assert (found["image"], found["status"]) == (str(Path("incoming", name)), "fix")
-    assert process.poll() is None
-
-
 # --- faults that must not end it ---
 
 
@@ -147,26 +137,6 @@ def test_with_once_the_images_beside_a_link_to_itself_are_done(database, folder,
     put(folder, os.fsdecode(b"\xff.png"))
     assert main(["watch", str(folder), "--database", database, "--once"]) == ALL_FIXED
     assert json.loads(capsys.readouterr().out)["status"] == "fix"
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("replaced_by_a_file", [True, False])
-def test_a_folder_that_is_gone_is_waited_for(watching, folder, replaced_by_a_file):
-    process = watching()
-    put(folder, "a.png")
-    assert json.loads(process.stdout.readline())["status"] == "fix"
-    shutil.rmtree(folder)
-    if replaced_by_a_file:
-        folder.write_text("no folder")
-    told = json.loads(process.stderr.readline())
-    assert (told["level"], told["event"], told["folder"]) == ("error", "folder_gone", "incoming")
-    # It is reported once, not at each look.
-    time.sleep(3 * watch.LOOK_EVERY_S)
-    folder.unlink(missing_ok=True)
-    folder.mkdir()
-    assert json.loads(process.stderr.readline())["event"] == "folder_back"
-    put(folder, "b.png")
-    assert json.loads(process.stdout.readline())["image"] == str(Path("incoming", "b.png"))
 
 
 def test_with_once_a_folder_that_is_gone_is_an_error(database, folder, monkeypatch, capsys):

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from made_models import painted, write_model
 
-from semref.core.errors import ModelError
 from semref.core.segmentation.devices import (
     AUTO,
     AUTOMATIC,
@@ -20,6 +19,7 @@ from semref.core.segmentation.devices import (
 )
 from semref.core.segmentation.model import SegmentationModel
 from semref.core.segmentation.network import TILES_AT_ONCE
+from semref.core.segmentation.session import open_session
 from semref.core.sentences import english
 
 EVERY = [device.provider for device in AUTOMATIC]
@@ -140,14 +140,6 @@ def test_a_missing_device_is_replaced_with_a_note_on_its_package(load, monkeypat
     assert "OpenVINO is selected" in fallback and "onnxruntime-openvino" in fallback
 
 
-def test_a_file_that_is_no_model_is_refused_with_its_own_sentence(tmp_path, monkeypatch):
-    FakeOnnxruntime(monkeypatch, EVERY)
-    path = tmp_path / "m.onnx"
-    path.write_bytes(b"hello")
-    with pytest.raises(ModelError, match="is not an ONNX model"):
-        SegmentationModel(str(path), 1)
-
-
 def test_what_onnxruntime_prints_of_missing_libraries_is_the_reason(load, monkeypatch, capsys):
     import onnxruntime
 
@@ -157,6 +149,12 @@ def test_what_onnxruntime_prints_of_missing_libraries_is_the_reason(load, monkey
     (fallback,) = map(english, load("cuda").fallbacks)
     assert "CUDA could not be started (Failed to load libcublasLt.so.12: no such file)" in fallback
     assert capsys.readouterr().out == ""
+
+
+def test_a_run_that_fails_is_not_tried_elsewhere(load, tmp_path):
+    load()
+    session = open_session(str(tmp_path / "m.onnx"), 1, CPU.provider)
+    assert session.get_providers() == [CPU.provider] and session._enable_fallback is False
 
 
 def test_images_that_were_looked_at_are_counted(load):

@@ -199,12 +199,6 @@ def test_missing_statements_are_asked_for(tmp_path):
     assert "Enter the license" in refusal(source, BUILDINGS, tmp_path)
 
 
-def test_a_file_that_is_no_network_is_refused(tmp_path):
-    (tmp_path / "text.onnx").write_text("class;name")
-    assert "is not an ONNX model" in refusal(tmp_path / "text.onnx", FACTS, tmp_path)
-    assert "does not exist" in refusal(tmp_path / "missing.onnx", FACTS, tmp_path)
-
-
 def test_class_numbers_and_weights_in_other_files_are_refused(tmp_path):
     numbers = write_model(
         tmp_path / "numbers.onnx",

@@ -3,6 +3,7 @@
 import cv2
 import numpy as np
 import pytest
+from made_labels import squares
 
 from semref.core.landmarks.landmarks import extract_landmarks
 from semref.core.simulation.label_errors import spoil_labels
@@ -99,15 +100,6 @@ def test_an_image_of_one_class_stays_what_it_is(noise):
 
 
 # --- landmarks drawn into labels ---
-
-
-def squares(size=400):
-    """Return 100 squares of classes 1 and 2 on class 7."""
-    labels = np.full((size, size), 7, np.uint8)
-    for top in range(10, size - 20, 40):
-        for left in range(10, size - 20, 40):
-            labels[top : top + 20, left : left + 20] = 1 + (top // 40 + left // 40) % 2
-    return labels
 
 
 def spoiled_squares(noise, seed=0, donor=None):

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from made_labels import squares
 
 from semref.core.landmarks.landmarks import Landmarks, extract_landmarks
 from semref.core.simulation.label_errors import spoil_labels
@@ -9,15 +10,6 @@ from semref.core.simulation.landmark_errors import spoil_landmarks, with_moved_b
 from semref.core.simulation.noise import LabelNoise
 
 SIZE = 1000, 1000
-
-
-def squares(size=400):
-    """Return 100 squares of classes 1 and 2 on class 7."""
-    labels = np.full((size, size), 7, np.uint8)
-    for top in range(10, size - 20, 40):
-        for left in range(10, size - 20, 40):
-            labels[top : top + 20, left : left + 20] = 1 + (top // 40 + left // 40) % 2
-    return labels
 
 
 def many_landmarks(count=4000):

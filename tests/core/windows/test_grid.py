@@ -8,10 +8,6 @@ from semref.core.errors import WindowError
 from semref.core.windows.grid import WindowGrid, centered_square, window_name
 
 
-def refuses(sentence):
-    return pytest.raises(WindowError, match=f"^{re.escape(sentence)}$")
-
-
 @pytest.mark.parametrize(
     ("width", "height", "size", "stride", "columns", "rows"),
     [
@@ -29,20 +25,18 @@ def test_only_windows_completely_on_the_map_count(width, height, size, stride, c
     assert len(grid) == len(columns) * len(rows)
 
 
-def test_a_stride_larger_than_the_window_is_refused():
-    with refuses(
-        "The stride (31 px) is larger than the window (30 px), so windows would leave gaps; "
-        "choose a stride up to the window size."
-    ):
-        WindowGrid(100, 100, 30, 31)
-
-
-@pytest.mark.parametrize(("width", "height"), [(0, 0), (29, 100), (100, 29)])
-def test_a_window_larger_than_the_map_is_refused(width, height):
-    with refuses(
-        f"The window (30 px) is larger than the map ({width} × {height} px); choose a smaller window or a larger map."
-    ):
-        WindowGrid(width, height, 30, 10)
+@pytest.mark.parametrize(
+    ("width", "height", "stride", "sentence"),
+    [
+        (100, 100, 31, "The stride (31 px) is larger than the window (30 px)"),
+        (0, 0, 10, "The window (30 px) is larger than the map (0 × 0 px)"),
+        (29, 100, 10, "The window (30 px) is larger than the map (29 × 100 px)"),
+        (100, 29, 10, "The window (30 px) is larger than the map (100 × 29 px)"),
+    ],
+)
+def test_a_stride_larger_than_the_window_and_a_window_larger_than_the_map_are_refused(width, height, stride, sentence):
+    with pytest.raises(WindowError, match=f"^{re.escape(sentence)}"):
+        WindowGrid(width, height, 30, stride)
 
 
 def test_windows_are_named_after_their_first_pixel_column_first():

@@ -1,0 +1,32 @@
+"""Label maps with random regions, and the class table of three of their classes."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from semref.core.labels.class_table import ClassTable, LandCoverClass
+
+TABLE = ClassTable(
+    (
+        LandCoverClass(2, "building", "#ff0000", "reference"),
+        LandCoverClass(3, "forest", "#00ff00"),
+        LandCoverClass(5, "water", "#0000ff", "reference"),
+    )
+)
+
+
+def blobs(seed: int, shape_hw: tuple[int, int], values=(0, 2, 3, 5), scale: float = 1.5) -> np.ndarray:
+    """Return (H, W) uint8 blobs of all values; `scale` is about their size in pixels."""
+    noise = np.random.default_rng(seed).random((len(values), *shape_hw)).astype(np.float32)
+    smooth = np.stack([cv2.GaussianBlur(layer, (0, 0), scale) for layer in noise])
+    return np.array(values, np.uint8)[smooth.argmax(axis=0)]
+
+
+def squares(size: int = 400) -> np.ndarray:
+    """Return (size, size) uint8: 100 squares of classes 1 and 2 on class 7, with the usual size."""
+    labels = np.full((size, size), 7, np.uint8)
+    for top in range(10, size - 20, 40):
+        for left in range(10, size - 20, 40):
+            labels[top : top + 20, left : left + 20] = 1 + (top // 40 + left // 40) % 2
+    return labels
