@@ -36,36 +36,18 @@ def test_a_larger_map_and_a_capped_search_ask_for_more():
 
 
 @pytest.mark.parametrize(
-    ("changed", "rivals", "status", "code"),
+    ("changed", "rivals", "status", "said"),
     [
         ({}, 0, Status.FIX, None),
-        (
-            {"log_odds": 8.0},
-            0,
-            Status.NO_MATCH,
-            (
-                "The best candidate position (log odds {log_odds:.1f}) has an error probability of {risk:.2g}; at most "
-                "{allowed:.2g} is allowed."
-            ),
-        ),
-        ({"runner_up": 199.0}, 1, Status.AMBIGUOUS, "{count} other position fits almost as well as the best one."),
-        (
-            {"mirror": 199.0},
-            0,
-            Status.NO_MATCH,
-            "The mirrored image matches almost as well; the pattern of landmarks is too regular.",
-        ),
-        (
-            {"mirror": 199.0, "runner_up": 199.0},
-            1,
-            Status.NO_MATCH,
-            "The mirrored image matches almost as well; the pattern of landmarks is too regular.",
-        ),
+        ({"log_odds": 8.0}, 0, Status.NO_MATCH, "The best candidate position (log odds 8.0) has an error probability"),
+        ({"runner_up": 199.0}, 1, Status.AMBIGUOUS, "1 other position fits almost as well as the best one."),
+        ({"mirror": 199.0}, 0, Status.NO_MATCH, "The mirrored image matches almost as well"),
+        ({"mirror": 199.0, "runner_up": 199.0}, 1, Status.NO_MATCH, "The mirrored image matches almost as well"),
     ],
 )
-def test_the_reason_states_what_is_missing(changed, rivals, status, code):
+def test_the_reason_states_what_is_missing(changed, rivals, status, said):
     found, reason = verdict(replace(SURE, **changed), rivals, RISK, CONSTELLATION.decision)
-    assert (found, reason and reason.template) == (status, code)
+    assert found == status and (reason is None if said is None else str(reason).startswith(said))
 
 
 def test_the_risk_that_is_allowed_decides():

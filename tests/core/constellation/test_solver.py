@@ -151,23 +151,20 @@ def test_a_regular_lattice_of_plots_gets_no_fix_on_its_own_map():
         assert solve(plots, plots.see(view)).status in (Status.AMBIGUOUS, Status.NO_MATCH)
 
 
-def test_two_places_that_are_alike_are_named_as_alternatives():
+@pytest.fixture(scope="module")
+def twins():
+    """Return a town that is on its map twice."""
     piece = town(9, 1200, 500)
-    labels = np.zeros((1200, 2600), np.uint8)
-    labels[:, :1200] = piece
-    labels[:, 1400:] = piece
-    twins = Ground(labels)
+    return Ground(np.hstack([piece, np.zeros((1200, 200), np.uint8), piece]))
+
+
+def test_two_places_that_are_alike_are_named_as_alternatives(twins):
     result = solve(twins, twins.see(seen_from(600, 600, 20.0)))
     assert result.status == Status.AMBIGUOUS and len(result.alternatives) == 2
     assert abs(result.alternatives[1].position[0] - result.best.position[0]) == pytest.approx(1400, abs=1)
 
 
-def test_a_prior_distinguishes_twins():
-    piece = town(9, 1200, 500)
-    labels = np.zeros((1200, 2600), np.uint8)
-    labels[:, :1200] = piece
-    labels[:, 1400:] = piece
-    twins = Ground(labels)
+def test_a_prior_distinguishes_twins(twins):
     view = seen_from(2000, 600, 20.0)
     prior = dataclasses.replace(PRIOR, position=(ORIGIN[0] + 2100, ORIGIN[1] - 550), radius=300.0)
     result = solve(twins, twins.see(view), prior)

@@ -20,53 +20,18 @@ from semref.core.localization import CorrelationPeaks, Status
 
 
 @pytest.mark.parametrize(
-    "peaks, status, code",
+    "peaks, status, said",
     [
         (CorrelationPeaks(0.7, 0.3, 0.3, 30.0, 2.0), Status.FIX, None),
-        (
-            CorrelationPeaks(0.1, 0.0, 0.0),
-            Status.NO_MATCH,
-            (
-                "The best match ({score:.2f}) is not significantly better than chance: error probability {risk:.2g}; "
-                "at most {allowed:.2g} is allowed."
-            ),
-        ),
-        (
-            CorrelationPeaks(0.7, 0.3, 0.65),
-            Status.NO_MATCH,
-            (
-                "The match ({score:.2f}) is not significantly better than for the mirrored image ({mirror:.2f}): "
-                "error probability {risk:.2g}; at most {allowed:.2g} is allowed."
-            ),
-        ),
-        (
-            CorrelationPeaks(0.7, 0.69, 0.3, 30.0, 29.0),
-            Status.AMBIGUOUS,
-            (
-                "Two places match almost equally well ({score:.2f} and {runner_up:.2f}): error probability {risk:.2g} "
-                "for the better one. Set a prior position to choose between them."
-            ),
-        ),
-        (
-            CorrelationPeaks(0.41, 0.4, 0.38),
-            Status.NO_MATCH,
-            (
-                "The best match ({score:.2f}) is not significantly better than chance: error probability {risk:.2g}; "
-                "at most {allowed:.2g} is allowed."
-            ),
-        ),
+        (CorrelationPeaks(0.1, 0.0, 0.0), Status.NO_MATCH, "not significantly better than chance"),
+        (CorrelationPeaks(0.7, 0.3, 0.65), Status.NO_MATCH, "not significantly better than for the mirrored image"),
+        (CorrelationPeaks(0.7, 0.69, 0.3, 30.0, 29.0), Status.AMBIGUOUS, "Two places match almost equally well"),
+        (CorrelationPeaks(0.41, 0.4, 0.38), Status.NO_MATCH, "not significantly better than chance"),
     ],
 )
-def test_a_fix_needs_a_score_and_a_lead_over_both_opponents(peaks, status, code):
+def test_a_fix_needs_a_score_and_a_lead_over_both_opponents(peaks, status, said):
     found, reason = decide(peaks)
-    assert (found, reason and reason.template) == (status, code)
-
-
-def test_a_larger_risk_that_is_allowed_makes_a_fix_of_a_smaller_lead():
-    peaks = CorrelationPeaks(0.45, 0.3, 0.3, 8.0)
-    risk = risk_of_peaks(peaks)
-    assert 1e-9 < risk < 0.5
-    assert decide(peaks, 1.01 * risk)[0] == Status.FIX != decide(peaks, 0.99 * risk)[0]
+    assert found == status and (reason is None if said is None else said in str(reason))
 
 
 def test_the_risk_falls_with_the_lead_over_the_stronger_opponent_and_with_the_detail():

@@ -111,9 +111,15 @@ def test_an_image_is_found_on_a_map_of_only_buildings(labels):
     assert result.status == "fix" and error_m(result.best, center) < 2.0
 
 
-def test_a_place_that_is_on_the_map_twice_is_ambiguous(labels):
-    doubled = labels.copy()
-    doubled[1100:1800, 1700:2500] = doubled[200:900, 300:1100]
+@pytest.fixture(scope="module")
+def doubled(labels):
+    """Return the map with one place twice."""
+    labels = labels.copy()
+    labels[1100:1800, 1700:2500] = labels[200:900, 300:1100]
+    return labels
+
+
+def test_a_place_that_is_on_the_map_twice_is_ambiguous(doubled):
     pyramid = MapPyramid(most_frequent_labels(doubled), FRAME)
     result = localize(view(doubled, (700, 550), 15, 1.0, (480, 480)), pyramid, PRIOR)
     assert result.status == "ambiguous"
@@ -123,9 +129,7 @@ def test_a_place_that_is_on_the_map_twice_is_ambiguous(labels):
     assert error_m(result.alternatives[1], other) < 16
 
 
-def test_a_prior_distinguishes_the_two_places(labels):
-    doubled = labels.copy()
-    doubled[1100:1800, 1700:2500] = doubled[200:900, 300:1100]
+def test_a_prior_distinguishes_the_two_places(doubled):
     pyramid = MapPyramid(most_frequent_labels(doubled), FRAME)
     prior = replace(PRIOR, position=(ORIGIN[0] + 2000, ORIGIN[1] - 1400), radius=300.0)
     result = localize(view(doubled, (2100, 1450), 15, 1.0, (480, 480)), pyramid, prior)

@@ -12,6 +12,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
+from made_tiff import image_tiff
 from PIL import Image
 from PIL.PngImagePlugin import PngImageFile
 
@@ -157,50 +158,22 @@ def test_a_picture_under_the_name_of_another_kind_is_refused(image, tmp_path, na
             read(path)
 
 
-def tiff(samples, photometric, **tags) -> bytes:
-    """Return the bytes of a TIFF; OpenCV writes neither palettes nor opacity nor nodata.
-
-    samples: (height, width) or (height, width, bands) uint8; tags by number, as text, or as 16-bit numbers.
-    """
-    height, width = samples.shape[:2]
-    bands = samples.shape[2] if samples.ndim == 3 else 1
-    entries = {
-        256: (width,), 257: (height,), 258: (8,) * bands, 259: (1,), 262: (photometric,), 277: (bands,), 278: (height,),
-        **{int(name[1:]): value for name, value in tags.items()},
-    }  # fmt: skip
-    entries[273] = entries[279] = None
-    start = 8 + 2 + 12 * len(entries) + 4
-    directory, beyond = b"", b""
-    for tag, value in sorted(entries.items()):
-        if tag == 273:
-            directory += struct.pack("<HHII", tag, 4, 1, 100_000)
-        elif tag == 279:
-            directory += struct.pack("<HHII", tag, 4, 1, samples.size)
-        else:
-            data = value if isinstance(value, bytes) else struct.pack(f"<{len(value)}H", *value)
-            directory += struct.pack("<HHI", tag, 2 if isinstance(value, bytes) else 3, len(value))
-            directory += data.ljust(4, b"\0") if len(data) <= 4 else struct.pack("<I", start + len(beyond))
-            beyond += data if len(data) > 4 else b""
-    head = b"II*\0" + struct.pack("<IH", 8, len(entries)) + directory + bytes(4) + beyond
-    return head.ljust(100_000, b"\0") + samples.tobytes()
-
-
 def test_a_palette_of_a_tiff_is_not_taken_for_colors(tmp_path):
     palette = tuple(np.random.default_rng(2).integers(0, 65536, 768).tolist())
-    (tmp_path / "paletted.tif").write_bytes(tiff(LABELS, 3, t320=palette))
+    (tmp_path / "paletted.tif").write_bytes(image_tiff(LABELS, 3, t320=palette))
     np.testing.assert_array_equal(read_label_image(str(tmp_path / "paletted.tif"), TABLE), LABELS)
 
 
 def test_a_palette_of_fewer_bits_is_read_too(tmp_path):
     packed = LABELS[:, 0::2] << 4 | LABELS[:, 1::2]
-    data = tiff(packed, 3, t256=(LABELS.shape[1],), t258=(4,), t320=(0,) * 48)
+    data = image_tiff(packed, 3, t256=(LABELS.shape[1],), t258=(4,), t320=(0,) * 48)
     (tmp_path / "paletted.tif").write_bytes(data)
     np.testing.assert_array_equal(read_label_image(str(tmp_path / "paletted.tif"), TABLE), LABELS)
 
 
 @pytest.mark.parametrize("orientation", range(1, 9))
 def test_a_tiff_is_read_in_pixel_order_with_any_orientation(tmp_path, orientation):
-    (tmp_path / "turned.tif").write_bytes(tiff(LABELS[:40], 1, t274=(orientation,)))
+    (tmp_path / "turned.tif").write_bytes(image_tiff(LABELS[:40], 1, t274=(orientation,)))
     np.testing.assert_array_equal(read_label_image(str(tmp_path / "turned.tif"), TABLE), LABELS[:40])
     photo, _ = read_photo(str(tmp_path / "turned.tif")).image.read(0, 0, 100, 40)
     np.testing.assert_array_equal(photo[..., 0], LABELS[:40])
@@ -217,7 +190,7 @@ def test_gray_of_fewer_bits_has_its_own_values(tmp_path, bits):
 
 
 def test_nodata_of_a_label_image_is_unlabeled(tmp_path):
-    (tmp_path / "labels.tif").write_bytes(tiff(LABELS, 1, t42113=b"3\0"))
+    (tmp_path / "labels.tif").write_bytes(image_tiff(LABELS, 1, t42113=b"3\0"))
     np.testing.assert_array_equal(
         read_label_image(str(tmp_path / "labels.tif"), TABLE), np.where(LABELS == 3, 0, LABELS)
     )
@@ -227,7 +200,7 @@ def test_a_photo_has_no_data_where_all_its_bands_are_nodata(tmp_path):
     pixels = np.random.default_rng(1).integers(1, 4, (20, 30, 3)).astype(np.uint8)
     pixels[5:9, 4:20] = 7
     pixels[0, 0] = 7, 7, 1
-    (tmp_path / "photo.tif").write_bytes(tiff(pixels, 2, t42113=b"7\0"))
+    (tmp_path / "photo.tif").write_bytes(image_tiff(pixels, 2, t42113=b"7\0"))
     photo, has_data = read_photo(str(tmp_path / "photo.tif")).image.read(0, 0, 30, 20)
     expected = ~(pixels == 7).all(axis=2)
     np.testing.assert_array_equal(has_data, expected)
@@ -235,7 +208,7 @@ def test_a_photo_has_no_data_where_all_its_bands_are_nodata(tmp_path):
 
 
 def test_a_gray_photo_with_nodata_is_gray_where_it_has_data(tmp_path):
-    (tmp_path / "photo.tif").write_bytes(tiff(LABELS, 1, t42113=b"2\0"))
+    (tmp_path / "photo.tif").write_bytes(image_tiff(LABELS, 1, t42113=b"2\0"))
     photo, has_data = read_photo(str(tmp_path / "photo.tif")).image.read(0, 0, 100, 100)
     np.testing.assert_array_equal(has_data, LABELS != 2)
     np.testing.assert_array_equal(photo, np.repeat(np.where(LABELS == 2, 0, LABELS)[..., None], 3, axis=2))
@@ -244,7 +217,7 @@ def test_a_gray_photo_with_nodata_is_gray_where_it_has_data(tmp_path):
 def test_colors_of_a_half_transparent_tiff_are_as_they_were_written(tmp_path):
     pixels = np.random.default_rng(1).integers(1, 256, (20, 30, 4)).astype(np.uint8)
     pixels[3, 4:9, 3] = 0
-    (tmp_path / "photo.tif").write_bytes(tiff(pixels, 2, t338=(2,)))
+    (tmp_path / "photo.tif").write_bytes(image_tiff(pixels, 2, t338=(2,)))
     photo, has_data = read_photo(str(tmp_path / "photo.tif")).image.read(0, 0, 30, 20)
     np.testing.assert_array_equal(has_data, pixels[..., 3] > 0)
     np.testing.assert_array_equal(photo[has_data], pixels[has_data][:, :3])
@@ -252,7 +225,7 @@ def test_colors_of_a_half_transparent_tiff_are_as_they_were_written(tmp_path):
 
 def test_a_fourth_band_that_is_no_opacity_hides_nothing(tmp_path):
     pixels = np.random.default_rng(1).integers(0, 256, (20, 30, 4)).astype(np.uint8)
-    (tmp_path / "photo.tif").write_bytes(tiff(pixels, 2, t338=(0,)))
+    (tmp_path / "photo.tif").write_bytes(image_tiff(pixels, 2, t338=(0,)))
     photo, has_data = read_photo(str(tmp_path / "photo.tif")).image.read(0, 0, 30, 20)
     assert has_data is None or has_data.all()
     np.testing.assert_array_equal(photo, pixels[..., :3])

@@ -7,27 +7,14 @@ import struct
 
 import numpy as np
 import pytest
+from made_tiff import tiff
 
 from semref.core import limits
 from semref.core.labels.tiff import NODATA, BoundedFile, nodata_of, pixel_size_m, read_directory
 
-CODES = {2: "s", 3: "H", 4: "I", 12: "d"}
 SHAPE_HW = (100, 200)
 METERS = (1024, 0, 1, 1), (3076, 0, 1, 9001)
 DEGREES = (1024, 0, 1, 2), (2054, 0, 1, 9102)
-
-
-def tiff(entries, order="<") -> bytes:
-    """Return a TIFF with only a directory of (tag, kind, values)."""
-    place = 8 + 2 + 12 * len(entries) + 4
-    head, content = b"", b""
-    for tag, kind, values in entries:
-        data = values if kind == 2 else struct.pack(f"{order}{len(values)}{CODES[kind]}", *values)
-        head += struct.pack(order + "HHI", tag, kind, len(values))
-        head += data.ljust(4, b"\0") if len(data) <= 4 else struct.pack(order + "I", place + len(content))
-        content += b"" if len(data) <= 4 else data
-    magic = b"II*\0" if order == "<" else b"MM\0*"
-    return magic + struct.pack(order + "IH", 8, len(entries)) + head + bytes(4) + content
 
 
 def tags_of(data):

@@ -1,8 +1,9 @@
-"""One made map and its onboard file, for the tests of reading, writing and the format."""
+"""Two made maps and their onboard files: `written` for reading and writing, `area` for images of it."""
 
 from __future__ import annotations
 
 import pytest
+from onboard_area import write_area
 from onboard_blobs import build_blobs, linear
 
 from semref.core.geometry.lon_lat import fit_lon_lat
@@ -24,3 +25,18 @@ def written(database, lon_lat, tmp_path_factory):
     path = tmp_path_factory.mktemp("onboard") / "area.npz"
     write_onboard(str(path), database, lon_lat)
     return path
+
+
+@pytest.fixture(scope="session")
+def area(tmp_path_factory) -> str:
+    """Return the path of the onboard file of `onboard_area`."""
+    path = str(tmp_path_factory.mktemp("onboard") / "area.npz")
+    write_area(path)
+    return path
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """Return an empty folder, in which images arrive."""
+    (tmp_path / "incoming").mkdir()
+    return tmp_path / "incoming"

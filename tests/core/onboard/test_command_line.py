@@ -12,20 +12,13 @@ import cv2
 import numpy as np
 import pytest
 from made_models import metadata, write_model
-from onboard_area import CENTER, HERE, LIKELY, NOTHING, SMALL, copy_core, linear, write_area
+from onboard_area import CENTER, HERE, LIKELY, NOTHING, SMALL, copy_core, linear
 
 from semref.core.localization import Method
 from semref.core.localizer.localizer import Localizer
 from semref.core.onboard import command_line
 from semref.core.onboard.command_line import ALL_FIXED, REFUSED, SOME_WITHOUT_FIX, WRONG_USAGE, main
 from semref.core.onboard.read import read_onboard
-
-
-@pytest.fixture(scope="module")
-def database(tmp_path_factory):
-    path = str(tmp_path_factory.mktemp("onboard") / "area.npz")
-    write_area(path)
-    return path
 
 
 @pytest.fixture
@@ -40,22 +33,22 @@ def image(tmp_path):
 # --- info and localize ---
 
 
-def test_info_shows_the_content_of_the_file(database, capsys):
-    assert main(["info", database]) == ALL_FIXED
+def test_info_shows_the_content_of_the_file(area, capsys):
+    assert main(["info", area]) == ALL_FIXED
     said = capsys.readouterr().out
     for text in ("references:", "1 building, 2 water", "position_error", "content_hash"):
         assert text in said
-    assert main(["info", database, "--json"]) == ALL_FIXED
+    assert main(["info", area, "--json"]) == ALL_FIXED
     found = json.loads(capsys.readouterr().out)
-    assert (found["references"], found["crs"]) == (len(read_onboard(database).database.references), "a metric CRS")
+    assert (found["references"], found["crs"]) == (len(read_onboard(area).database.references), "a metric CRS")
     assert found["extent"] == [600000, 5199300, 600700, 5200000]
 
 
-def test_an_image_is_localized_as_the_localizer_does(database, image, capsys):
+def test_an_image_is_localized_as_the_localizer_does(area, image, capsys):
     path = image("here.png")
-    assert main(["localize", path, "--database", database, "--json"]) == ALL_FIXED
+    assert main(["localize", path, "--database", area, "--json"]) == ALL_FIXED
     found = json.loads(capsys.readouterr().out)
-    expected = Localizer(read_onboard(database).database).localize(HERE, Method.AUTOMATIC)
+    expected = Localizer(read_onboard(area).database).localize(HERE, Method.AUTOMATIC)
     assert (found["image"], found["status"]) == (path, "fix")
     assert (found["x"], found["y"]) == expected.position
     assert found["x"], found["y"] == pytest.approx(CENTER, abs=0.5)
@@ -64,22 +57,22 @@ def test_an_image_is_localized_as_the_localizer_does(database, image, capsys):
     assert (found["longitude"], found["latitude"]) == pytest.approx((longitudes[0], latitudes[0]), abs=1e-7)
 
 
-def test_without_json_a_person_can_read_it(database, image, capsys):
-    assert main(["localize", image("here.png"), "--database", database]) == ALL_FIXED
+def test_without_json_a_person_can_read_it(area, image, capsys):
+    assert main(["localize", image("here.png"), "--database", area]) == ALL_FIXED
     said = capsys.readouterr().out
     assert re.search(r"here\.png: fix, 600250\.\d+ 5199600\.\d+, longitude 9\.003\d+, .* heading 90\.0°", said)
 
 
-def test_an_image_without_a_fix_has_a_reason(database, image, capsys):
-    code = main(["localize", image("a.png"), image("b.png", NOTHING), "--database", database, "--json"])
+def test_an_image_without_a_fix_has_a_reason(area, image, capsys):
+    code = main(["localize", image("a.png"), image("b.png", NOTHING), "--database", area, "--json"])
     rows = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
     assert code == SOME_WITHOUT_FIX
     assert [row["status"] for row in rows] == ["fix", "too_few_references"]
     assert rows[1]["reason"] and rows[1]["x"] is None
 
 
-def test_a_likely_position_is_shown_but_is_no_fix(database, image, capsys):
-    arguments = ["localize", image("a.png", SMALL), "--database", database, *LIKELY]
+def test_a_likely_position_is_shown_but_is_no_fix(area, image, capsys):
+    arguments = ["localize", image("a.png", SMALL), "--database", area, *LIKELY]
     assert main([*arguments, "--json"]) == SOME_WITHOUT_FIX
     found = json.loads(capsys.readouterr().out)
     # The image is the upper left part of HERE, whose top points east.
@@ -91,10 +84,10 @@ def test_a_likely_position_is_shown_but_is_no_fix(database, image, capsys):
     assert re.search(line, capsys.readouterr().out)
 
 
-def test_a_bad_image_does_not_stop_the_others(database, image, tmp_path, capsys):
+def test_a_bad_image_does_not_stop_the_others(area, image, tmp_path, capsys):
     (tmp_path / "a.png").write_bytes(b"no image")
     image("b.png")
-    assert main(["localize", str(tmp_path), "--database", database, "--json"]) == REFUSED
+    assert main(["localize", str(tmp_path), "--database", area, "--json"]) == REFUSED
     captured = capsys.readouterr()
     rows = [json.loads(line) for line in captured.out.splitlines()]
     assert [row["status"] for row in rows] == ["error", "fix"]
@@ -102,9 +95,9 @@ def test_a_bad_image_does_not_stop_the_others(database, image, tmp_path, capsys)
     assert (entry["level"], entry["event"], entry["status"]) == ("warning", "image", "error")
 
 
-def test_places_far_from_near_are_not_searched(database, image, capsys):
+def test_places_far_from_near_are_not_searched(area, image, capsys):
     near = ["--near", "600650", "5199950", "20"]
-    assert main(["localize", image("here.png"), "--database", database, *near]) == SOME_WITHOUT_FIX
+    assert main(["localize", image("here.png"), "--database", area, *near]) == SOME_WITHOUT_FIX
 
 
 @pytest.mark.parametrize(
@@ -117,10 +110,10 @@ def test_places_far_from_near_are_not_searched(database, image, capsys):
         (["info", "IMAGE"], "not an onboard file"),
     ],
 )
-def test_what_cannot_be_used_is_refused_in_one_sentence(database, image, tmp_path, capsys, arguments, said):
+def test_what_cannot_be_used_is_refused_in_one_sentence(area, image, tmp_path, capsys, arguments, said):
     folder = tmp_path / "empty"
     folder.mkdir()
-    values = {"IMAGE": image("here.png"), "DATABASE": database, "FOLDER": str(folder)}
+    values = {"IMAGE": image("here.png"), "DATABASE": area, "FOLDER": str(folder)}
     arguments = [values.get(argument, argument) for argument in arguments]
     assert main(arguments) == REFUSED
     captured = capsys.readouterr()
@@ -128,9 +121,9 @@ def test_what_cannot_be_used_is_refused_in_one_sentence(database, image, tmp_pat
     assert captured.out == ""
 
 
-def test_a_model_without_class_names_is_refused_without_a_parameter_of_the_plugin(database, image, tmp_path, capsys):
+def test_a_model_without_class_names_is_refused_without_a_parameter_of_the_plugin(area, image, tmp_path, capsys):
     model = write_model(tmp_path / "nameless.onnx", metadata=metadata(class_names=None))
-    assert main(["localize", image("here.png"), "--database", database, "--model", str(model)]) == REFUSED
+    assert main(["localize", image("here.png"), "--database", area, "--model", str(model)]) == REFUSED
     said = capsys.readouterr().err
     assert "does not name its classes" in said and "CLASS_TABLE" not in said
 
@@ -155,9 +148,9 @@ def test_a_model_without_class_names_is_refused_without_a_parameter_of_the_plugi
         (["--fixes", "udp:99999999999999999999"], "not a UDP port"),
     ],
 )
-def test_a_value_that_is_out_of_range_is_a_wrong_command_line(database, tmp_path, capsys, arguments, said):
+def test_a_value_that_is_out_of_range_is_a_wrong_command_line(area, tmp_path, capsys, arguments, said):
     with pytest.raises(SystemExit) as ended:
-        main(["watch", str(tmp_path), "--once", "--database", database, *arguments])
+        main(["watch", str(tmp_path), "--once", "--database", area, *arguments])
     assert ended.value.code == WRONG_USAGE
     captured = capsys.readouterr()
     assert said in captured.err
@@ -165,47 +158,47 @@ def test_a_value_that_is_out_of_range_is_a_wrong_command_line(database, tmp_path
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no named pipes")
-def test_only_regular_files_of_a_bounded_size_are_read(database, tmp_path, capsys):
+def test_only_regular_files_of_a_bounded_size_are_read(area, tmp_path, capsys):
     """Reading a pipe would never end, and /dev/zero would fill the memory."""
     pipe, sparse = tmp_path / "pipe.png", tmp_path / "sparse.png"
     os.mkfifo(pipe)
     with open(sparse, "wb") as file:
         file.truncate(2_000_000_000)
     images = [str(pipe), "/dev/zero", str(sparse), str(tmp_path / "no.png")]
-    assert main(["localize", *images, "--database", database, "--json"]) == REFUSED
+    assert main(["localize", *images, "--database", area, "--json"]) == REFUSED
     rows = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
     assert [row["status"] for row in rows] == ["error"] * 4
     for row, said in zip(rows, ("folder, pipe or device", "folder, pipe or device", "2000 MB", "No such file")):
         assert said in row["reason"]
 
 
-def test_a_fault_of_the_program_is_no_missing_fix(database, image, capsys, monkeypatch):
+def test_a_fault_of_the_program_is_no_missing_fix(area, image, capsys, monkeypatch):
     """Python's exit code for a traceback is 1, which here means that an image has no fix."""
 
     def broken(*_, **__):
         raise ZeroDivisionError("by chance")
 
     monkeypatch.setattr(Localizer, "localize", broken)
-    assert main(["localize", image("here.png"), "--database", database, "--json"]) == REFUSED
+    assert main(["localize", image("here.png"), "--database", area, "--json"]) == REFUSED
     captured = capsys.readouterr()
     assert json.loads(captured.out)["reason"] == "ZeroDivisionError: by chance"
     assert "Traceback" in json.loads(captured.err.splitlines()[0])["traceback"]
     monkeypatch.setattr(command_line, "read_onboard", broken)
-    assert main(["info", database]) == REFUSED
+    assert main(["info", area]) == REFUSED
     assert capsys.readouterr().err.splitlines()[-1] == "info: ZeroDivisionError: by chance"
 
 
 @pytest.mark.skipif(not os.path.exists("/dev/full"), reason="this system has no full device")
-def test_a_full_stdout_is_reported_in_one_sentence(database, repository, tmp_path):
+def test_a_full_stdout_is_reported_in_one_sentence(area, repository, tmp_path):
     copy_core(repository, tmp_path)
-    command = [sys.executable, "-m", "core", "info", database]
+    command = [sys.executable, "-m", "core", "info", area]
     with open("/dev/full", "wb") as full:
         done = subprocess.run(command, cwd=tmp_path, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
     assert done.returncode == REFUSED
     assert done.stderr == "info: stdout can't be written: No space left on device. Choose another output.\n"
 
 
-def test_a_copy_of_core_is_all_that_is_needed(database, image, repository, tmp_path):
+def test_a_copy_of_core_is_all_that_is_needed(area, image, repository, tmp_path):
     copy_core(repository, tmp_path)
     program = (
         "import runpy, sys\n"
@@ -214,19 +207,19 @@ def test_a_copy_of_core_is_all_that_is_needed(database, image, repository, tmp_p
         "    sys.modules[name] = None\n"
         "runpy.run_module('core', run_name='__main__')\n"
     )
-    command = [sys.executable, "-c", program, "localize", image("here.png"), "--database", database, "--json"]
+    command = [sys.executable, "-c", program, "localize", image("here.png"), "--database", area, "--json"]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (ALL_FIXED, "")
     assert json.loads(done.stdout)["status"] == "fix"
 
 
 @pytest.mark.parametrize("option", ["--state", "--fixes", "--gga"])
-def test_nothing_is_written_into_the_database(database, tmp_path, capsys, option):
-    with open(database, "rb") as file:
+def test_nothing_is_written_into_the_database(area, tmp_path, capsys, option):
+    with open(area, "rb") as file:
         before = file.read()
-    arguments = ["watch", str(tmp_path), "--once", "--flight", "--database", database, option, database]
+    arguments = ["watch", str(tmp_path), "--once", "--flight", "--database", area, option, area]
     with pytest.raises(SystemExit) as ended:
         main(arguments)
     assert ended.value.code == WRONG_USAGE and "is an input of this command" in capsys.readouterr().err
-    with open(database, "rb") as file:
+    with open(area, "rb") as file:
         assert file.read() == before

@@ -11,7 +11,7 @@ from datetime import datetime, timezone
 import cv2
 import numpy as np
 import pytest
-from onboard_area import CENTER, HERE, linear, write_area
+from onboard_area import CENTER, HERE, linear
 
 from semref.core.errors import ParameterError
 from semref.core.geometry.lon_lat import fit_lon_lat, local_axes, meters_from
@@ -137,28 +137,22 @@ def test_a_slow_fix_is_a_command_with_longitude_latitude_and_accuracy(autopilot,
     assert found.param3 == pytest.approx(expected, rel=0.06)
 
 
-@pytest.mark.parametrize("message", ["odometry", "vision"])
-@pytest.mark.parametrize("lacking", ["x", "heading"])
-def test_without_a_pose_only_a_heartbeat_is_sent(autopilot, lon_lat, message, lacking):
-    missing = {"x": None, "longitude": None} if lacking == "x" else {"heading": None}
-    where, heard = autopilot
-    sink = MavlinkSink(MavlinkOptions(where, message), lon_lat)
-    sink.send_found(record(**missing))
-    sink.close()
-    found = heard(None)
-    assert (found.get_type(), found.get_srcSystem(), found.get_srcComponent()) == ("HEARTBEAT", 1, 197)
-    assert heard(["ODOMETRY", "VISION_POSITION_ESTIMATE"], 0.2) is None
-
-
 @pytest.mark.parametrize("message", ["odometry", "vision", "external"])
-@pytest.mark.parametrize("status", ["likely", "ambiguous", "a status of a newer version"])
-def test_only_fixes_are_sent(autopilot, lon_lat, message, status):
-    where, heard = autopilot
-    sink = MavlinkSink(MavlinkOptions(where, message), lon_lat)
-    sink.send_found(record(status=status))
-    sink.close()
-    assert heard(None).get_type() == "HEARTBEAT"
-    assert heard(None, 0.2) is None
+@pytest.mark.parametrize(
+    "changed",
+    [
+        {"x": None, "longitude": None},
+        {"heading": None},
+        *({"status": status} for status in ("likely", "ambiguous", "a status of a newer version")),
+    ],
+    ids=["no place", "no heading", "likely", "ambiguous", "unknown"],
+)
+def test_without_a_fix_and_its_pose_only_a_heartbeat_is_sent(autopilot, lon_lat, message, changed):
+    if message == "external" and "heading" in changed:
+        pytest.skip("this message has no heading")
+    found = sent(autopilot, lon_lat, None, message, record(**changed))
+    assert (found.get_type(), found.get_srcSystem(), found.get_srcComponent()) == ("HEARTBEAT", 1, 197)
+    assert autopilot[1](None, 0.2) is None
 
 
 def test_a_turned_grid_turns_heading_and_covariance():
@@ -207,20 +201,13 @@ def test_an_image_of_before_1970_is_sent_as_well(autopilot, lon_lat, message):
 # --- the command line ---
 
 
-@pytest.fixture(scope="module")
-def database(tmp_path_factory):
-    path = str(tmp_path_factory.mktemp("onboard") / "area.npz")
-    write_area(path)
-    return path
-
-
-def test_watch_sends_positions_to_an_autopilot(database, autopilot, tmp_path):
+def test_watch_sends_positions_to_an_autopilot(area, autopilot, tmp_path):
     folder = tmp_path / "incoming"
     folder.mkdir()
     cv2.imwrite(str(folder / "a.png"), HERE)
     where, heard = autopilot
     fixes = tmp_path / "fixes"
-    arguments = ["watch", str(folder), "--database", database, "--once", "--fixes", str(fixes), "--mavlink", where]
+    arguments = ["watch", str(folder), "--database", area, "--once", "--fixes", str(fixes), "--mavlink", where]
     assert main([*arguments, "--mavlink-as", "external"]) == ALL_FIXED
     row, found = json.loads(fixes.read_text()), heard("COMMAND_INT")
     assert found.x == pytest.approx(row["latitude"] * 1e7, abs=1)
@@ -241,16 +228,16 @@ def test_watch_sends_positions_to_an_autopilot(database, autopilot, tmp_path):
         (["--mavlink", "udp:14550", "--camera-yaw", "361"], "--camera-yaw: 361"),
     ],
 )
-def test_impossible_options_are_refused_before_any_work(database, tmp_path, capsys, arguments, sentence):
+def test_impossible_options_are_refused_before_any_work(area, tmp_path, capsys, arguments, sentence):
     with pytest.raises(SystemExit) as ended:
-        main(["watch", str(tmp_path), "--database", database, "--once", *arguments])
+        main(["watch", str(tmp_path), "--database", area, "--once", *arguments])
     assert ended.value.code == WRONG_USAGE
     assert sentence in capsys.readouterr().err
 
 
-def test_a_line_that_is_not_there_is_refused_by_name(mavutil, database, tmp_path, capsys):
+def test_a_line_that_is_not_there_is_refused_by_name(mavutil, area, tmp_path, capsys):
     pytest.importorskip("serial", reason="pyserial is not here")
-    arguments = ["watch", str(tmp_path), "--database", database, "--once", "--mavlink", "serial:/dev/none"]
+    arguments = ["watch", str(tmp_path), "--database", area, "--once", "--mavlink", "serial:/dev/none"]
     assert main(arguments) == REFUSED
     assert "serial:/dev/none can't be written" in capsys.readouterr().err
 

@@ -87,28 +87,39 @@ def test_a_foreign_file_is_refused(tmp_path, name):
     assert str(path) in refusal(path)
 
 
-def test_a_pickle_is_never_opened(written, tmp_path):
-    class Bomb:
-        def __reduce__(self):
-            return (pytest.fail, ("a pickle was opened",))
+class Bomb:
+    def __reduce__(self):
+        return pytest.fail, ("a pickle was opened",)
 
+
+def pickled(data):
     file = io.BytesIO()
     np.save(file, np.array([Bomb()], object), allow_pickle=True)
-    path = zipped(tmp_path / "bomb.npz", {**members(written), "references_classes.npy": file.getvalue()})
-    assert "has the type |O" in refusal(path)
+    return file.getvalue()
 
 
-def test_a_changed_array_is_refused_although_its_checksum_fits(written, tmp_path):
+def other_class(data):
+    classes = np.load(io.BytesIO(data))
+    return npy(np.where(classes == 2, np.uint8(5), classes))
+
+
+@pytest.mark.parametrize(
+    ("name", "change", "said"),
+    [
+        ("references_classes", pickled, "has the type |O"),
+        ("references_classes", other_class, "content hash"),
+        ("references_classes", lambda data: data.replace(b"(", b"(9", 1).replace(b" \n", b"\n", 1), "has another size"),
+        ("references_classes", lambda data: data.replace(b"{", b"(", 1), "not a plain array"),
+        ("../evil", lambda data: npy(np.zeros(3)), "unknown member"),
+        *((name, None, "") for name in ("windows_counts", "references_areas", "overview_labels", "header")),
+    ],
+)
+def test_a_file_with_an_odd_an_unknown_or_a_missing_member_is_refused(written, tmp_path, name, change, said):
     files = members(written)
-    classes = np.load(io.BytesIO(files["references_classes.npy"]))
-    files["references_classes.npy"] = npy(np.where(classes == 2, np.uint8(5), classes))
-    assert "content hash" in refusal(zipped(tmp_path / "altered.npz", files))
-
-
-def test_a_newer_version_is_refused(written, tmp_path):
-    assert "version 2; this SemRef reads versions up to 1" in refusal(
-        with_header(tmp_path / "newer.npz", written, version=2)
-    )
+    data = files.pop(f"{name}.npy", None)
+    if change:
+        files[f"{name}.npy"] = change(data)
+    assert said in refusal(zipped(tmp_path / "odd.npz", files))
 
 
 @pytest.mark.parametrize(
@@ -116,6 +127,7 @@ def test_a_newer_version_is_refused(written, tmp_path):
     [
         ({"format": "other"}, "its format"),
         ({"version": "1"}, "its version"),
+        ({"version": 2}, "version 2; this SemRef reads versions up to 1"),
         ({"class_table": TABLE.to_csv().replace("water", "river")}, "its class table does not match"),
         ({"class_table": 5}, "damaged"),
         ({"parameters": {}}, "format_version"),
@@ -135,18 +147,6 @@ def test_a_header_that_makes_no_sense_is_refused(written, tmp_path, changes, sai
     assert said in refusal(with_header(tmp_path / "senseless.npz", written, **changes))
 
 
-@pytest.mark.parametrize("name", ["windows_counts", "references_areas", "overview_labels", "header"])
-def test_a_missing_array_is_refused(written, tmp_path, name):
-    files = members(written)
-    del files[f"{name}.npy"]
-    assert refusal(zipped(tmp_path / "less.npz", files))
-
-
-def test_something_that_does_not_belong_there_is_refused(written, tmp_path):
-    path = zipped(tmp_path / "more.npz", {**members(written), "../evil.npy": npy(np.zeros(3))})
-    assert "unknown member" in refusal(path)
-
-
 @pytest.mark.slow
 def test_a_zip_bomb_is_refused_before_it_is_unpacked(written, tmp_path):
     claimed = b"\x93NUMPY\x01\x00\x76\x00" + b"{'descr': '|u1', 'fortran_order': False, 'shape': (400000000,), }"
@@ -159,12 +159,6 @@ def test_a_zip_bomb_is_refused_before_it_is_unpacked(written, tmp_path):
     tracemalloc.stop()
     assert "states" in said
     assert most < 5_000_000
-
-
-def test_a_shape_that_claims_more_than_the_member_holds_is_refused(written, tmp_path):
-    files = members(written)
-    files["references_classes.npy"] = files["references_classes.npy"].replace(b"(", b"(9", 1).replace(b" \n", b"\n", 1)
-    assert "has another size" in refusal(zipped(tmp_path / "claims.npz", files))
 
 
 @pytest.mark.parametrize("far", [5_420_000.0, -2_000.0])
@@ -212,12 +206,6 @@ def test_an_array_that_does_not_fit_the_others_is_refused(written, tmp_path, nam
     path = with_array(tmp_path / "odd.npz", written, name, change(array(written, name)))
     with pytest.raises(DatabaseError, match=said):
         read_onboard(path, with_overview=True)
-
-
-def test_an_array_with_an_invalid_header_is_refused(written, tmp_path):
-    files = members(written)
-    files["references_classes.npy"] = files["references_classes.npy"].replace(b"{", b"(", 1)
-    assert "not a plain array" in refusal(zipped(tmp_path / "odd.npz", files))
 
 
 @pytest.mark.parametrize("half_size", [[1.0, 0.0], [1.0], [1.0, 2.0, 3.0]])

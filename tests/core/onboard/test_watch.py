@@ -14,7 +14,7 @@ from pathlib import Path
 
 import cv2
 import pytest
-from onboard_area import HERE, LIKELY, NOTHING, SMALL, copy_core, write_area
+from onboard_area import HERE, LIKELY, NOTHING, SMALL, copy_core
 
 from semref.core.onboard import watch
 from semref.core.onboard.command_line import ALL_FIXED, REFUSED, SOME_WITHOUT_FIX, main
@@ -22,27 +22,14 @@ from semref.core.onboard.command_line import ALL_FIXED, REFUSED, SOME_WITHOUT_FI
 needs_full_device = pytest.mark.skipif(not os.path.exists("/dev/full"), reason="this system has no full device")
 
 
-@pytest.fixture(scope="module")
-def database(tmp_path_factory):
-    path = str(tmp_path_factory.mktemp("onboard") / "area.npz")
-    write_area(path)
-    return path
-
-
 @pytest.fixture
-def folder(tmp_path):
-    (tmp_path / "incoming").mkdir()
-    return tmp_path / "incoming"
-
-
-@pytest.fixture
-def watching(database, folder, repository, tmp_path):
+def watching(area, folder, repository, tmp_path):
     """`watching(arguments)` starts a watch of `folder` as on board; the test ends it."""
     copy_core(repository, tmp_path)
     started = []
 
     def start(*arguments):
-        command = [sys.executable, "-m", "core", "watch", "incoming", "--database", database, *arguments]
+        command = [sys.executable, "-m", "core", "watch", "incoming", "--database", area, *arguments]
         process = subprocess.Popen(
             command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, encoding="utf-8"
         )
@@ -66,12 +53,12 @@ def put(folder, name, labels=HERE):
     os.rename(folder.parent / "made.png", os.path.join(os.fsencode(folder), os.fsencode(name)))
 
 
-def test_watch_writes_json_lines_and_sentences_into_files(database, folder, tmp_path):
+def test_watch_writes_json_lines_and_sentences_into_files(area, folder, tmp_path):
     for name, labels in (("a.png", HERE), ("b.png", NOTHING)):
         cv2.imwrite(str(folder / name), labels)
     fixes, gga = tmp_path / "fixes.jsonl", tmp_path / "fixes.nmea"
     where = ["--fixes", str(fixes), "--gga", str(gga)]
-    assert main(["watch", str(folder), "--database", database, "--once", *where]) == SOME_WITHOUT_FIX
+    assert main(["watch", str(folder), "--database", area, "--once", *where]) == SOME_WITHOUT_FIX
     rows = [json.loads(line) for line in fixes.read_text(encoding="utf-8").splitlines()]
     assert [row["status"] for row in rows] == ["fix", "too_few_references"]
     first, second = gga.read_bytes().decode("ascii").split("\r\n")[:2]
@@ -80,23 +67,23 @@ def test_watch_writes_json_lines_and_sentences_into_files(database, folder, tmp_
     assert re.fullmatch(r"\$GPGGA,\d{6}\.\d\d,,,,,0,00,,,M,,M,,\*[0-9A-F]{2}", second)
 
 
-def test_a_likely_position_is_in_the_json_lines_but_not_in_the_sentences(database, folder, tmp_path):
+def test_a_likely_position_is_in_the_json_lines_but_not_in_the_sentences(area, folder, tmp_path):
     cv2.imwrite(str(folder / "a.png"), SMALL)
     fixes, gga = tmp_path / "fixes.jsonl", tmp_path / "fixes.nmea"
     where = ["--fixes", str(fixes), "--gga", str(gga), *LIKELY]
-    assert main(["watch", str(folder), "--database", database, "--once", *where]) == SOME_WITHOUT_FIX
+    assert main(["watch", str(folder), "--database", area, "--once", *where]) == SOME_WITHOUT_FIX
     row = json.loads(fixes.read_text(encoding="utf-8"))
     assert row["status"] == "likely" and row["longitude"] > 9 and row["error_95"] > 0
     assert re.fullmatch(r"\$GPGGA,\d{6}\.\d\d,,,,,0,00,,,M,,M,,\*[0-9A-F]{2}\r\n", gga.read_bytes().decode("ascii"))
 
 
-def test_watch_sends_sentences_to_a_port_of_this_computer(database, tmp_path):
+def test_watch_sends_sentences_to_a_port_of_this_computer(area, tmp_path):
     cv2.imwrite(str(tmp_path / "a.png"), HERE)
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as receiver:
         receiver.bind(("127.0.0.1", 0))
         receiver.settimeout(10)
         where = ["--fixes", str(tmp_path / "fixes"), "--gga", f"udp:{receiver.getsockname()[1]}"]
-        assert main(["watch", str(tmp_path), "--database", database, "--once", *where]) == ALL_FIXED
+        assert main(["watch", str(tmp_path), "--database", area, "--once", *where]) == ALL_FIXED
         assert receiver.recv(200).startswith(b"$GPGGA,")
 
 
@@ -132,31 +119,31 @@ def test_names_that_are_no_text_links_to_themselves_and_pipes_do_not_end_it(watc
     assert process.poll() is None
 
 
-def test_with_once_the_images_beside_a_link_to_itself_are_done(database, folder, capsys):
+def test_with_once_the_images_beside_a_link_to_itself_are_done(area, folder, capsys):
     os.symlink("loop.png", folder / "loop.png")
     put(folder, os.fsdecode(b"\xff.png"))
-    assert main(["watch", str(folder), "--database", database, "--once"]) == ALL_FIXED
+    assert main(["watch", str(folder), "--database", area, "--once"]) == ALL_FIXED
     assert json.loads(capsys.readouterr().out)["status"] == "fix"
 
 
-def test_with_once_a_folder_that_is_gone_is_an_error(database, folder, monkeypatch, capsys):
+def test_with_once_a_folder_that_is_gone_is_an_error(area, folder, monkeypatch, capsys):
     def gone(path):
         raise NotADirectoryError(20, "Not a directory")
 
     monkeypatch.setattr(watch, "_images_in", gone)
-    assert main(["watch", str(folder), "--database", database, "--once"]) == REFUSED
+    assert main(["watch", str(folder), "--database", area, "--once"]) == REFUSED
     assert "can't be read: Not a directory" in capsys.readouterr().err
 
 
 @needs_full_device
 @pytest.mark.parametrize(("full", "other"), [("--fixes", "--gga"), ("--gga", "--fixes")])
 def test_a_full_disk_under_one_sink_stops_neither_the_other_nor_the_watching(
-    database, folder, tmp_path, capsys, full, other
+    area, folder, tmp_path, capsys, full, other
 ):
     for name in ("a.png", "b.png"):
         put(folder, name)
     arguments = [full, "/dev/full", other, str(tmp_path / "lines")]
-    assert main(["watch", str(folder), "--database", database, "--once", *arguments]) == REFUSED
+    assert main(["watch", str(folder), "--database", area, "--once", *arguments]) == REFUSED
     assert len((tmp_path / "lines").read_bytes().splitlines()) == 2
     told = json.loads(capsys.readouterr().err)
     assert (told["level"], told["event"], told["where"]) == ("error", "sink_fails", "/dev/full")

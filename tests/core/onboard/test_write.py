@@ -62,16 +62,10 @@ def test_a_class_table_that_was_changed_after_the_build_is_not_exported(database
         write_onboard(str(tmp_path / "changed.npz"), replace(database, class_table=table), None)
 
 
-def test_a_precision_finer_than_the_format_allows_is_refused(database, tmp_path):
-    with pytest.raises(DatabaseError, match="too fine"):
-        write_onboard(str(tmp_path / "fine.npz"), database, None, precision=1e-9)
-
-
-@pytest.mark.parametrize("precision", [0.0, -1.0, float("nan"), float("inf")])
-def test_a_precision_that_is_no_length_is_refused(database, tmp_path, precision):
-    with pytest.raises(DatabaseError) as refused:
+@pytest.mark.parametrize("precision", [1e-9, 0.0, -1.0, float("nan"), float("inf")])
+def test_a_precision_that_is_too_fine_or_no_length_is_refused(database, tmp_path, precision):
+    with pytest.raises(DatabaseError, match="too fine" if precision == 1e-9 else "it must be more than 0 m"):
         write_onboard(str(tmp_path / "odd.npz"), database, None, precision=precision)
-    assert refused.value.sentence.template == "The precision is {precision:g}; it must be more than 0 m."
 
 
 def landmarks_of(database, **changes):
@@ -83,20 +77,15 @@ def test_what_the_format_can_not_hold_is_refused(database, tmp_path, monkeypatch
     areas = np.append(database.references.areas_m2[:-1], 0.0)
     sizes = database.windows.sizes.copy()
     sizes[0] *= 1.5
-    cases = {
-        "The database has no landmark to export. Choose another database or a larger area.": landmarks_of(
-            database, **nothing
-        ),
-        "A landmark has no area. Build the database again.": landmarks_of(database, areas_m2=areas),
-        "The windows have other sizes than their levels. Build the database again.": replace(
-            database, windows=replace(database.windows, sizes=sizes)
-        ),
-        "The header of the onboard file has {size} bytes; at most {most} are allowed.": database,
-    }
-    for code, odd in cases.items():
-        if code == "The header of the onboard file has {size} bytes; at most {most} are allowed.":
+    misfit = replace(database, windows=replace(database.windows, sizes=sizes))
+    for odd, said in (
+        (landmarks_of(database, **nothing), "no landmark to export"),
+        (landmarks_of(database, areas_m2=areas), "A landmark has no area"),
+        (misfit, "The windows have other sizes than their levels"),
+        (database, "The header of the onboard file has"),
+    ):
+        if odd is database:
             monkeypatch.setattr(limits, "HEADER_BYTES", 100)
-        with pytest.raises(DatabaseError) as refused:
+        with pytest.raises(DatabaseError, match=said):
             write_onboard(str(tmp_path / "odd.npz"), odd, None)
-        assert refused.value.sentence.template == code
     assert not list(tmp_path.iterdir())
