@@ -10,7 +10,7 @@ CODES = {3: "H", 4: "I", 12: "d"}
 
 
 def tiff(entries, order: str = "<", at: int = 8) -> bytes:
-    """Return a TIFF with only a directory at an offset; entries are (tag, kind, values), texts (kinds 1, 2) as bytes."""
+    """Return a TIFF with only a directory at an offset; entries are (tag, kind, values), texts as bytes."""
     place = at + 2 + 12 * len(entries) + 4
     head, content = b"", b""
     for tag, kind, values in entries:

@@ -28,6 +28,7 @@ COLORS = ((40, 160, 40), (200, 60, 60), (60, 60, 200))
 
 CLASSES = "value,name,color,role\n1,building,#c83c3c,reference\n2,water,#3c3cc8,reference\n"
 TILE = 128
+NOT_OURS = "{path} was not trained by SemRef, so its training can't be continued."
 
 
 @pytest.fixture(scope="module")
@@ -84,16 +85,7 @@ def test_a_python_without_torch_reports_what_it_lacks():
     command = [sys.executable, str(ROOT / "program.py"), "training.command"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     event = json.loads(done.stdout.splitlines()[-1])
-    assert (
-        event["template"]
-        in (
-            (
-                "{python} lacks the Python package {package}. Choose another Python, or let SemRef make a training "
-                "environment under Settings ▸ Options ▸ SemRef."
-            ),
-        )
-        or event["event"] == "ready"
-    )
+    assert event["event"] == "ready" or event["template"].startswith("{python} lacks the Python package {package}.")
 
 
 def test_training_reports_each_epoch_and_its_results(first):
@@ -173,6 +165,13 @@ def test_the_model_is_written_before_its_time_is_over(training_python, tiles, tm
     assert shares[-1] == pytest.approx(elapsed_s / 45, abs=0.15)
 
 
+def assert_answer_alike(*paths):
+    models = [SegmentationModel(path, 1) for path in paths]
+    photo = np.clip(np.random.default_rng(3).normal(120, 50, (128, 128, 3)), 0, 255).astype(np.uint8)
+    answers = [PhotoLabels(model, ArrayImage(photo), model.classes.values).found() for model in models]
+    assert (answers[0] == answers[1]).mean() > 0.95
+
+
 def test_training_continues_from_the_base_model(training_python, first, tiles, tmp_path):
     """With a tiny learning rate it answers like its base; classes are matched by name."""
     base, _ = first
@@ -182,20 +181,14 @@ def test_training_continues_from_the_base_model(training_python, first, tiles, t
     )
     events = trained(training_python, job)
     assert events[-1]["event"] == "done", events[-1]
-    old, new = (SegmentationModel(path, 1) for path in (base.output, job.output))
-    photo = np.clip(np.random.default_rng(3).normal(120, 50, (128, 128, 3)), 0, 255).astype(np.uint8)
-    answers = [PhotoLabels(model, ArrayImage(photo), model.classes.values).found() for model in (old, new)]
-    assert (answers[0] == answers[1]).mean() > 0.95
+    assert_answer_alike(base.output, job.output)
 
 
 def test_a_base_model_that_training_makes_poorer_stays_as_it_is(training_python, first, tiles, tmp_path):
     job = job_of(tiles, tmp_path, base_model=first[0].output, epochs=1, pieces=8, learning_rate=0.3)
     events = trained(training_python, job)
     assert events[-1]["event"] == "done" and events[-1]["best_epoch"] == 0
-    old, new = (SegmentationModel(path, 1) for path in (first[0].output, job.output))
-    photo = np.clip(np.random.default_rng(3).normal(120, 50, (128, 128, 3)), 0, 255).astype(np.uint8)
-    answers = [PhotoLabels(model, ArrayImage(photo), model.classes.values).found() for model in (old, new)]
-    assert (answers[0] == answers[1]).mean() > 0.95
+    assert_answer_alike(first[0].output, job.output)
 
 
 def with_encoder(path: Path, base: Path, encoder: str) -> Path:
@@ -236,11 +229,7 @@ def test_a_base_model_contacts_nobody(training_python, first, tiles, tmp_path, m
         base = with_encoder(tmp_path / name, Path(first[0].output), "tu-hf-hub:some/network")
         events = trained(training_python, job_of(tiles, tmp_path / "run", base_model=str(base)))
         server.shutdown()
-    assert (events[-1]["template"], asked) == (
-        "{path} was not trained by SemRef, so its training can't be continued. Choose another base model, or leave "
-        "the field empty.",
-        [],
-    )
+    assert events[-1]["template"].startswith(NOT_OURS) and not asked
 
 
 def test_a_base_model_reads_no_other_file(training_python, first, tiles, tmp_path):
@@ -249,49 +238,28 @@ def test_a_base_model_reads_no_other_file(training_python, first, tiles, tmp_pat
     base = tmp_path / "base.onnx"
     onnx.save(onnx.load(first[0].output), base, save_as_external_data=True, location="other", size_threshold=0)
     events = trained(training_python, job_of(tiles, tmp_path / "run", base_model=str(base)))
-    assert events[-1]["template"] == (
-        "{path} was not trained by SemRef, so its training can't be continued. Choose another base model, or leave "
-        "the field empty."
-    )
+    assert events[-1]["template"].startswith(NOT_OURS)
 
 
 def test_a_damaged_checkpoint_is_reported_in_a_sentence(training_python, tiles, tmp_path):
     job = job_of(tiles, tmp_path, resume=True)
     Path(job.folder).mkdir()
     (Path(job.folder) / "last.pt").write_bytes(bytes(1000))
-    assert (
-        trained(training_python, job)[-1]["template"]
-        == "{path} is damaged ({reason}), so this training can't be continued; start it again without the earlier run."
-    )
+    assert trained(training_python, job)[-1]["template"].startswith("{path} is damaged ({reason}), so this training")
 
 
 def test_a_full_disk_is_reported_in_a_sentence(training_python, tiles, tmp_path):
     with files_of_at_most(100_000):
         events = trained(training_python, job_of(tiles, tmp_path))
-    assert events[-1]["template"] == (
-        "The training can't be saved in {folder} ({reason}). Free some disk space and start the training "
-        "again; it continues after the last saved epoch."
-    )
+    assert events[-1]["template"].startswith("The training can't be saved in {folder} ({reason}).")
     assert not (tmp_path / "run" / "last.pt").exists()
 
 
 @pytest.mark.parametrize(
     ("settings", "code"),
     [
-        (
-            {"base_model": "no.onnx"},
-            (
-                "{path} was not trained by SemRef, so its training can't be continued. Choose another base model, or "
-                "leave the field empty."
-            ),
-        ),
-        (
-            {"base_model": str(ROOT / "README.md")},
-            (
-                "{path} was not trained by SemRef, so its training can't be continued. Choose another base model, or "
-                "leave the field empty."
-            ),
-        ),
+        ({"base_model": "no.onnx"}, NOT_OURS),
+        ({"base_model": str(ROOT / "README.md")}, NOT_OURS),
         ({"encoder_weights": str(ROOT / "README.md")}, "{path} has no torch weights: {reason}."),
         ({"tiles": ("/nowhere",)}, "{path} has no exported training tiles: {reason}."),
     ],
@@ -299,7 +267,7 @@ def test_a_full_disk_is_reported_in_a_sentence(training_python, tiles, tmp_path)
 )
 def test_impossible_settings_are_reported_in_a_sentence(training_python, tiles, tmp_path, settings, code):
     job = Job(**{**job_of(tiles, tmp_path).__dict__, **settings})
-    assert trained(training_python, job)[-1]["template"] == code
+    assert trained(training_python, job)[-1]["template"].startswith(code)
 
 
 def test_training_with_one_class_is_refused(training_python, tiles, tmp_path):
@@ -310,13 +278,9 @@ def test_training_with_one_class_is_refused(training_python, tiles, tmp_path):
     (tmp_path / "manifest.json").write_text(json.dumps(manifest))
     job = job_of(tmp_path, tmp_path / "run", learn_unlabeled=False)
     event = trained(training_python, job)[-1]
-    assert (event["template"], event["values"]) == (
-        (
-            "Only one class ({name}) is labeled, and unlabeled ground counts as unknown, so the network can't learn to "
-            "distinguish classes. Label another class, or treat unlabeled ground as a class."
-        ),
-        {"name": "building"},
-    )
+    assert event["template"].startswith("Only one class ({name}) is labeled") and event["values"] == {
+        "name": "building"
+    }
 
 
 def test_settings_that_decide_the_result_are_distinguished_from_those_that_don_t(tiles, tmp_path):

@@ -12,12 +12,7 @@ from semref.core.labels.overview import most_frequent_labels
 from semref.core.simulation.noise import MODEST, STRONG
 
 HERE, ELSEWHERE = (1300.0, 1000.0), (2000.0, 1450.0)
-PARTS = {
-    "left": np.s_[:, :175],
-    "right": np.s_[:, 385:],
-    "upper": np.s_[:175],
-    "lower": np.s_[385:],
-}
+PARTS = {"left": np.s_[:, :175], "right": np.s_[:, 385:], "upper": np.s_[:175], "lower": np.s_[385:]}
 
 
 @pytest.fixture(scope="module")
@@ -30,10 +25,6 @@ def pyramid(labels):
     return MapPyramid(most_frequent_labels(labels), FRAME)
 
 
-def said(reason) -> str:
-    return "" if reason is None else reason.template
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("name", PARTS)
 @pytest.mark.parametrize("noise", [None, MODEST])
@@ -42,12 +33,9 @@ def test_the_part_that_shows_another_place_is_named(labels, pyramid, name, noise
     image[PARTS[name]] = view(labels, ELSEWHERE, 40, 1.0)[PARTS[name]]
     found = localize(image if noise is None else spoiled(image, noise, 7), pyramid, PRIOR)
     assert found.is_fix and error_m(found.best, HERE) < 10
-    assert said(found.reason) == (
-        "In the {part} of the image, classes hardly match the map ({agreement:.2f}; whole image {whole:.2f}): changed "
-        "ground, wrong labels, or another place. The fix is valid for the rest."
-    )
+    assert str(found.reason).startswith(f"In the {name} part of the image, classes hardly match the map")
     values = dict(found.reason.values)
-    assert values["part"].template == f"{name} part" and values["agreement"] < 0.5 * values["whole"]
+    assert values["agreement"] < 0.5 * values["whole"]
 
 
 @pytest.mark.slow

@@ -98,14 +98,10 @@ def test_a_prior_bounds_what_is_searched(patch_pyramid):
 
 
 @pytest.mark.parametrize(
-    "value, code",
-    [
-        (0, "Only {labeled:.0%} of the image has classes of the map; at least {least:.0%} is needed."),
-        (3, "The image shows hardly more than one class; a larger footprint with several classes is needed."),
-        (None, None),
-    ],
+    "value, said",
+    [(0, "Only 0% of the image has classes of the map"), (3, "hardly more than one class"), (None, "None")],
 )
-def test_an_image_without_labels_or_of_one_class_has_no_place(patch_pyramid, patches, value, code):
+def test_an_image_without_labels_or_of_one_class_has_no_place(patch_pyramid, patches, value, said):
     labels = patches[:200, :200] if value is None else np.full((200, 200), value, np.uint8)
     missing = missing_information(evidence_level(labels, patch_pyramid.space, (32, 32)), patch_pyramid)
-    assert (missing and missing.template) == code
+    assert said in str(missing)

@@ -82,9 +82,5 @@ def test_a_bad_row_is_reported_with_its_line(tmp_path, lines, said):
 def test_sizes_that_no_flight_has_are_refused_however_many_rows_make_them(tmp_path, scale, names):
     between = [f"x{number},0,0,0,{scale}" for number in range(400)]
     path = table(tmp_path, "a,,,", *between, f"b,0,0,0,{scale}", header="image,dx_m,dy_m,dheading_deg,scale")
-    with pytest.raises(ParameterError) as caught:
+    with pytest.raises(ParameterError, match="has numbers that are not finite or too large"):
         odometry_links(read_odometry(path), names)
-    assert (
-        caught.value.sentence.template
-        == "The motion from image {first} to image {second} has numbers that are not finite or too large."
-    )

@@ -136,10 +136,8 @@ def test_a_mirrored_image_has_no_link():
 @pytest.mark.parametrize("shape", [(1, 1), (5, 300), (200, 200)])
 def test_an_image_without_texture_has_no_link(shape):
     blank = photo_features(np.full(shape, 90, np.uint8))
-    assert (
-        motion_between(blank, photo_features(cut(scene(1), *VIEWS[0][0]))).reason.template
-        == "One of the two images has too little texture to match it with the other."
-    )
+    motion = motion_between(blank, photo_features(cut(scene(1), *VIEWS[0][0])))
+    assert "has too little texture" in str(motion.reason)
 
 
 def test_ground_that_an_image_does_not_show_is_left_out():

@@ -98,11 +98,7 @@ def test_a_part_that_shows_another_place_is_named_by_either_method(localizer, bu
     image[:, 395:] = view(patches(9), built)[:, 395:]
     found = localizer.localize(image, Method.AUTOMATIC)
     assert found.status == Status.FIX and distance(found.position) < 4
-    assert found.reason.template == (
-        "In the {part} of the image, classes hardly match the map ({agreement:.2f}; whole image {whole:.2f}): changed "
-        "ground, wrong labels, or another place. The fix is valid for the rest."
-    )
-    assert dict(found.reason.values)["part"].template == "right part"
+    assert str(found.reason).startswith("In the right part of the image, classes hardly match the map")
 
 
 def test_landmarks_that_class_areas_speak_against_are_no_fix(localizer):
@@ -140,12 +136,8 @@ def test_class_areas_resolve_an_ambiguity_of_landmarks(twin_houses):
         unsure = localizer.localize_by_constellation(image)
         assert unsure.status == Status.AMBIGUOUS and len(unsure.alternatives) == 2
         found = localizer.localize(image, Method.AUTOMATIC)
-        assert (found.status, found.method, found.reason, found.alternatives) == (
-            Status.FIX,
-            Method.CONSTELLATION,
-            None,
-            (),
-        )
+        assert (found.status, found.method) == (Status.FIX, Method.CONSTELLATION)
+        assert (found.reason, found.alternatives) == (None, ())
         assert distance(found.position, column, 1000) < 1
         assert found.error_95_m < 3 and found.best.inliers > 10 and found.confidence > 0.99
 
@@ -207,28 +199,14 @@ def test_a_prior_applies_to_both_methods(localizer):
 
 PLACE = Place((100.0, 200.0), 30.0, 1.0)
 SAID = Sentence("The mirrored image matches almost as well; the pattern of landmarks is too regular.")
-STARS = Localization(
-    Status.FIX,
-    Method.CONSTELLATION,
-    30,
-    best=PLACE,
-    confidence=1 - 1e-6,
-    risk=1e-6,
-    error_95_m=1.0,
-)
-AREAS = replace(
-    STARS,
-    method=Method.MAP_CORRELATION,
-    best=replace(PLACE, position=(103.0, 204.0)),
-    error_95_m=8.0,
-    confidence=1 - 1e-5,
-    risk=1e-5,
-)
+KNOWN = {"best": PLACE, "confidence": 1 - 1e-6, "risk": 1e-6, "error_95_m": 1.0}
+STARS = Localization(Status.FIX, Method.CONSTELLATION, 30, **KNOWN)
+BESIDE = {"best": replace(PLACE, position=(103.0, 204.0)), "confidence": 1 - 1e-5, "risk": 1e-5, "error_95_m": 8.0}
+AREAS = replace(STARS, method=Method.MAP_CORRELATION, **BESIDE)
 
 
 @pytest.mark.parametrize(
-    ("agreement", "status"),
-    [(None, Status.FIX), (0.9, Status.FIX), (0.6, Status.FIX), (-0.1, Status.NO_MATCH)],
+    ("agreement", "status"), [(None, Status.FIX), (0.9, Status.FIX), (0.6, Status.FIX), (-0.1, Status.NO_MATCH)]
 )
 def test_a_fix_remains_if_class_areas_agree_or_are_undecided(agreement, status):
     found = check_by_areas(STARS, agreement)
@@ -237,28 +215,23 @@ def test_a_fix_remains_if_class_areas_agree_or_are_undecided(agreement, status):
 
 
 def test_agreeing_class_areas_confirm_a_place_refused_only_for_its_risk():
-    doubted = replace(STARS, status=Status.NO_MATCH, reason=SAID, confidence=None, risk=3e-4, is_doubted=True)
-    found = check_by_areas(doubted, 0.9)
+    stars = doubted(STARS, 3e-4)
+    found = check_by_areas(stars, 0.9)
     assert (found.status, found.reason) == (Status.FIX, None)
     assert found.confidence == 1 - found.risk > 1 - LOCALIZER.allowed_risk
-    assert check_by_areas(doubted, None) == doubted
-    assert check_by_areas(replace(doubted, is_doubted=False), 0.9).status == Status.NO_MATCH
-    assert check_by_areas(doubted, 0.2).status == Status.NO_MATCH
+    assert check_by_areas(stars, None) == stars
+    assert check_by_areas(replace(stars, is_doubted=False), 0.9).status == Status.NO_MATCH
+    assert check_by_areas(stars, 0.2).status == Status.NO_MATCH
 
 
-def test_the_part_that_disagrees_stays_named_when_class_areas_agree():
+def test_the_part_that_disagrees_stays_named_when_class_areas_agree_and_at_a_refined_pose():
     assert check_by_areas(replace(STARS, reason=SAID), 0.9).reason == SAID
-
-
-def test_the_part_that_disagrees_stays_named_at_a_refined_pose():
     assert confirm(replace(AREAS, reason=SAID), STARS, around(20.0)).reason == SAID
-    doubted = replace(STARS, status=Status.NO_MATCH, confidence=None, is_doubted=True)
-    assert combine_agreeing(doubted, replace(AREAS, reason=SAID), 1000).reason == SAID
+    assert combine_agreeing(doubted(STARS, STARS.risk), replace(AREAS, reason=SAID), 1000).reason == SAID
 
 
 def test_two_independent_methods_with_one_place_lower_the_risk():
-    doubted = {"status": Status.NO_MATCH, "reason": SAID, "confidence": None, "is_doubted": True}
-    stars, areas = replace(STARS, risk=0.01, **doubted), replace(AREAS, risk=0.003, **doubted)
+    stars, areas = doubted(STARS, 0.01), doubted(AREAS, 0.003)
     found = combine_agreeing(stars, areas, 1000)
     assert (found.status, found.position, found.reason) == (Status.FIX, STARS.position, None)
     assert found.risk == pytest.approx(3e-5 / np.exp(LOCALIZER.agreement_worth), rel=0.05)

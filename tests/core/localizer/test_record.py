@@ -48,9 +48,8 @@ def test_a_fix_fills_all_columns():
 
 
 def test_without_a_fix_there_is_evidence_but_no_place_or_accuracy():
-    found = record(
-        replace(FIX, status=Status.AMBIGUOUS, reason=Sentence("The image has no pixels.")), lambda said: said.template
-    )
+    unsure = replace(FIX, status=Status.AMBIGUOUS, reason=Sentence("The image has no pixels."))
+    found = record(unsure, lambda said: said.template)
     assert [found[name] for name in ("x", "y", "heading", "pixel_size", "error_95")] == [None] * 5
     assert (found["inliers"], found["log_odds"], found["reason"]) == (7, 12.5, "The image has no pixels.")
     assert not {"error_95_minor", "error_95_direction", "heading_deviation", "pixel_size_deviation"} & set(found)
@@ -59,12 +58,8 @@ def test_without_a_fix_there_is_evidence_but_no_place_or_accuracy():
 @pytest.mark.parametrize(
     ("confidence", "words"),
     [
-        (0.5, "1 in 2"),
-        (0.9, "1 in 10"),
-        (1 - 1 / 1234, "1 in 1,200"),
-        (1 - 1e-4, "below 1 in 10,000"),
-        (1 - 1e-9, "below 1 in 10,000"),
-        (1.0, "below 1 in 10,000"),
+        *((0.5, "1 in 2"), (0.9, "1 in 10"), (1 - 1 / 1234, "1 in 1,200")),
+        *((confidence, "below 1 in 10,000") for confidence in (1 - 1e-4, 1 - 1e-9, 1.0)),
     ],
 )
 def test_an_error_probability_is_shown_no_smaller_than_it_was_tested(confidence, words):

@@ -19,16 +19,15 @@ def test_the_name_does_not_matter(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("data", "code"),
+    ("data", "said"),
     [
-        (b"", "{path} is not a supported flight log. Supported are {kinds}."),
-        (b"image,roll\n", "{path} is not a supported flight log. Supported are {kinds}."),
-        (b"EPSG:4326\na.jpg 1 2\n", "{path} contains no heading, height or speed of a flight."),
-        (b"\xa3\x95\x80", "{path} contains no heading, height or speed of a flight."),
-        (b"ULog\x01\x12\x35\x01", "{path} contains no heading, height or speed of a flight."),
+        *((data, "is not a supported flight log") for data in (b"", b"image,roll\n")),
+        *(
+            (data, "contains no heading")
+            for data in (b"EPSG:4326\na.jpg 1 2\n", b"\xa3\x95\x80", b"ULog\x01\x12\x35\x01")
+        ),
     ],
 )
-def test_a_file_without_telemetry_is_refused(tmp_path, data, code):
-    with pytest.raises(ParameterError) as caught:
+def test_a_file_without_telemetry_is_refused(tmp_path, data, said):
+    with pytest.raises(ParameterError, match=said):
         read_log(write(tmp_path, "x", data))
-    assert caught.value.sentence.template == code
