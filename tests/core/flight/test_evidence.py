@@ -1,26 +1,19 @@
 """Evidence of an image for its own place and for others."""
 
-import sys
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
+from made_flights import FEW, FRAME
 
 from semref.core.correlation import places
 from semref.core.correlation.class_pyramid import MapPyramid
 from semref.core.correlation.refine import ScoredPose
 from semref.core.correlation.settings import CORRELATION
 from semref.core.flight.evidence import best_poses, log_ratios, prepare_image, random_poses, score_poses
+from semref.core.flight.tracker import APART
 from semref.core.localization import Prior
 from semref.core.simulation.views import View, cut
-
-sys.path.insert(0, str(Path(__file__).parent))
-from conftest import FEW, FRAME
-
-from semref.core.flight.tracker import APART
-
-sys.path.pop(0)
 
 
 @pytest.fixture(scope="module")

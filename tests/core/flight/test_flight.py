@@ -1,22 +1,15 @@
 """Whole flights over a made map have the right positions or no position."""
 
-import sys
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
+from made_flights import FEW, errors_m, link_between, own_fix, with_own
 
 from semref.core.errors import ParameterError
 from semref.core.flight.flight import FlightSolver, localize_flight
 from semref.core.flight.model import PoseSource
-from semref.core.geometry.pose import PoseCovariance
-from semref.core.localization import Localization, Method, Place, Status
-
-sys.path.insert(0, str(Path(__file__).parent))
-from conftest import FEW, errors_m, link_between
-
-sys.path.pop(0)
+from semref.core.localization import Status
 
 
 @pytest.fixture(scope="module")
@@ -70,16 +63,8 @@ def test_steps_report_their_progress(flown, localizer):
     assert len(solver.poses) == 2
 
 
-def own_fix(view, off=0.0):
-    place = Place((view.x + off, view.y), view.heading_deg, view.pixel_size, 30.0, 12)
-    known = PoseCovariance(((4.0, 0.0), (0.0, 4.0)), 0.5, 0.02, radius_95=4.9)
-    return Localization(
-        Status.FIX, Method.CONSTELLATION, 12, best=place, confidence=1 - 1e-6, risk=1e-6, covariance=known
-    )
-
-
 def test_a_wrong_fix_of_one_image_is_outvoted_and_marked(flown, localizer):
-    images = [replace(image, own=own_fix(view)) for image, view in zip(flown.images, flown.views)]
+    images = with_own(flown)
     images[4] = replace(flown.images[4], own=own_fix(flown.views[4], off=400.0))
     poses = localize_flight(images, flown.links, localizer, FEW)
     assert [pose.is_outvoted for pose in poses] == [number == 4 for number in range(len(poses))]

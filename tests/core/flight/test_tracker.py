@@ -1,25 +1,18 @@
 """Localizing a flight image by image: restarts and bounded memory."""
 
-import sys
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
+from made_flights import FEW, FRAME, errors_m, fly, own_fix, patches, with_own
 
 from semref.core.errors import ParameterError
 from semref.core.flight.evidence import SeenImage
 from semref.core.flight.memory import NOWHERE, Past
 from semref.core.flight.model import PoseSource
 from semref.core.flight.tracker import STATE_VERSION, FlightTracker
-from semref.core.geometry.pose import PoseCovariance
-from semref.core.localization import Localization, Method, Place, Prior, Status
+from semref.core.localization import Prior, Status
 from semref.core.simulation.views import cut
-
-sys.path.insert(0, str(Path(__file__).parent))
-from conftest import FEW, FRAME, errors_m, fly, patches
-
-sys.path.pop(0)
 
 
 @pytest.mark.slow
@@ -86,18 +79,6 @@ def test_the_mirrored_opponent_is_searched_in_as_many_headings_as_the_flight():
     prior = Prior((500_000.0, 5_200_000.0), 100.0, 30.0, 10.0, (0.9, 1.1))
     opponent = Past(SeenImage(None, 96.0, (0.0, 1.0), prior), NOWHERE, 1.0).mirrored()
     assert opponent.seen.prior == Prior(None, None, 330.0, 10.0, (0.9, 1.1))
-
-
-def own_fix(view, off=0.0, risk=1e-6):
-    place = Place((view.x + off, view.y), view.heading_deg, view.pixel_size, 30.0, 12)
-    known = PoseCovariance(((4.0, 0.0), (0.0, 4.0)), 0.5, 0.02, radius_95=4.9)
-    return Localization(
-        Status.FIX, Method.CONSTELLATION, 12, best=place, confidence=1 - risk, risk=risk, covariance=known
-    )
-
-
-def with_own(flown, **values):
-    return [replace(image, own=own_fix(view, **values)) for image, view in zip(flown.images, flown.views)]
 
 
 def moved_state(tracker, east):
