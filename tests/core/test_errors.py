@@ -7,7 +7,7 @@ import pickle
 import pytest
 
 from semref.core import errors
-from semref.core.errors import DatabaseError, ImageError, SemRefError
+from semref.core.errors import DatabaseError, SemRefError
 from semref.core.sentences import Sentence
 
 KINDS = [kind for kind in vars(errors).values() if isinstance(kind, type) and issubclass(kind, SemRefError)]
@@ -19,11 +19,6 @@ def test_every_error_is_a_user_error_with_its_sentence(kind):
         raise kind("The image has no pixels.")
     assert str(caught.value) == "The image has no pixels."
     assert caught.value.sentence == Sentence("The image has no pixels.")
-
-
-def test_an_error_can_repeat_the_sentence_of_another():
-    said = DatabaseError("{count} other position fits almost as well as the best one.", count=1)
-    assert str(ImageError(said.sentence)) == str(said)
 
 
 def test_an_error_keeps_its_sentence_between_processes():

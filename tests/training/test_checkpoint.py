@@ -1,7 +1,6 @@
 """A checkpoint of others is exported and merged: its labels are those of PyTorch.
 
-torch is in an environment of its own (tools/training/setup_training.sh): a program there makes random weights of the
-same architectures as those of the presets, and computes the expected probabilities.
+A program makes random weights of the same architectures as those of the presets, and computes the expected scores.
 """
 
 from __future__ import annotations
@@ -25,18 +24,12 @@ ROOT = Path(__file__).parents[2]
 SIZE = 512
 
 PROGRAM = """
-import sys
-sys.path.append("tools")
-from plugin_package import load_plugin_package
-load_plugin_package()
-import numpy, torch
+import numpy
 from semref.training.network import allow_torchvision_without_operators
 allow_torchvision_without_operators()
 import segmentation_models_pytorch
 
 folder, architecture, encoder, outputs = sys.argv[1], sys.argv[2], sys.argv[3], int(sys.argv[4])
-torch.manual_seed(1671)
-torch.set_num_threads(1)
 network = segmentation_models_pytorch.create_model(architecture, encoder, encoder_weights=None, classes=outputs).eval()
 with torch.no_grad():
     # Random weights give outputs of almost the same size everywhere; these differ from place to place.
@@ -49,10 +42,6 @@ with torch.no_grad():
 weights = {"model.seg_model." + name: values for name, values in network.state_dict().items()}
 torch.save({"state_dict": {**weights, "criterion.weight": torch.ones(outputs)}, "epoch": 3}, folder + "/others.ckpt")
 """
-
-
-def run(python, *arguments) -> subprocess.CompletedProcess:
-    return subprocess.run([str(python), *map(str, arguments)], capture_output=True, text=True, cwd=ROOT)
 
 
 @pytest.fixture
@@ -70,14 +59,20 @@ def job(folder: Path, **values) -> Path:
     return path
 
 
-def exported(python, folder: Path, image: np.ndarray, facts, architecture: str, encoder: str) -> np.ndarray:
-    """Export random weights to raw.onnx; return torch's (C, H, W) scores of the image."""
+@pytest.fixture
+def export(with_torch, training_python, tmp_path, image):
+    """`export(facts, architecture)` exports random weights to raw.onnx; returns torch's (C, H, W) scores."""
+    return lambda *asked: exported(with_torch, training_python, tmp_path, image, *asked, "resnet34")
+
+
+def exported(with_torch, python, folder: Path, image, facts, architecture: str, encoder: str) -> np.ndarray:
     mean, std = (np.array(v, np.float32) for v in (facts.mean, facts.std))
     np.save(folder / "image.npy", ((image.astype(np.float32) / 255 - mean) / std).transpose(2, 0, 1))
-    made = run(python, "-c", PROGRAM, folder, architecture, encoder, len(facts.classes))
+    made = with_torch(PROGRAM, folder, architecture, encoder, len(facts.classes))
     assert made.returncode == 0, made.stderr
     stated = job(folder, architecture=architecture, encoder=encoder, outputs=len(facts.classes))
-    done = run(python, ROOT / "program.py", "training.command", "checkpoint", stated)
+    command = [str(python), str(ROOT / "program.py"), "training.command", "checkpoint", str(stated)]
+    done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr
     return np.load(folder / "logits.npy")
 
@@ -93,8 +88,8 @@ def labels_of(folder: Path, facts, image: np.ndarray) -> np.ndarray:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("architecture", ["unet", "deeplabv3"])
-def test_flair_s_merged_labels_are_those_of_torch(training_python, tmp_path, image, architecture):
-    logits = exported(training_python, tmp_path, image, FLAIR, architecture, "resnet34")
+def test_flair_s_merged_labels_are_those_of_torch(export, tmp_path, image, architecture):
+    logits = export(FLAIR, architecture)
     used = [n for n, name in enumerate(FLAIR.classes) if name]
     powers = np.exp(logits[used] - logits[used].max(0))
     names = tuple(dict.fromkeys(FLAIR.classes[n] for n in used))
@@ -108,20 +103,16 @@ def test_flair_s_merged_labels_are_those_of_torch(training_python, tmp_path, ima
 
 
 @pytest.mark.slow
-def test_the_labels_of_a_network_of_buildings_are_those_of_torch(training_python, tmp_path, image):
+def test_the_labels_of_a_network_of_buildings_are_those_of_torch(export, tmp_path, image):
     facts = replace(BUILDINGS, license="CC0", threshold=0.7)
-    logits = exported(training_python, tmp_path, image, facts, "unet", "resnet34")[0]
+    logits = export(facts, "unet")[0]
     expected = 1 / (1 + np.exp(-logits)) > 0.7
     found = labels_of(tmp_path, facts, image) == "building"
     assert 0.02 < expected.mean() < 0.98 and (found == expected).mean() > 0.9999
 
 
 REFUSED = """
-import json, os, sys
-sys.path.append("tools")
-from plugin_package import load_plugin_package
-load_plugin_package()
-import torch
+import os
 from semref.training.command import main
 
 
@@ -137,9 +128,9 @@ for job in sys.argv[2:]:
 
 
 @pytest.mark.slow
-def test_checkpoints_that_do_not_fit_are_refused_with_a_sentence(training_python, tmp_path):
+def test_checkpoints_that_do_not_fit_are_refused_with_a_sentence(with_torch, tmp_path):
     np.save(tmp_path / "image.npy", np.zeros((3, 64, 64), np.float32))
-    assert run(training_python, "-c", PROGRAM, tmp_path, "unet", "resnet18", 3).returncode == 0
+    assert with_torch(PROGRAM, tmp_path, "unet", "resnet18", 3).returncode == 0
     (tmp_path / "text.pt").write_text("no checkpoint")
     fits = {"architecture": "unet", "encoder": "resnet18", "outputs": 3}
     cases = (
@@ -156,7 +147,7 @@ def test_checkpoints_that_do_not_fit_are_refused_with_a_sentence(training_python
         (tmp_path / str(number)).mkdir()
         path = job(tmp_path / str(number), **{"checkpoint": str(tmp_path / "others.ckpt"), **fits, **changed})
         jobs.append(path)
-    done = run(training_python, "-c", REFUSED, tmp_path, *jobs)
+    done = with_torch(REFUSED, tmp_path, *jobs)
     assert done.returncode == 0, done.stderr
     events = [json.loads(line) for line in done.stdout.splitlines() if line.startswith('{"event"')]
     texts = [event.get("text", "") for event in events if event["event"] != "exporting"]

@@ -1,33 +1,19 @@
-"""Encoder weights from a file: complete or refused, matched by the encoder's names or by order.
-
-torch lives in an environment of its own (tools/training/setup_training.sh), so a program run there gives the answers.
-"""
+"""Encoder weights from a file: complete or refused, matched by the encoder's names or by order."""
 
 import json
-import subprocess
-from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).parents[2]
 SPREADS = (5.72209, 9.58228, 9.24016, 5.84669)
 """Standard deviation of the features at strides 2, 4, 8 and 16."""
 
 PROGRAM = """
-import json
-import sys
 from pathlib import Path
-sys.path.append("tools")
-from plugin_package import load_plugin_package
-load_plugin_package()
-import torch
 from semref.training.network import load_encoder_weights, packaged_weights
 from semref.training.network import pyramid_attention_network
 from semref.core.errors import TrainingError
 
 path = Path(sys.argv[1])
-torch.manual_seed(1671)
-torch.set_num_threads(1)
 
 def encoder(name="tu-mobilenetv3_small_050"):
     return pyramid_attention_network(name, 5, 3, False).eval().encoder
@@ -69,9 +55,8 @@ print(json.dumps({"spreads": spreads, "refusals": refusals, "taken": taken}))
 
 
 @pytest.fixture(scope="module")
-def answers(tmp_path_factory, training_python):
-    command = [str(training_python), "-c", PROGRAM, str(tmp_path_factory.mktemp("weights") / "weights.pth")]
-    done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT)
+def answers(tmp_path_factory, with_torch):
+    done = with_torch(PROGRAM, tmp_path_factory.mktemp("weights") / "weights.pth")
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout.splitlines()[-1])
 

@@ -74,24 +74,6 @@ def test_holes_within_holes_belong_to_the_region_around_them():
     assert sorted(shapely.get_num_interior_rings(polygons).tolist()) == [0, 0, 1, 1, 3]
 
 
-def test_a_hole_behind_another_is_its_regions():
-    # The upper hole is to the left of the lower one and shares a row with it.
-    labels = np.ones((9, 12), np.uint8)
-    labels[1:8, 2:4] = 2
-    labels[3:5, 6:9] = 2
-    values, polygons = outlines_of(labels)
-    assert values.tolist() == [1, 2, 2]
-    assert shapely.get_num_interior_rings(polygons).tolist() == [2, 0, 0]
-
-
-def test_a_region_that_meets_itself_at_a_corner_has_a_hole_there():
-    labels = np.array([[1, 1, 1], [1, 2, 1], [1, 1, 2]], np.uint8)
-    labels = np.pad(labels, 1, constant_values=2)
-    labels[3, 3] = 1
-    labels[2, 3] = labels[3, 2] = 2
-    assert_regions(labels)
-
-
 def test_a_neighbors_corner_on_a_straight_edge_becomes_a_vertex():
     labels = np.array([[1, 2], [1, 3]], np.uint8)
     _, (left, _, _) = outlines_of(labels)

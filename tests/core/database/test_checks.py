@@ -29,21 +29,26 @@ def test_what_a_build_makes_is_sound(database):
 
 
 @pytest.mark.parametrize(
-    ("name", "value", "said"),
+    ("group", "name", "value", "said"),
     [
-        ("centers", np.nan, "a window at nan, nan is outside the map"),
-        ("levels", 3, "a window has a level that does not exist"),
-        ("levels", 0, "a window has a level that does not exist"),
-        ("counts", -1, "a window has an impossible number of landmarks"),
-        ("sizes", 0, "a window has an impossible size"),
-        ("sizes", 322 * 2.0, "a window has an impossible size"),
-        ("vectors", np.inf, "a vector has values that are not valid numbers"),
+        ("windows", "centers", np.nan, "a window at nan, nan is outside the map"),
+        ("windows", "levels", 3, "a window has a level that does not exist"),
+        ("windows", "levels", 0, "a window has a level that does not exist"),
+        ("windows", "counts", -1, "a window has an impossible number of landmarks"),
+        ("windows", "sizes", 0, "a window has an impossible size"),
+        ("windows", "sizes", 322 * 2.0, "a window has an impossible size"),
+        ("windows", "vectors", np.inf, "a vector has values that are not valid numbers"),
+        ("references", "positions", (599997.9, 5199900.0), "a landmark at 599998, 5.1999e\\+06 is outside the map"),
+        ("references", "areas_m2", 0, "a landmark has an impossible area"),
+        ("references", "areas_m2", 1e15, "a landmark has an impossible area"),
+        ("references", "classes", 3, "a landmark has a class that is not a reference class"),
     ],
 )
-def test_a_window_that_no_build_makes_is_refused(database, name, value, said):
-    windows = changed(database.windows, name, value)
+def test_a_window_or_landmark_that_no_build_makes_is_refused(database, group, name, value, said):
+    parts = {"windows": database.windows, "references": database.references}
+    parts[group] = changed(parts[group], name, value)
     with pytest.raises(ValueError, match=f"^{said}$"):
-        require_sound(windows, database.references, database.parameters, TABLE)
+        require_sound(parts["windows"], parts["references"], database.parameters, TABLE)
 
 
 def test_a_distinctiveness_may_be_unknown_but_not_negative(database):
@@ -52,21 +57,6 @@ def test_a_distinctiveness_may_be_unknown_but_not_negative(database):
     require_sound(windows, database.references, database.parameters, TABLE)
     with pytest.raises(ValueError, match="impossible distinctiveness"):
         require_sound(changed(windows, "distinctiveness", -0.1), database.references, database.parameters, TABLE)
-
-
-@pytest.mark.parametrize(
-    ("name", "value", "said"),
-    [
-        ("positions", (600000.0 - 2.1, 5199900.0), "a landmark at 599998, 5.1999e\\+06 is outside the map"),
-        ("areas_m2", 0, "a landmark has an impossible area"),
-        ("areas_m2", 1e15, "a landmark has an impossible area"),
-        ("classes", 3, "a landmark has a class that is not a reference class"),
-    ],
-)
-def test_a_landmark_that_no_build_makes_is_refused(database, name, value, said):
-    landmarks = changed(database.references, name, value)
-    with pytest.raises(ValueError, match=f"^{said}$"):
-        require_sound(database.windows, landmarks, database.parameters, TABLE)
 
 
 @pytest.mark.parametrize("what", ["WINDOWS", "LANDMARKS"])

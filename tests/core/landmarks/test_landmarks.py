@@ -106,22 +106,6 @@ def test_pixels_and_lines_have_no_area_and_are_never_objects(lines):
     assert len(extract_landmarks(drawn(*lines), [1], 0.0)) == 0
 
 
-def test_pixels_that_touch_at_corners_are_one_region():
-    labels = drawn("11..", "11..", "..11", "..11")
-    objects = extract_landmarks(labels, [1], 1.0)
-    assert objects.bounds.tolist() == [[0, 0, 4, 4]]
-    assert objects.centers_xy.tolist() == [[2.0, 2.0]]
-
-
-def test_holes_are_filled():
-    full, ring = np.zeros((20, 20), np.uint8), np.zeros((20, 20), np.uint8)
-    full[3:12, 5:16] = ring[3:12, 5:16] = 1
-    ring[5:10, 7:9] = ring[6:9, 11:14] = 0
-    filled, with_holes = (extract_landmarks(labels, [1], 1.0) for labels in (full, ring))
-    assert with_holes.areas_px.tolist() == filled.areas_px.tolist() == [80.0]
-    assert with_holes.centers_xy.tolist() == filled.centers_xy.tolist()
-
-
 def test_a_region_in_the_hole_of_another_is_an_object_of_its_own():
     labels = drawn(
         "1111111111",

@@ -51,14 +51,6 @@ def test_the_block_size_changes_nothing(monkeypatch, block):
     np.testing.assert_allclose(all_at_once(*windows), expected, rtol=0, atol=NEARLY)
 
 
-def test_overlapping_windows_are_left_out():
-    vectors = np.zeros((3, 30), np.float32)
-    vectors[2] = 1
-    centers = np.array([[0.0, 0.0], [50.0, 0.0], [500.0, 0.0]])
-    found = all_at_once(vectors, centers, np.full(3, 100.0))
-    np.testing.assert_allclose(found, [30**0.5] * 3)
-
-
 def test_windows_that_all_overlap_are_infinitely_distinct():
     vectors, _, sizes = random_windows(1, 5)
     centers = np.array([[0, 0], [10, 0], [0, 99], [99, 99], [50, 50]], float)

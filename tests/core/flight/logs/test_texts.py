@@ -1,8 +1,8 @@
-"""Reading DJI's subtitles of several generations."""
+"""Reading DJI's subtitles of several generations, and OpenDroneMap's geo.txt."""
 
 import numpy as np
 
-from semref.core.flight.logs.texts import is_srt, read_srt
+from semref.core.flight.logs.texts import is_geo, is_srt, read_geo, read_srt
 
 NEW = """1
 00:00:00,000 --> 00:00:00,033
@@ -45,3 +45,17 @@ def test_subtitles_are_recognized_by_their_times():
 
 def test_a_damaged_entry_is_skipped():
     assert np.isnan(read_srt("1\n00:00:00,000 --> x\n[rel_alt: ]").values).all()
+
+
+GEO = "EPSG:4326\na.jpg 7.1 46.2 400 35.5 0 0 1 1\nb.jpg 7.2 46.3 401\n# no\nc.jpg 7.2 46.3 401 x\n"
+
+
+def test_yaw_in_geo_txt_is_the_heading_of_the_image():
+    log = read_geo(GEO)
+    assert log.images == ("a", "c")
+    assert log.values[0, 0] == 35.5
+    assert np.isnan(log.values[0, 1:]).all() and np.isnan(log.values[1]).all()
+
+
+def test_geo_txt_begins_with_a_reference_system():
+    assert is_geo(GEO) and is_geo("\n+proj=utm +zone=32\n") and not is_geo("image,a\n")
