@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from benchmarks.ground import Image, Wanted
+from benchmarks.ground import Image, Wanted, random_view
 from benchmarks.maps import NoDataError, read
 from semref.core.evaluation.trial import Query
-from semref.core.simulation.views import PIXELS, View, cut, random_view
+from semref.core.simulation.views import PIXELS, View, cut
 
 if TYPE_CHECKING:
     from benchmarks.accuracy import Source

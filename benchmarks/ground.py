@@ -21,7 +21,7 @@ from semref.core.localization import Localization, Method, Prior
 from semref.core.localizer.localizer import Localizer
 from semref.core.simulation.label_errors import spoil_labels
 from semref.core.simulation.noise import LabelNoise
-from semref.core.simulation.views import View, cut, lies_on, random_view
+from semref.core.simulation.views import View, cut, lies_on
 
 LARGEST_TRIES = 20_000
 """Number of places to try before a view counts as impossible on the map."""
@@ -226,3 +226,23 @@ def memory_ground(labels_hw: np.ndarray, classes_csv: str, sizes: Sequence[float
     table = class_table_from_csv(classes_csv)
     database = build_from_labels(ArrayLabels(labels_hw), frame, table, BuildSettings(*sizes), "benchmark")
     return Ground(labels_hw, database)
+
+
+def random_view(
+    rng: np.random.Generator,
+    extent: tuple[float, float, float, float],
+    size_px: tuple[int, int] = (1280, 1280),
+    pixel_sizes: tuple[float, float] = (1.0, 1.0),
+) -> View:
+    """Return a view of random position and heading.
+
+    Args:
+        rng: Draws easting, northing, pixel size and heading, in this order.
+        extent: (x_min, y_min, x_max, y_max), m, of the center.
+        size_px: (width, height)
+        pixel_sizes: Smallest and largest, with a uniform logarithm.
+    """
+    # From north to south, as rows of a map go.
+    x, y = rng.uniform(extent[0], extent[2]), -rng.uniform(-extent[3], -extent[1])
+    pixel_size = float(np.exp(rng.uniform(*np.log(pixel_sizes))))
+    return View(float(x), float(y), float(rng.uniform(0, 360)), pixel_size, *size_px)

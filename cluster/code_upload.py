@@ -16,7 +16,6 @@ class Code(WorkerPlugin):
         """Store the code to send.
 
         Args:
-            package: Name of the package.
             archive: A zip file with one folder of that name.
         """
         self.name = package

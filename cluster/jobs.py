@@ -32,7 +32,6 @@ def do(task: str, job: bytes, pieces: bytes) -> bytes:
     """Execute some parts of a job.
 
     Args:
-        task: Key of ``TASKS``.
         job: The job and the fingerprint of its database, serialized.
         pieces: List of the parts, serialized.
 

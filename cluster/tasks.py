@@ -32,7 +32,6 @@ def do(task: str, path: str, shared: tuple, arguments: tuple) -> tuple[str, Any]
 
     Args:
         task: A name of ``core.database.tasks.TASKS``, ``jobs.TASKS``, SEGMENT or BURN.
-        path: The label map.
         shared: First arguments, equal for all calls. SEGMENT: those of ``_open_photo``. BURN: the CRS. Jobs: the job.
         arguments: Other arguments. BURN: geotransform and shape of a strip, and its polygons. Jobs: parts of the job.
 
@@ -76,8 +75,6 @@ def _open_photo(
     """Open a photo and its network, with one CPU thread: all workers give equal results.
 
     Args:
-        path: The photo.
-        model: The ONNX file.
         table_csv: A class table as CSV text; empty without one.
         pixel_size_m: Ground size of a pixel along a row and a column, m; None if unknown.
         resolution_m: Pixel size for the network, m; None for the photo's.

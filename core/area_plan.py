@@ -77,7 +77,6 @@ def plan_area(found: MapLandmarks, photo_m: tuple[float, float], imagery_pixel_m
     """Return the sizes for a map with at least one landmark.
 
     Args:
-        found: The landmarks.
         photo_m: Ground width and height of a typical photo, m.
         imagery_pixel_m: Pixel size of the imagery for training, m; None without imagery.
     """

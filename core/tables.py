@@ -162,9 +162,6 @@ Check = Callable[[Columns], None]
 def rows_of(path: str, check: Check) -> Iterator[Row]:
     """Yield the rows of a CSV with commas, semicolons or tabs between cells; empty lines are skipped.
 
-    Args:
-        check: Checks the header.
-
     Raises:
         ParameterError: The file can't be used.
     """

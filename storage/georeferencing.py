@@ -55,7 +55,6 @@ def write_geotiff(
     its colors, and is 0 outside.
 
     Args:
-        target: The GeoTIFF.
         crs_wkt: WKT of the map's CRS.
         corners_xy: As in ``write_draped``.
         going_on: Called repeatedly; False ends the work with an UnwritableError.
@@ -131,7 +130,6 @@ def write_world_file(image: str, target: str, crs_wkt: str, corners_xy: np.ndarr
     """Copy an image, write its world file beside it, and write the CRS to ``.aux.xml``.
 
     Args:
-        target: The copy.
         crs_wkt: WKT of the map's CRS.
         corners_xy: (4, 2) map coordinates of the image's upper left, upper right, lower right and lower left corner.
 
@@ -197,7 +195,6 @@ def write_points(image: str, target: str, crs_wkt: str, points: Sequence[Control
     """Copy an image and write its ``.points`` file, which QGIS's Georeferencer loads with the image.
 
     Args:
-        target: The copy.
         crs_wkt: WKT of the map's CRS.
         points: At least four for a tilted image, three for a level one.
 

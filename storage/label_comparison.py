@@ -8,14 +8,13 @@ from collections.abc import Iterator
 from typing import Callable
 
 import numpy as np
-from osgeo import gdal, ogr
+from osgeo import gdal
 
+from ..core.annotation.outlines import areas_and_wkb, outline_regions, to_map
 from ..core.errors import LabelMapError, UnwritableError
-from .gdal_errors import gdal_failure, gdal_failures, require_written
+from .gdal_errors import gdal_failure, require_written
 from .label_maps import GdalLabels
-
-PIXEL_TRANSFORM = (0.0, 1.0, 0.0, 0.0, 0.0, -1.0)
-"""GDAL's six numbers for maps without georeference: x is the column, y the negative row."""
+from .polygonize import WITHOUT_GEOREFERENCE, pixel_area, rows_of
 
 _PIXELS_AT_ONCE = 8_000_000
 
@@ -34,7 +33,6 @@ class LabelMapPair:
 
         Args:
             reference: The annotated label map.
-            predicted: The predicted one.
 
         Raises:
             LabelMapError: The maps don't overlap or can't be compared.
@@ -51,7 +49,7 @@ class LabelMapPair:
                 other_width=other_width,
                 other_height=other_height,
             )
-        grid, other = (transform or PIXEL_TRANSFORM for transform in grids)
+        grid, other = (transform or WITHOUT_GEOREFERENCE for transform in grids)
         if grid != other and any(transform[2] or transform[4] for transform in (grid, other)):
             raise LabelMapError("One of the maps is rotated against the other; warp both to a north-up grid first.")
         # For each pixel of REFERENCE along an axis: the pixel of PREDICTED at its center.
@@ -73,8 +71,7 @@ class LabelMapPair:
     @property
     def pixel_size(self) -> float:
         """Edge of a pixel, map units (pixels without a georeference)."""
-        _, across, x_turn, _, y_turn, along = self.geotransform
-        return float(abs(across * along - x_turn * y_turn) ** 0.5)
+        return float(pixel_area(self.geotransform) ** 0.5)
 
     def blocks(self) -> Iterator[tuple[int, np.ndarray, np.ndarray]]:
         """Yield (first row, annotated labels, predicted labels) from top to bottom, (rows, W) uint8 each."""
@@ -119,23 +116,20 @@ class DisagreementMap:
     """A raster of codes to polygonize. A context manager: its files are in a temporary folder, deleted at the end."""
 
     def __init__(self, pair: LabelMapPair) -> None:
-        self._folder = tempfile.TemporaryDirectory(prefix="semref-compare-")
-        folder = self._folder.name
+        self._pair, self._folder = pair, tempfile.TemporaryDirectory(prefix="semref-compare-")
         height, width = pair.shape_hw
-        self._path, self._polygons = os.path.join(folder, "codes.tif"), os.path.join(folder, "polygons.gpkg")
+        self._path = os.path.join(self._folder.name, "codes.tif")
         options = ["TILED=YES", "COMPRESS=DEFLATE", "ZLEVEL=1", "BIGTIFF=IF_SAFER"]
         self._raster = gdal.GetDriverByName("GTiff").Create(self._path, width, height, 1, gdal.GDT_UInt16, options)
         if self._raster is None:
             raise UnwritableError("{path} can't be written: {reason}.", path=self._path, reason=gdal_failure())
-        self._raster.SetGeoTransform(pair.geotransform)
-        self._database = self._layer = None
 
     def __enter__(self) -> DisagreementMap:
         return self
 
     def __exit__(self, *error: object) -> None:
-        # Close the files before their folder is removed.
-        self._raster = self._layer = self._database = None
+        # Close the file before its folder is removed.
+        self._raster = None
         self._folder.cleanup()
 
     def write_rows(self, first_row: int, codes_hw: np.ndarray) -> None:
@@ -143,51 +137,22 @@ class DisagreementMap:
         with require_written(self._path):
             self._raster.GetRasterBand(1).WriteArray(codes_hw, 0, first_row)
 
-    def outline(self, proceed: Callable[[float], bool]) -> None:
-        """Make the polygons.
+    def polygons(self, minimum_area: float, proceed: Callable[[], bool]) -> list[tuple[int, float, bytes]]:
+        """Return (code, area in square map units, WKB) of the polygons, largest first, equal areas from the top down.
 
         Args:
-            proceed: Gets the share done, 0…1, and returns whether to continue.
+            proceed: Returns whether to continue; otherwise the result is empty.
 
         Raises:
-            LabelMapError: GDAL could not make the polygons, or the disk is full.
+            LabelMapError: The codes can't be read.
+            UnwritableError: The disk is full.
         """
-        stopped: list[bool] = []
-
-        def report(share: float, message: str, data: object) -> int:
-            stopped.extend([] if proceed(share) else [True])
-            return int(not stopped)
-
-        # On a full disk the commit drops all polygons and reports it to the error handler only.
-        with gdal_failures() as failures:
+        with require_written(self._path):
             self._raster.FlushCache()
-            self._make_layer()
-            band = self._raster.GetRasterBand(1)
-            gdal.Polygonize(band, band, self._layer, 0, [], callback=report)
-            self._database.CommitTransaction()
-        if failures and not stopped:
-            raise LabelMapError("The polygons can’t be made: {reason}.", reason=failures[0])
-
-    def _make_layer(self) -> None:
-        """Create the layer of polygons. Raises RuntimeError if GDAL can't."""
-        self._database = ogr.GetDriverByName("GPKG").CreateDataSource(self._polygons)
-        if self._database is not None:
-            self._layer = self._database.CreateLayer("polygons", geom_type=ogr.wkbPolygon, options=["SPATIAL_INDEX=NO"])
-        if self._layer is None:
-            raise RuntimeError(gdal.GetLastErrorMsg())
-        self._layer.CreateField(ogr.FieldDefn("code", ogr.OFTInteger))
-        self._database.StartTransaction()
-
-    def by_area(self, minimum_area: float) -> list[tuple[int, float]]:
-        """Return (number, area in square map units) of the polygons, largest first, equal areas by number."""
-        found = []
-        for feature in self._layer:
-            area = feature.GetGeometryRef().GetArea()
-            if area >= minimum_area:
-                found.append((feature.GetFID(), area))
-        return sorted(found, key=lambda item: (-item[1], item[0]))
-
-    def polygon(self, number: int) -> tuple[int, bytes]:
-        """Return (code, WKB) of a polygon."""
-        feature = self._layer.GetFeature(number)
-        return feature.GetField("code"), bytes(feature.GetGeometryRef().ExportToWkb())
+        codes, outlines = outline_regions(rows_of(self._raster.GetRasterBand(1)), self._pair.shape_hw, proceed)
+        transform = self._pair.geotransform
+        areas, wkb = areas_and_wkb(to_map(outlines, transform))
+        # In pixels, areas have no rounding errors.
+        pixels, _ = areas_and_wkb(outlines)
+        kept = [n for n in np.argsort(-pixels, kind="stable") if pixels[n] * pixel_area(transform) >= minimum_area]
+        return [(int(codes[n]), float(areas[n]), wkb[n]) for n in kept]

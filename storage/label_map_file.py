@@ -39,12 +39,10 @@ class LabelMapFile(WrittenRaster):
         """Create the file.
 
         Args:
-            path: The new file.
             width: In pixels.
             height: In pixels.
             geotransform: GDAL's six numbers; None without a georeference.
             crs_wkt: WKT of the CRS; empty without one.
-            table: The classes.
             class_bias: Text of the network's class offsets; empty if no network made the labels.
 
         Raises:
@@ -70,7 +68,6 @@ def paste_labels(path: str, part: str) -> None:
     """Overwrite the extent of ``part`` in a label map.
 
     Args:
-        path: The label map.
         part: A label map on the same pixel grid, inside the extent of the first.
 
     Raises:

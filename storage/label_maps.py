@@ -39,7 +39,6 @@ class GdalLabels:
         """Open the map.
 
         Args:
-            path: The label map.
             keeps_blocks: Whether GDAL's cache keeps the blocks of parts, for work that reads the same places again.
                 Blocks of whole rows are always dropped, since rows are read once and in order.
 
@@ -209,8 +208,6 @@ def require_classes_of(labels: GdalLabels, table: ClassTable, path: str) -> None
     """Raise LabelMapError if a label map and a database have different names for a class value.
 
     Args:
-        labels: The label map.
-        table: Classes of the database.
         path: Name of the label map for the message.
     """
     for found in stored_class_table(labels.dataset, path) or named_classes(labels.dataset):

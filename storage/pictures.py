@@ -97,9 +97,7 @@ class WrittenRaster:
         """Create the file.
 
         Args:
-            path: The new file.
             shape_hw: (height, width) in pixels.
-            bands: Number of bands.
             geotransform: GDAL's six numbers; None without a georeference.
             crs_wkt: WKT of the CRS; empty without one.
             options: GDAL's creation options.
@@ -163,11 +161,9 @@ class PercentRaster(WrittenRaster):
         """Create the file.
 
         Args:
-            path: The new file.
             shape_hw: (height, width) in pixels.
             geotransform: GDAL's six numbers; None without a georeference.
             crs_wkt: WKT of the CRS; empty without one.
-            names: Band names.
 
         Raises:
             UnwritableError: GDAL can't write the file.

@@ -31,13 +31,12 @@ class LabelPolygons:
         """Prepare without reading the map.
 
         Args:
-            path: The label map.
             minimum_area: Square map units; smaller regions become part of their largest neighbor. 0 keeps all.
             tolerance: Map units; see ``shapely.coverage_simplify``, which removes a vertex if its triangle is smaller
                 than one with this edge and height. 0 keeps the pixel edges.
         """
         self._path, self._minimum_area, self._tolerance = path, minimum_area, tolerance
-        self.classes = np.empty(0, np.uint8)
+        self.classes = np.empty(0, np.uint16)
         self.polygons = np.empty(0, object)
 
     def steps(self, proceed: Callable[[], bool] = lambda: True) -> Iterator[tuple[str, float]]:
@@ -55,10 +54,10 @@ class LabelPolygons:
             transform = _transform(raster)
             yield "Outlining regions", 0.3
             shape_hw = raster.RasterYSize, raster.RasterXSize
-            values, outlines = outline_regions(_rows(raster.GetRasterBand(1)), shape_hw, proceed)
+            values, outlines = outline_regions(rows_of(raster.GetRasterBand(1)), shape_hw, proceed)
             yield "Simplifying borders", 0.6
             if self._tolerance > 0 and can_simplify() and len(outlines):
-                outlines = simplify(outlines, self._tolerance / np.sqrt(_pixel_area(transform)))
+                outlines = simplify(outlines, self._tolerance / np.sqrt(pixel_area(transform)))
             self.classes, self.polygons = values, to_map(outlines, transform)
             # Close the file before its folder is removed.
             del raster
@@ -68,7 +67,7 @@ class LabelPolygons:
         """Return the label map without small regions."""
         source = open_raster(self._path)
         transform = _transform(source)
-        pixels = int(np.ceil(self._minimum_area / _pixel_area(transform)))
+        pixels = int(np.ceil(self._minimum_area / pixel_area(transform)))
         if pixels <= 1:
             return source
         options = ["TILED=YES", "COMPRESS=DEFLATE", "ZLEVEL=1", "BIGTIFF=IF_SAFER"]
@@ -84,8 +83,8 @@ class LabelPolygons:
         return target
 
 
-def _rows(band: gdal.Band) -> Callable[[int, int], np.ndarray]:
-    """Return a function that reads rows [first, last) of labels."""
+def rows_of(band: gdal.Band) -> Callable[[int, int], np.ndarray]:
+    """Return a function that reads rows [first, last) of labels. It raises LabelMapError."""
 
     def read(first: int, last: int) -> np.ndarray:
         found = None
@@ -101,7 +100,8 @@ def _transform(raster: gdal.Dataset) -> tuple[float, ...]:
     return raster.GetGeoTransform(can_return_null=True) or WITHOUT_GEOREFERENCE
 
 
-def _pixel_area(transform: tuple[float, ...]) -> float:
+def pixel_area(transform: tuple[float, ...]) -> float:
+    """Return the area of a pixel, square map units; ``transform``: GDAL's six numbers."""
     return abs(transform[1] * transform[5] - transform[2] * transform[4])
 
 

@@ -54,10 +54,6 @@ class LabelMapBurning:
         """Prepare the label map without writing it.
 
         Args:
-            path: The new file.
-            frame: Its pixel grid.
-            table: Its classes.
-            polygons: In any order.
             burn: Function from the results of ``strip_polygons`` to the (H, W) labels of each strip, which workers
                 execute; None to rasterize in this process.
         """
@@ -152,7 +148,6 @@ class BurnLayer:
         """Return (H, W) polygon values, 0 outside all polygons.
 
         Args:
-            frame: The pixel grid.
             kind: GDAL's data type of the values.
         """
         height, width = frame.shape_hw

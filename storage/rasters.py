@@ -192,7 +192,6 @@ def require_whole_raster(path: str, target: str) -> None:
     """Open a new raster and read its last pixels, which are missing if the disk was full.
 
     Args:
-        path: The raster.
         target: Its final name, for the message.
 
     Raises:

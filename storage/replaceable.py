@@ -82,7 +82,6 @@ def require_replaceable(path: str, suffix: str = "", tables: Collection[str] | N
     """Raise ParameterError unless a target is free or an older output of the same kind.
 
     Args:
-        path: The target.
         suffix: Usual suffix of such outputs, which gives the kind of file; empty for the suffix of ``path``.
         tables: Layers that an older GeoPackage may have; empty for one layer with the name of the file, None if the run
             keeps all layers.

@@ -58,7 +58,6 @@ def plan_positions(text: str, path: str) -> np.ndarray:
     """Return (n, 2) longitude, latitude of a QGroundControl plan: positions of the items, transects of surveys.
 
     Args:
-        text: Content of the file.
         path: Name of the file for messages.
 
     Raises:
@@ -84,7 +83,6 @@ def waypoint_positions(text: str, path: str) -> np.ndarray:
     """Return (n, 2) longitude, latitude of a waypoint list in the format “QGC WPL 110” of MAVLink tools.
 
     Args:
-        text: Content of the file.
         path: Name of the file for messages.
 
     Raises:

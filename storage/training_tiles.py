@@ -169,8 +169,6 @@ class TileExport:
         """Open image and labels without writing tiles.
 
         Args:
-            image: The image.
-            labels: The label map.
             tile_size: Edge in pixels.
             stride: Distance between tiles in pixels.
             fraction: Share of the ground for validation.
@@ -196,7 +194,6 @@ class TileExport:
         """Count labels, divide the ground, and write tiles, class table and manifest.
 
         Args:
-            folder: An empty folder.
             table: The classes; None for the classes of the label map.
 
         Raises:

@@ -38,7 +38,6 @@ def random_light(rng: np.random.Generator, image: np.ndarray, strength: float = 
     """Vary exposure, contrast, gamma, saturation and white balance, and sometimes add blur and noise.
 
     Args:
-        rng: Random generator.
         image: (H, W, 3) float32 in 0…1.
         strength: Factor for all changes of light and color, not for blur and noise.
 

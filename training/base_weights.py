@@ -86,7 +86,6 @@ def restore_normalization(network: torch.nn.Module, batches: Iterable[torch.Tens
     """Set merged normalizations to the mean and variance of their inputs, without changing the network's answers.
 
     Args:
-        network: The network.
         batches: Standardized images (N, 3, H, W).
     """
     network.eval()

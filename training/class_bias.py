@@ -43,7 +43,6 @@ def measure_class_biases(
     Args:
         answer: Function from image (H, W, 3) to channels (H, W).
         reader: Sequence of images with their true channels.
-        channels: Number of channels.
     """
     on_ground: list[PieceShift] = []
     in_image: list[PieceShift] = []

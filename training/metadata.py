@@ -32,7 +32,6 @@ def entries(
         architecture: Encoder and depth, for further training.
         validation: (L, K) pixels of each label and predicted class on validation tiles, and the classes that each
             label allows (partial.py).
-        ground: The training ground.
         card: Data of the model card (docs/reference/file_formats.md#model-card).
     """
     mean, deviation = standardization

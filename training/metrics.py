@@ -22,9 +22,7 @@ def confusion_matrix(labels: np.ndarray, predicted: np.ndarray, count: int, sets
     """Return (count + sets, count) pixels of each label (row) and predicted class (column) without IGNORED.
 
     Args:
-        labels: True labels.
         predicted: Predicted classes, of the same shape.
-        count: Number of classes.
         sets: Number of labels after the classes that allow several classes (partial.py).
     """
     known = labels != IGNORED

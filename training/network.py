@@ -16,7 +16,6 @@ def pyramid_attention_network(encoder: str, depth: int, class_count: int, pretra
     Args:
         encoder: Name in segmentation_models_pytorch; ``tu-NAME`` is timm's NAME.
         depth: How often the encoder halves the image, 3 to 5.
-        class_count: Number of classes.
         pretrained: Whether to download the encoder's weights.
     """
     allow_torchvision_without_operators()

@@ -21,7 +21,6 @@ def partial_labels(count: int, excluded: dict[Path, list[int]]) -> tuple[np.ndar
     unlabeled.
 
     Args:
-        count: Number of channels.
         excluded: By folder of tiles, the channels that its unlabeled ground can't have.
 
     Returns:

@@ -134,7 +134,6 @@ def find_raster_losses(
     its class, and split if its pixels form several pieces.
 
     Args:
-        landmarks: As drawn.
         runs: Their pixels; landmark n is region n + 1.
         minimum_area: m², of a landmark.
         pixel_size: Edge of a pixel, m.

@@ -99,7 +99,6 @@ def require_known_classes(unknown: Mapping[str, int], source: str, table: ClassT
 
     Args:
         unknown: Number of features by such a value.
-        source: Name of the layer.
     """
     if not unknown:
         return

@@ -30,7 +30,7 @@ _ROWS_AT_ONCE = 2048
 _STARTS_AT_ONCE = 1 << 16
 
 Rows = Callable[[int, int], np.ndarray]
-"""(first, last + 1) row of a label map → (rows, W) uint8."""
+"""(first, last + 1) row of a label map → (rows, W) uint8 or uint16."""
 
 
 def outline_regions(
@@ -43,10 +43,10 @@ def outline_regions(
         proceed: Called now and then; if it returns False, the result is empty.
 
     Returns:
-        (n,) uint8 labels and (n,) valid shapely polygons in pixels (column, row). On shared borders both sides have the
-        same vertices. Each ring starts at its topmost vertex, of several at the leftmost.
+        (n,) uint16 labels and (n,) valid shapely polygons in pixels (column, row). On shared borders both sides have
+        the same vertices. Each ring starts at its topmost vertex, of several at the leftmost.
     """
-    nothing = np.empty(0, np.uint8), np.empty(0, object)
+    nothing = np.empty(0, np.uint16), np.empty(0, object)
     try:
         corners = _Corners.of(rows, shape_hw, proceed)
         return _polygons(corners, rows, proceed) if len(corners.places) else nothing
@@ -116,7 +116,7 @@ class _Corners:
         places: (N,) int64 row · (width + 1) + column of the grid of corners of pixels.
         coming: (N,) uint8 direction.
         leaving: (N,) uint8 direction.
-        labels: (N,) uint8 of the region.
+        labels: (N,) uint16 of the region.
         touches: (N,) bool, whether only the diagonal pixel also has that label, not the pixels beside it.
     """
 
@@ -156,7 +156,7 @@ class _Corners:
         coming = np.repeat(np.arange(4, dtype=np.uint8), counts)
         places, leaving, labels, touches = (
             np.concatenate([part[number] for some in found for part in some] or [np.empty(0, kind)])
-            for number, kind in enumerate((np.int64, np.uint8, np.uint8, bool))
+            for number, kind in enumerate((np.int64, np.uint8, np.uint16, bool))
         )
         return _Corners(shape_hw, places, coming, leaving, labels, touches)
 
@@ -221,7 +221,7 @@ def _framed(rows: Rows, shape_hw: tuple[int, int]) -> Iterator[tuple[int, np.nda
     height, width = shape_hw
     for first in range(0, height + 1, _ROWS_AT_ONCE):
         last = min(first + _ROWS_AT_ONCE, height + 1)
-        labels = np.full((last - first + 1, width + 2), UNLABELED, np.uint8)
+        labels = np.full((last - first + 1, width + 2), UNLABELED, np.uint16)
         top, bottom = max(0, first - 1), min(height, last)
         labels[top - first + 1 : bottom - first + 1, 1:-1] = rows(top, bottom)
         yield first, labels

@@ -45,7 +45,6 @@ def overlay_polygons(
     """Overlay features step by step; a generator calls it with ``yield from``.
 
     Args:
-        features: As drawn.
         ranks_of: Returns the order of drawing: a method of AnnotatedPolygons.
         findings: Receives invalid geometries, and every duplicate, overlap and hidden polygon.
 

@@ -107,7 +107,6 @@ class DatabaseBuilder:
 
         Args:
             frame: Grid and shape of the map.
-            run: Runs the tasks.
             overview: Receives the pieces of the overview, in any order.
 
         Raises:
@@ -213,8 +212,7 @@ def build_from_labels(
     """Build a database, including its overview, in one call.
 
     Args:
-        source: The label map.
-        frame: Its grid, of any shape.
+        frame: Grid of the map, of any shape.
 
     Raises:
         LabelMapError: The map has no landmark.

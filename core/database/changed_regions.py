@@ -25,7 +25,6 @@ class ChangedLandmarks:
         """Prepare the comparison.
 
         Args:
-            source: The new label map.
             database: Database of the old map, with the landmarks' bounds.
             places: Result of ``changed_places``.
         """

@@ -61,7 +61,6 @@ def measure(source: LabelSource, minimum_area: float, regions: np.ndarray) -> np
     """Return (N, 8) rows of regions across tiles.
 
     Args:
-        source: The label map.
         minimum_area: Of a landmark, pixels.
         regions: (R, 7) int64 class, left, top, right, bottom, column and row of the first pixel.
     """
@@ -84,8 +83,6 @@ def describe(  # noqa: PLR0913 - settings of vectors and windows
     """Return columns, rows, counts and vectors (``DescribedWindows``) of the windows in one piece.
 
     Args:
-        source: The label map.
-        values: Landmark classes.
         minimum_area: Of a landmark, pixels.
         references_per_vector: Largest number of landmarks in a vector.
         box: The piece; its first window starts with it.

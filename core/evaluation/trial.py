@@ -98,11 +98,6 @@ class Trial:
         """Whether the result is a fix at a wrong place."""
         return self.is_fix and not self.is_right
 
-    @property
-    def error_share(self) -> float | None:
-        """Error as a share of the footprint."""
-        return None if self.error is None else self.error / self.query.view.footprint
-
 
 def judge(  # noqa: PLR0913 - the last three are notes that a trial carries along
     query: Query,
@@ -116,7 +111,6 @@ def judge(  # noqa: PLR0913 - the last three are notes that a trial carries alon
 
     Args:
         query: The image with its view.
-        method: Requested method.
         right_within: Largest error of a right position, m; None for RIGHT_SHARE of the footprint.
         landmarks: As in ``Trial``.
         seconds: As in ``Trial``.

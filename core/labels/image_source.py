@@ -94,11 +94,7 @@ class MaskedImage:
     """An image with a mask; unwanted pixels have no data but stay visible as surroundings of wanted ones."""
 
     def __init__(self, image: ImageSource, mask: PixelMask) -> None:
-        """Read nothing yet.
-
-        Args:
-            mask: The wanted pixels.
-        """
+        """Read nothing yet."""
         self._image, self._mask = image, mask
 
     @property

@@ -52,8 +52,6 @@ def follow_outer_border(
     integers), equal to the results of ``cv2.contourArea`` and ``cv2.moments``.
 
     Args:
-        source: The label map.
-        value: The region's class.
         first_pixel: (column, row) of its first pixel in raster order.
         minimum_area: Pixels.
 

@@ -9,7 +9,6 @@ def connected_components(count: int, pairs: np.ndarray) -> np.ndarray:
     """Return the connected components of a graph.
 
     Args:
-        count: Number of nodes.
         pairs: (E, 2) linked nodes.
 
     Returns:

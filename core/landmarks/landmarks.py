@@ -61,7 +61,6 @@ def extract_landmarks(labels_hw: np.ndarray, class_values: Sequence[int], minimu
 
     Args:
         labels_hw: (H, W) uint8.
-        class_values: Landmark classes.
         minimum_area_px: Smallest contour area, pixels.
     """
     area_px = whole_half_pixels(minimum_area_px)

@@ -35,7 +35,6 @@ class ReachingRegions:
         """Read nothing yet.
 
         Args:
-            source: The label map.
             places: Disjoint rectangles on the map.
             minimum_area: Of a landmark, pixels.
             tile_px: See TILE.

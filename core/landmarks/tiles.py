@@ -71,7 +71,6 @@ def tile_landmarks(
         labels_hw: (h, w) uint8.
         first: (column, row) of its first pixel on the map.
         map_hw: (height, width) of the map.
-        values: Landmark classes.
         minimum_area: Of a landmark, pixels.
     """
     rows, pieces, runs = [NO_ROWS], [NO_PIECES], [NO_RUNS]
@@ -129,8 +128,6 @@ def measure_region(
     """Measure one region.
 
     Args:
-        source: The label map.
-        value: The region's class.
         minimum_area_px: Smaller regions are not landmarks.
         patch_pixels: A region is read in one piece up to this many pixels; the border of a larger one is followed.
 

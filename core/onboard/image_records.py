@@ -36,7 +36,6 @@ def label_reader(model_path: str | None, threads: int, table: ClassTable, device
 
     Args:
         model_path: Of the network; None for label images.
-        device: Device of the network.
 
     Raises:
         SemRefError: The network can't be used.

@@ -24,7 +24,6 @@ def log_event(level: int, event: str, traceback: bool = False, **details: object
 
     Args:
         level: Of the module ``logging``.
-        event: Name of the event.
         traceback: Whether to add the traceback of the current error.
         **details: Further values of the line.
     """

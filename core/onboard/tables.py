@@ -30,7 +30,6 @@ class TableOfImages(Generic[Value]):
         """Store the path; nothing is read yet.
 
         Args:
-            check: Checks the header.
             read: Converts a row; its second argument is whether no known row comes before.
             is_ended: No program writes any more.
         """

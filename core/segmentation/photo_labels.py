@@ -116,7 +116,6 @@ class PhotoReader:
         """Match the network's classes with the database's.
 
         Args:
-            open_photo: Opens a file.
             follow: Iterates over the steps of a photo; None for callers that do not need them.
 
         Raises:

@@ -46,7 +46,6 @@ class Conditions:
         Args:
             view: Of the camera.
             rng: A seeded one repeats the result.
-            class_values: Classes of landmarks.
 
         Returns:
             The view with lens and tilt, and the noise with the classes' offsets.

@@ -118,13 +118,3 @@ class LabelNoise:
 
 USUAL = LabelNoise(missed=0.2, spurious=0.2, mislabeled=0.05, jitter=1.0)
 """Defaults of assessments and evaluations, in meters."""
-
-_NETWORK = LabelNoise(missed_below=200.0, split_length=40.0)
-
-MODEST = replace(_NETWORK, merge_gap=6, split=0.2, jitter=3, jitter_length=9, patches=0.15, thin=4, missed=0.15)
-"""A usable network, in meters, as seen on aerial tiles with an IoU of buildings near 0.5: merged houses, boundary
-errors of 3 m, 15 % of the area in a random class."""
-
-STRONG = replace(_NETWORK, merge_gap=10, split=0.4, jitter=6, jitter_length=18, patches=0.35, thin=8, missed=0.4)
-"""A poor network, in meters: boundary errors of 6 m, 35 % of the area in a random class, four of ten small landmarks
-missed."""

@@ -148,26 +148,6 @@ def image_coordinates(view: View, positions: np.ndarray) -> np.ndarray:
     return np.column_stack([view.width_px / 2 + right, view.height_px / 2 - up])
 
 
-def random_view(
-    rng: np.random.Generator,
-    extent: tuple[float, float, float, float],
-    size_px: tuple[int, int] = (1280, 1280),
-    pixel_sizes: tuple[float, float] = (1.0, 1.0),
-) -> View:
-    """Return a view of random position and heading.
-
-    Args:
-        rng: Draws easting, northing, pixel size and heading, in this order.
-        extent: (x_min, y_min, x_max, y_max), m, of the center.
-        size_px: (width, height)
-        pixel_sizes: Smallest and largest, with a uniform logarithm.
-    """
-    # From north to south, as rows of a map go.
-    x, y = rng.uniform(extent[0], extent[2]), -rng.uniform(-extent[3], -extent[1])
-    pixel_size = float(np.exp(rng.uniform(*np.log(pixel_sizes))))
-    return View(float(x), float(y), float(rng.uniform(0, 360)), pixel_size, *size_px)
-
-
 def _offsets(view: View, columns: np.ndarray, rows: np.ndarray, scale: float) -> tuple[np.ndarray, np.ndarray]:
     """Return offsets to the east and south of the image's center, in units of ``scale`` per image pixel."""
     right, up = columns - view.width_px / 2, view.height_px / 2 - rows

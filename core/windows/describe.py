@@ -67,7 +67,6 @@ def describe_windows(  # noqa: PLR0913 - labels, landmark settings, and vector s
     Args:
         labels_hw: (H, W) uint8, the whole area of the grid.
         objects: Every landmark that overlaps the labels, with at least the same minimum area, uncut.
-        reference_values: Landmark classes.
         minimum_area_px: Smaller regions are not landmarks.
         references_per_vector: X, largest number of landmarks in a vector.
     """

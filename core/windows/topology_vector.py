@@ -35,7 +35,6 @@ def topology_vector(
         centers_xy: (N, 2) centers of gravity (column, row), pixels.
         classes: (N,) class values, each one of ``reference_values``.
         image_center_xy: (column, row) of the image's center, pixels.
-        reference_values: Landmark classes.
         references_per_vector: X, largest number of landmarks in the vector.
 
     Returns:

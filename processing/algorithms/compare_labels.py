@@ -145,7 +145,9 @@ class CompareLabels(SemRefAlgorithm):
             feedback.setProgressText(tr("Comparing"))
             comparison = LabelComparison(self._count(pair, match, disagreements, feedback))
             feedback.setProgressText(tr("Making polygons of the disagreements"))
-            polygons = self._polygons(disagreements, values.number(self.MINIMUM_AREA), feedback)
+            polygons = disagreements.polygons(values.number(self.MINIMUM_AREA), lambda: not feedback.isCanceled())
+            check_canceled(feedback)
+            feedback.setProgress(96)
         feedback.setProgressText(tr("Comparing landmarks"))
         shifts = measure_shifts(pair, match, comparison, self._layers[0].crs, feedback)
         if outputs.wants(self.REPORT):
@@ -200,27 +202,6 @@ class CompareLabels(SemRefAlgorithm):
             disagreements.write_rows(first, disagreement_codes(annotated, predicted))
             feedback.setProgress(40 * (first + len(annotated)) / height)
         return counts
-
-    def _polygons(
-        self, disagreements: DisagreementMap, minimum_area: float, feedback: QgsProcessingFeedback
-    ) -> list[tuple[int, float, bytes]]:
-        """Return [(code, area, outline as WKB)], the largest first. Raises Canceled, also while polygons are made."""
-
-        def proceed(share: float) -> bool:
-            feedback.setProgress(40 + 40 * share)
-            return not feedback.isCanceled()
-
-        disagreements.outline(proceed)
-        check_canceled(feedback)
-        ranked = disagreements.by_area(minimum_area)
-        found = []
-        for number, area in ranked:
-            check_canceled(feedback)
-            code, outline = disagreements.polygon(number)
-            found.append((code, area, outline))
-            feedback.setProgress(80 + 16 * len(found) / len(ranked))
-        check_canceled(feedback)
-        return found
 
     def _write(self, outputs: Outputs, polygons: list[tuple[int, float, bytes]], match: ClassMatch) -> None:
         from ...core.labels.comparison import decode_disagreement

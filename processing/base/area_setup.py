@@ -166,7 +166,6 @@ def read_photos(
         paths: Files and folders; may be empty if ``width_m`` is known.
         width_m: Ground width of a typical photo; None if unknown.
         imagery_pixel_m: Pixel size of the imagery, which photos without camera data are assumed to have.
-        feedback: It cancels.
 
     Raises:
         ParameterError: The ground width is unknown.
@@ -268,14 +267,10 @@ def read_area(
     """Read the map within its extent and return the sizes.
 
     Args:
-        area: The map.
-        photos: The photos.
         given: The user's extent, empty without one, and its CRS.
-        rules: Classes of tags.
         known: Classes of the model; empty for a model that is trained on the map's classes.
         imagery_pixel_m: Pixel size of the imagery for training, m; None without imagery.
         context: Coordinate transforms of the project.
-        feedback: It cancels.
 
     Raises:
         ParameterError: No landmark is in the extent, or all photos are outside the map.

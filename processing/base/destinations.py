@@ -124,8 +124,6 @@ def require_outputs_apart(
     """Refuse outputs that are an input or another output, by name, link or inode, or that replace a foreign file.
 
     Args:
-        algorithm: Algorithm with the parameters.
-        parameters: Values by key.
         context: Context of the run; call this in the thread of its layers.
         may_replace: Output keys that may have the file of an input key, because the input is read before.
 

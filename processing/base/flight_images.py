@@ -74,10 +74,7 @@ def with_log(
     """Add the data of a flight log to cameras that lack them.
 
     Args:
-        cameras: Cameras of the images.
         log: The flight log; None without one.
-        paths: Paths of the images.
-        with_attitude: Whether images are leveled.
 
     Raises:
         ParameterError: The log contains nothing about these images.

@@ -166,10 +166,7 @@ class Outputs:
         """Yield a sink to fill; a sink that is not selected ignores its features.
 
         Args:
-            key: Key of the output.
-            schema: Fields of the layer.
             geometry: A kind of geometry of ``compat``.
-            crs: CRS of the geometries.
             style: Its file in ``resources/styles``; columns get their titles without a style, too.
             **look: Further attributes of ``Look``.
 

@@ -53,7 +53,6 @@ def require_scheduler(values: Values, others: Sequence[str] = ()) -> None:
     """Raises ParameterError for an invalid SCHEDULER, ComponentError if packages are missing.
 
     Args:
-        values: Values of the algorithm.
         others: Keys that only QGIS can process.
     """
     if not values.has(SCHEDULER):
@@ -74,8 +73,6 @@ class Workers:
         """Prepare to send tasks.
 
         Args:
-            process: A started process.
-            folder: Folder of exchanged files.
             feedback: Shows the reports of the process.
         """
         self.reports = EventProcess(process)
@@ -102,8 +99,6 @@ class Workers:
 
         Args:
             task: A name of ``cluster.task_names``.
-            job: What all pieces share.
-            pieces: What differs.
             database: Database of the plan: workers refuse another one.
             at_once: Pieces in one task.
 
@@ -181,7 +176,6 @@ def workers(
     """Yield the workers of SCHEDULER; None if it is not set.
 
     Args:
-        values: Values of the algorithm.
         feedback: Shows the reports of the process.
         files: Files that workers read, with their ``storage.file_states.state`` before they were read here.
         labels: The label map, for tasks of ``core.database.tasks``.

@@ -66,9 +66,6 @@ class SegmentedFiles:
         """Prepare to write.
 
         Args:
-            outputs: Outputs of the run.
-            grid: Grid of the pixels.
-            model: Model with the classes.
             keys: Keys of the label map, the confidence and the probabilities.
             wanted: Which of the latter two are written.
         """

@@ -51,7 +51,6 @@ class TrainingRun:
         """Make the folder, or find an earlier run to continue.
 
         Args:
-            model: Path of the model.
             resume: Whether an earlier run is continued; otherwise it is removed.
 
         Raises:

@@ -70,7 +70,6 @@ def plan_rasterizing(
     """Read what an update of a database needs.
 
     Args:
-        path: The database.
         grounds: Layers that must overlap its map: the land-cover layer, the corrected places.
         folder: Where the class table of the database is written.
         context: Coordinate transforms of the project.
@@ -135,7 +134,6 @@ def part_to_rasterize(
     Args:
         grid: As in ``RasterizePlan``.
         changed: One or more of ``changed_bounds``.
-        crs: CRS of the bounds.
         context: Coordinate transforms of the project.
     """
     whole, pixel = grid["EXTENT"], grid["PIXEL_SIZE"]

@@ -103,7 +103,6 @@ def photo_rgba(path: str, longest_px: int) -> np.ndarray:
     """Return the colors of a photo as a network gets them.
 
     Args:
-        path: Path of the photo.
         longest_px: Photos with a longer side are reduced.
 
     Returns:

@@ -58,11 +58,9 @@ def apply_repair(
     Nothing is saved: the layer is in edit mode afterwards, with one step to undo.
 
     Args:
-        layer: The land-cover layer.
         repaired: OUTPUT of *Repair land-cover layer*, with the fields of ``layer``.
         changes: CHANGES of the same run.
         context: Coordinate transforms of the project.
-        title: Title of the step.
 
     Raises:
         ParameterError: The layer cannot be edited.

@@ -116,7 +116,6 @@ def annotation_source(
     """Copy the needed data of a layer, in the layer's thread. Raises AnnotationError.
 
     Args:
-        layer: The land-cover layer.
         definition: Value of the parameter, which may limit the features to selected or filtered ones.
         class_field: Name of the class field.
         priority_field: Name of the priority field; empty without one.

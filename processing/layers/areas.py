@@ -69,11 +69,9 @@ def area_rings(
     """Return rings (n, 2) in ``crs`` of an area with a buffer, cut at an extent.
 
     Args:
-        area: The area.
         distance: Width of the buffer, map units of ``crs``.
         crs: Target CRS.
         extent: (x_min, y_min, x_max, y_max) in ``crs``.
-        transform_context: The project's transform context.
 
     Raises:
         ParameterError: No ring remains.
@@ -122,11 +120,8 @@ def area_mask(
     """Return the mask of the pixels inside the polygons of an area.
 
     Args:
-        area: The area.
-        crs: CRS of the image.
         geotransform: GDAL's six numbers of the image; None without a georeference.
         shape_hw: (height, width) of the image.
-        context: The project's transform context.
 
     Raises:
         ParameterError: The image has no georeference, or no polygon touches it.

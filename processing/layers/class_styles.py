@@ -113,8 +113,6 @@ def write_label_map_style(path: str, table: ClassTable, note: Note | None = None
     Without a style the legend would list all 256 entries of the GeoTIFF's color table.
 
     Args:
-        path: The label map.
-        table: Its classes.
         note: Metadata of the map, written beside it as well.
 
     Returns:

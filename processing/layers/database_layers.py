@@ -49,8 +49,6 @@ def add_database_to_map(path: str, project: QgsProject, references: QgsVectorLay
     """Add references, windows and overview as a group and return it; only the references are visible.
 
     Args:
-        path: The database.
-        project: The project.
         references: Existing layer of the references; None to add it.
 
     Raises:
@@ -142,13 +140,7 @@ def _reload(layers: list[QgsMapLayer]) -> None:
 
 
 def open_when_done(path: str, output: str, context: QgsProcessingContext) -> None:
-    """Open a database in QGIS when its algorithm is done. Scripts without a project open nothing.
-
-    Args:
-        path: The database.
-        output: Key of the output.
-        context: Context of the run.
-    """
+    """Open a database in QGIS when its algorithm is done. Scripts without a project open nothing."""
     if context.project() is None:
         return
     details = QgsProcessingContext.LayerDetails(

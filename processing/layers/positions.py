@@ -81,7 +81,6 @@ def read_positions(
     """Return the rows of the positions in their order.
 
     Args:
-        source: The positions.
         footprints: The footprints of the same run, or None.
 
     Raises:

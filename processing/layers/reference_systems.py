@@ -113,8 +113,6 @@ def meters_from(
     Args:
         lon_lat: Longitude and latitude, degrees.
         extent: (x_min, y_min, x_max, y_max) of the box.
-        crs: CRS of the box.
-        transform_context: The project's transform context.
     """
     degrees = QgsCoordinateReferenceSystem(WGS84)
     transform = QgsCoordinateTransform(crs, degrees, transform_context)

@@ -87,10 +87,7 @@ def plan_drawing(
 
     Args:
         layer: Result of ``drawable``.
-        extent: Extent to draw.
-        extent_crs: Its CRS.
         pixel_size_m: Pixel size in m.
-        context: The project's transform context.
 
     Raises:
         ImageError: The extent can't be transformed to a metric CRS, or is too large.
@@ -124,9 +121,6 @@ def draw(
     """Draw into a GeoTIFF; yield (current step, share done 0…1) after each tile.
 
     Args:
-        drawing: The planned drawing.
-        path: The new file.
-        context: The project's transform context.
         canceled: Called several times a second; True ends the drawing.
 
     Raises:
@@ -195,10 +189,6 @@ def map_picture(
 
     Args:
         layers: Results of ``styled_copy``.
-        extent: Extent to draw.
-        crs: Its CRS.
-        width_px: Width of the picture.
-        context: The project's transform context.
         canceled: Called several times a second; True ends the drawing.
 
     Raises:

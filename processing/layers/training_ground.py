@@ -57,7 +57,6 @@ def require_two_classes(counts: Sequence[int] | np.ndarray, table: ClassTable) -
 
     Args:
         counts: (256,) pixels per value.
-        table: The classes.
     """
     labeled = [entry.name for entry in table if entry.value and counts[entry.value]]
     if len(labeled) == 1:

@@ -18,7 +18,6 @@ def shown(number: float, spec: str = "") -> str:
     '14.130'
 
     Args:
-        number: Any number.
         spec: Python's format; a comma in it asks for groups of three digits.
     """
     if QLocale is None:

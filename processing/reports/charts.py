@@ -182,8 +182,6 @@ def profile(
         x_axis: Distance along the route.
         seen_axis: Right axis, with as many ticks as the left one.
         shaded: (from, to) of stretches.
-        enough: Threshold of success.
-        name: Name of the chart.
     """
     frame = _Frame(x_axis, percent_axis(success.name), [], PROFILE_WIDTH, PROFILE_RIGHT)
     parts = [

@@ -19,8 +19,6 @@ def flight_html(
     """Return the page.
 
     Args:
-        points: All images in order.
-        database: Name of the database.
         links: Sentences about the motion between images.
         settings: (name, value) of the settings.
     """

@@ -263,7 +263,6 @@ def poor_stretches(flown: FlownRoute, threshold: float, large: float) -> list[tu
     """Return (line, start, end, text) of stretches after the first position without position or with a large radius.
 
     Args:
-        flown: Results of the flights.
         threshold: Sufficient share of the flights.
         large: Large 95 % radius, m.
     """

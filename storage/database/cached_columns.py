@@ -23,7 +23,6 @@ def cached_columns(connection: Snapshot, read: Callable[[], Columns]) -> Columns
     """Return windows and landmarks, of a large database from the cache.
 
     Args:
-        connection: The database.
         read: Reads and checks the rows. Its errors are passed on.
     """
     key = _key(connection)

@@ -25,8 +25,6 @@ def copy_database(path: str, target: str, state_when_read: tuple) -> None:
     Foreign tables, views and triggers are not copied. GDAL's triggers for the spatial index are created again.
 
     Args:
-        path: The database.
-        target: A new file.
         state_when_read: ``connection.state`` of the database when it was read.
 
     Raises:

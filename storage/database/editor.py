@@ -31,9 +31,7 @@ class DatabaseEditor:
         """Prepare without writing.
 
         Args:
-            path: The new file.
             stored: The database before the update.
-            changes: The changes.
         """
         self._path = path
         self._stored = stored

@@ -30,7 +30,6 @@ class OverviewFile(WrittenRaster):
         """Create the file.
 
         Args:
-            path: The new file.
             shape_hw: (height, width) in pixels.
 
         Raises:
@@ -61,7 +60,6 @@ def overview_beside(path: str, shape_hw: tuple[int, int]) -> Iterator[HeldOvervi
     """Yield a collector of an overview, to be used as a context manager; its file is deleted at the end.
 
     Args:
-        path: The database.
         shape_hw: (height, width) in pixels.
 
     Raises:

@@ -42,7 +42,6 @@ def read_database(path: str, with_overview: bool = False, with_bounds: bool = Fa
     """Read a reference database.
 
     Args:
-        path: The database.
         with_overview: Whether to read its overview.
         with_bounds: Whether to read the bounds of its landmarks; old databases have no bounds.
 
@@ -61,7 +60,6 @@ def read_overview(path: str, of: BuildParameters | None = None) -> np.ndarray:
     """Return (h, w) uint8 class values.
 
     Args:
-        path: The database.
         of: Parameters from an earlier read; None to skip the check for an update since then.
 
     Raises:
@@ -78,8 +76,6 @@ def _read(connection: Snapshot, path: str, is_checked: bool = True, is_cached: b
     """Read a database without its overview. Its errors become DatabaseError in ``snapshot``.
 
     Args:
-        connection: The database.
-        path: Its path.
         is_checked: Whether to check the tables against their checksums.
         is_cached: Whether the columns of a large database may come from the cache.
     """

@@ -44,8 +44,6 @@ def columns_of(
     """Convert each batch of rows to arrays, and concatenate these.
 
     Args:
-        connection: The database.
-        query: Returns the rows.
         arrays: Converts the columns of some rows to arrays; also for an empty batch.
     """
     made = [arrays(columns) for columns in batches(connection, query)]

@@ -34,7 +34,6 @@ def replace_keeping(path: str, updated: str, of: str | None = None) -> str | Non
     checksums of the updated database: only that database can be undone.
 
     Args:
-        path: The database.
         updated: The updated database in another file, which is moved.
         of: ``stated_checksums`` of the database when the update was planned; None to skip the comparison.
 

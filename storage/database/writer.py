@@ -62,12 +62,10 @@ class DatabaseWriter:
         """Prepare without writing. NaN is written as NULL.
 
         Args:
-            path: The new file.
             database: The database, with the windows' distinctiveness.
             longitudes: (N,) degrees of the windows' centers.
             latitudes: (N,) degrees of the windows' centers.
             overview: (h, w) uint8 class values, or the object with its parts.
-            styles: QML by table.
         """
         self._path = path
         self._database = database

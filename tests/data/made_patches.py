@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import cv2
 import numpy as np
 
 from semref.core.geometry.frame import MapFrame
 from semref.core.localization import Prior
 from semref.core.simulation.label_errors import spoil_labels
+from semref.core.simulation.noise import LabelNoise
 
 ORIGIN = 500_000.0, 5_200_000.0
 FRAME = MapFrame.at(ORIGIN, 4.0)
 PRIOR = Prior(pixel_size_range=(0.7, 1.4))
+_NETWORK = LabelNoise(missed_below=200.0, split_length=40.0)
+MODEST = replace(_NETWORK, merge_gap=6, split=0.2, jitter=3, jitter_length=9, patches=0.15, thin=4, missed=0.15)
+STRONG = replace(_NETWORK, merge_gap=10, split=0.4, jitter=6, jitter_length=18, patches=0.35, thin=8, missed=0.4)
+"""Errors of a usable and of a poor network, in meters."""
 
 
 def made_map(seed: int, width: int = 2600, height: int = 2000) -> np.ndarray:

@@ -15,7 +15,6 @@ def place_image(image: str, corners: tuple, crs_wkt: str) -> str:
 
     Args:
         corners: Map (x, y) of its four corners (``Finding.corners``).
-        crs_wkt: CRS of the corners.
 
     Returns:
         Path of a raster that exists as long as QGIS runs.

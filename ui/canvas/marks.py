@@ -53,7 +53,6 @@ class Marks(QObject):
 
         Args:
             shapes: Geometries by the names of their bands; other bands become empty.
-            crs: CRS of the geometries.
 
         Returns:
             False if the shapes can't be transformed to the canvas's CRS.

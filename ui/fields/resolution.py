@@ -27,7 +27,6 @@ def proposed_resolution_cm(layer: QgsVectorLayer | None, given: dict[str, str], 
 
     Args:
         given: CLASS or CLASS_FIELD of the layer.
-        photo: Photo for training.
     """
     crs = photo.crs()
     if layer is None or not crs.isValid() or not layer.crs().isValid():

@@ -37,8 +37,6 @@ class LocalizationRun(AlgorithmRun):
         """Start a run. Returns False after emitting ``failed`` if it can't start.
 
         Args:
-            method: METHOD of the algorithm.
-            settings: Further parameters.
             is_flight: Whether the images are one flight.
         """
         run = begin_run(database, settings.get("MODEL", ""), len(images))

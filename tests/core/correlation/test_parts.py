@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from made_patches import FRAME, PRIOR, error_m, made_map, spoiled, view
+from made_patches import FRAME, MODEST, PRIOR, STRONG, error_m, made_map, spoiled, view
 
 from semref.core.correlation.class_pyramid import MapPyramid
 from semref.core.correlation.solver import localize, part_against
 from semref.core.labels.overview import most_frequent_labels
-from semref.core.simulation.noise import MODEST, STRONG
 
 HERE, ELSEWHERE = (1300.0, 1000.0), (2000.0, 1450.0)
 PARTS = {"left": np.s_[:, :175], "right": np.s_[:, 385:], "upper": np.s_[:175], "lower": np.s_[385:]}

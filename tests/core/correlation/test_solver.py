@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from made_patches import FRAME, ORIGIN, PRIOR, error_m, made_map, spoiled, view
+from made_patches import FRAME, MODEST, ORIGIN, PRIOR, STRONG, error_m, made_map, spoiled, view
 
 from semref.core.correlation import refine, refine_many, search, view_effects
 from semref.core.correlation.class_pyramid import MapPyramid, class_fractions
@@ -14,7 +14,6 @@ from semref.core.errors import LabelMapError
 from semref.core.labels.class_shares import ClassShares
 from semref.core.labels.overview import most_frequent_labels
 from semref.core.localization import Place, Prior
-from semref.core.simulation.noise import MODEST, STRONG
 
 
 @pytest.fixture(scope="module")

@@ -24,14 +24,13 @@ def told(query=QUERY, away=(0.0, 0.0), right_within=None, **known):
 def test_without_a_fix_nothing_is_right_and_no_error_known():
     trial = told(status=Status.NO_MATCH)
     assert (trial.is_right, trial.is_wrong, trial.is_fix, trial.status) == (False, False, False, "no_match")
-    assert (trial.error, trial.error_share, trial.heading_error_deg, trial.radius_ratio) == (None,) * 4
+    assert (trial.error, trial.heading_error_deg, trial.radius_ratio) == (None,) * 3
 
 
 @pytest.mark.parametrize(("away", "right"), [(0, True), (3.1, True), (3.3, False), (500, False)])
 def test_right_is_within_two_percent_of_the_ground_shown(away, right):
     trial = told(away=(0.0, away))
     assert (trial.is_right, trial.is_wrong, trial.error) == (right, not right, pytest.approx(away))
-    assert trial.error_share == pytest.approx(away / 160)
 
 
 @pytest.mark.parametrize(("away", "right"), [(3.1, True), (3.3, False)])

@@ -4,10 +4,11 @@ import cv2
 import numpy as np
 import pytest
 from made_labels import squares
+from made_patches import MODEST, STRONG
 
 from semref.core.landmarks.landmarks import extract_landmarks
 from semref.core.simulation.label_errors import spoil_labels
-from semref.core.simulation.noise import MODEST, STRONG, LabelNoise
+from semref.core.simulation.noise import LabelNoise
 
 BUILDING, FIELD, ROAD, WATER = 1, 2, 3, 4
 

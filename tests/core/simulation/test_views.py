@@ -11,7 +11,6 @@ from semref.core.simulation.views import (
     image_coordinates,
     lies_on,
     map_coordinates,
-    random_view,
 )
 
 MAP = MapFrame.at((700_000.0, 5_200_000.0), 2.0)
@@ -91,17 +90,6 @@ def test_a_view_is_on_the_map_if_all_its_pixels_are(labels_hw):
     assert lies_on(frame, inside) and cut(labels_hw, MAP, inside).all()
     beyond = View(700_040.0, 5_199_800.0, 30.0, 2.0, 64, 64)
     assert not lies_on(frame, beyond) and not cut(labels_hw, MAP, beyond).all()
-
-
-def test_random_views_fill_what_they_are_drawn_from_and_a_seed_repeats_them():
-    extent = 100.0, 200.0, 140.0, 300.0
-    rng = np.random.default_rng(5)
-    views = [random_view(rng, extent, (64, 48), (0.5, 2.0)) for _ in range(300)]
-    x, y, pixel_sizes = np.array([(v.x, v.y, v.pixel_size) for v in views]).T
-    assert 100 <= x.min() < 105 < 135 < x.max() <= 140 and 200 <= y.min() < 210 < 290 < y.max() <= 300
-    assert 0.5 <= pixel_sizes.min() < 0.55 and 1.8 < pixel_sizes.max() <= 2.0
-    assert np.median(pixel_sizes) == pytest.approx(1.0, rel=0.1)
-    assert views[0] == random_view(np.random.default_rng(5), extent, (64, 48), (0.5, 2.0))
 
 
 def test_a_view_has_the_footprint_that_it_covers():

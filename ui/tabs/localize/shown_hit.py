@@ -69,7 +69,6 @@ class ShownHit(QObject):
         """Set what the next results were computed with.
 
         Args:
-            database: Path of the database.
             model: Path of the model; empty for label images.
             chosen: Returns files and folders with images that may be opened; None if the user chose all images.
         """
