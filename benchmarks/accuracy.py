@@ -22,6 +22,7 @@ import numpy as np
 from benchmarks import foreign, photos
 from benchmarks.ground import Ground, Image, Wanted
 from benchmarks.maps import NoDataError, World
+from benchmarks.network_errors import NetworkNoise
 from benchmarks.results import ROOT, Table, rate
 from semref.core.correlation.decision import lead
 from semref.core.evaluation.summary import percentile
@@ -35,16 +36,16 @@ from semref.core.pipeline import localize_with
 from semref.core.simulation.noise import DISPLACED_M, USUAL, LabelNoise
 from semref.core.simulation.views import View
 
-NETWORK = LabelNoise(missed_below=200.0, split_length=40.0)
-GOAL = LabelNoise(missed=0.2, spurious=0.2, mislabeled=0.05, jitter=1.5)
+NETWORK = NetworkNoise(missed_below=200.0, split_length=40.0)
+GOAL = NetworkNoise(missed=0.2, spurious=0.2, mislabeled=0.05, jitter=1.5)
 NOISES = {
-    "none": LabelNoise(),
+    "none": NetworkNoise(),
     "goal": GOAL,
     "hard": replace(GOAL, missed=0.4, spurious=0.4, mislabeled=0.1),
     "harder": replace(GOAL, missed=0.6, spurious=0.6, mislabeled=0.15),
     "background": replace(GOAL, background=0.2),
     "patches": replace(GOAL, patches=0.35, patch_size=150.0),
-    "usual": USUAL,
+    "usual": NetworkNoise(**vars(USUAL)),
     # Networks that are usable and poor; the first one as seen on aerial tiles with an IoU of buildings near 0.5.
     "modest": replace(NETWORK, merge_gap=6, split=0.2, jitter=3, jitter_length=9, patches=0.15, thin=4, missed=0.15),
     "strong": replace(NETWORK, merge_gap=10, split=0.4, jitter=6, jitter_length=18, patches=0.35, thin=8, missed=0.4),
@@ -218,7 +219,7 @@ class Source:
         finally:
             ground.spoiled_values = before
 
-    def noise(self, view: View, rng: np.random.Generator) -> tuple[LabelNoise, KnownBiases]:
+    def noise(self, view: View, rng: np.random.Generator) -> tuple[NetworkNoise, KnownBiases]:
         """Return the noise of an image in its pixels, and the part of it that the localizer knows."""
         row, pixel = self.row, view.pixel_size
         noise = NOISES[row.noise]

@@ -13,6 +13,7 @@ import numpy as np
 from benchmarks.accuracy import BUILDINGS, NOISES
 from benchmarks.ground import Ground
 from benchmarks.maps import NoDataError, World
+from benchmarks.network_errors import NetworkNoise, spoil
 from benchmarks.results import Table, rate
 from semref.core.assessment.flights import SIZE_KNOWN, link_between
 from semref.core.flight.flight import FlightSolver
@@ -20,8 +21,7 @@ from semref.core.flight.model import FlightImage
 from semref.core.flight.motion import Link
 from semref.core.localization import RISK, Localization, Method, Prior
 from semref.core.localizer.reach import Reach, search_within_reach
-from semref.core.simulation.label_errors import spoil_labels
-from semref.core.simulation.noise import DISPLACED_M, LabelNoise
+from semref.core.simulation.noise import DISPLACED_M
 from semref.core.simulation.views import View, cut
 
 LARGEST_TRIES = 50_000
@@ -219,13 +219,13 @@ def _fly(
     if row.missing:
         links = [link for link in links if link.second % row.missing]
     noise = NOISES[row.noise]
-    if noise != LabelNoise():
+    if noise != NetworkNoise():
         noise = replace(noise, displaced=DISPLACED_M, leaning=row.leaning, leaning_classes=BUILDINGS)
     images = []
     for number, (view, labels) in enumerate(zip(views, seen)):
         smallest = max(ground.database.parameters.minimum_area / view.pixel_size**2, 1.0)
-        if noise != LabelNoise():
-            labels = spoil_labels(labels, noise.in_pixels(view.pixel_size), rng, BUILDINGS, None, smallest)
+        if noise != NetworkNoise():
+            labels = spoil(labels, noise.in_pixels(view.pixel_size), rng, BUILDINGS, None, smallest)
         known = {"pixel_size_range": (view.pixel_size / SIZE_KNOWN, view.pixel_size * SIZE_KNOWN)}
         if row.heading_known_deg:
             off = rng.uniform(-1, 1) * row.heading_known_deg

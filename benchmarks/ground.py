@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from benchmarks.network_errors import NetworkNoise, spoil
 from semref.core.assessment.cells import ground_cells
 from semref.core.constellation.hypotheses import SMALLEST_OBJECT_PX
 from semref.core.database.model import MapLandmarks, ReferenceDatabase
@@ -19,8 +20,6 @@ from semref.core.labels.class_shares import ClassShares
 from semref.core.landmarks.landmarks import Landmarks, extract_landmarks
 from semref.core.localization import Localization, Method, Prior
 from semref.core.localizer.localizer import Localizer
-from semref.core.simulation.label_errors import spoil_labels
-from semref.core.simulation.noise import LabelNoise
 from semref.core.simulation.views import View, cut, lies_on
 
 LARGEST_TRIES = 20_000
@@ -179,9 +178,9 @@ class Ground:
         smallest = max(self.database.parameters.minimum_area / pixel_size**2, least)
         return extract_landmarks(labels_hw, self.database.class_table.reference_values, smallest)
 
-    def spoiled(self, image: Image, noise: LabelNoise, rng: np.random.Generator) -> Image:
+    def spoiled(self, image: Image, noise: NetworkNoise, rng: np.random.Generator) -> Image:
         """Return the image with noise in its pixels. Spurious landmarks come from another view of similar scale."""
-        if noise == LabelNoise():
+        if noise == NetworkNoise():
             return image
         pixel = image.view.pixel_size
         donor = None
@@ -191,7 +190,7 @@ class Ground:
             donor = self.draw(Wanted((scale, scale), landmarks=(min(4, size // 160), 10**9), sizes_px=(size,)), rng)
         smallest = max(self.database.parameters.minimum_area / pixel**2, 1.0)
         donated = None if donor is None else donor.labels_hw
-        labels = spoil_labels(image.labels_hw, noise, rng, self.spoiled_values, donated, smallest)
+        labels = spoil(image.labels_hw, noise, rng, self.spoiled_values, donated, smallest)
         return replace(image, labels_hw=labels)
 
     def try_image(

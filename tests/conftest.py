@@ -1,4 +1,4 @@
-"""Load the repository root as the package `semref`, for any folder name, and tools/sample as `sample`."""
+"""Load the repository root as the package `semref`, for any folder name, tools/sample as `sample`, benchmarks."""
 
 from __future__ import annotations
 
@@ -31,6 +31,7 @@ def load_package(name: str, folder: Path) -> None:
 
 load_package("semref", ROOT)
 load_package("sample", ROOT / "tools" / "sample")
+load_package("benchmarks", ROOT / "benchmarks")
 
 
 @pytest.fixture(scope="session", autouse=True)

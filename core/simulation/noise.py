@@ -22,7 +22,7 @@ of two dates had correlations of 0.43 at 27 m, 0.25 at 100 to 200 m, 0.15 at 1 k
 DISPLACED_M = 1.13
 """Standard deviation of these displacements along each axis, 1.6 m root mean square."""
 
-_SHARES = ("missed", "spurious", "mislabeled", "merge_share", "split", "patches", "background", "leaning")
+_SHARES = ("missed", "spurious", "mislabeled", "background", "leaning")
 _LISTS = ("displaced_kernels", "class_shifts", "leaning_classes")
 
 
@@ -37,14 +37,6 @@ class LabelNoise:
         jitter: Standard deviation of the boundaries' displacement, along each axis.
         jitter_length: Distance over which boundaries move together; None for JITTER_LENGTH_PX, whatever the pixels.
         missed_below: Only landmarks of a smaller area are missed.
-        merge_gap: Gaps between landmarks of a class up to this width are filled.
-        merge_share: Share of the image in which gaps are filled.
-        split: Probability that a landmark is cut across.
-        split_length: Only longer landmarks are cut.
-        split_gap: Width of the cut.
-        thin: Narrower parts of any class are lost.
-        patches: Share of the area that gets random classes, in whole patches.
-        patch_size: Approximate edge of such a patch.
         center: For landmarks only, standard deviation of the center along each axis.
         log_area: For landmarks only, standard deviation of ln area.
         background: Share of the regions outside the classes of landmarks that get another of their classes.
@@ -65,14 +57,6 @@ class LabelNoise:
     jitter: float = 0.0
     jitter_length: float | None = None
     missed_below: float = math.inf
-    merge_gap: float = 0.0
-    merge_share: float = 1.0
-    split: float = 0.0
-    split_length: float = 0.0
-    split_gap: float = 3.0
-    thin: float = 0.0
-    patches: float = 0.0
-    patch_size: float = 80.0
     center: float = 0.0
     log_area: float = 0.0
     background: float = 0.0
@@ -100,8 +84,7 @@ class LabelNoise:
 
     def in_pixels(self, pixel_size: float) -> LabelNoise:
         """Return the same noise with lengths and areas in pixels of ``pixel_size`` m."""
-        lengths = ("jitter", "merge_gap", "split_length", "split_gap", "thin", "patch_size", "center", "displaced")
-        changed: dict[str, Any] = {name: getattr(self, name) / pixel_size for name in lengths}
+        changed: dict[str, Any] = {name: getattr(self, name) / pixel_size for name in ("jitter", "center", "displaced")}
         changed["displaced_kernels"] = tuple((length / pixel_size, share) for length, share in self.displaced_kernels)
         changed["class_shifts"] = tuple(
             (value, right / pixel_size, down / pixel_size) for value, right, down in self.class_shifts

@@ -7,15 +7,14 @@ from dataclasses import replace
 import cv2
 import numpy as np
 
+from benchmarks.network_errors import NetworkNoise, spoil
 from semref.core.geometry.frame import MapFrame
 from semref.core.localization import Prior
-from semref.core.simulation.label_errors import spoil_labels
-from semref.core.simulation.noise import LabelNoise
 
 ORIGIN = 500_000.0, 5_200_000.0
 FRAME = MapFrame.at(ORIGIN, 4.0)
 PRIOR = Prior(pixel_size_range=(0.7, 1.4))
-_NETWORK = LabelNoise(missed_below=200.0, split_length=40.0)
+_NETWORK = NetworkNoise(missed_below=200.0, split_length=40.0)
 MODEST = replace(_NETWORK, merge_gap=6, split=0.2, jitter=3, jitter_length=9, patches=0.15, thin=4, missed=0.15)
 STRONG = replace(_NETWORK, merge_gap=10, split=0.4, jitter=6, jitter_length=18, patches=0.35, thin=8, missed=0.4)
 """Errors of a usable and of a poor network, in meters."""
@@ -46,7 +45,7 @@ def view(labels, center, heading_deg, pixel, size_wh=(560, 560)):
 
 def spoiled(labels_hw, noise, seed):
     """Add the errors of a network; houses are class 1."""
-    return spoil_labels(labels_hw, noise, np.random.default_rng(seed), (1,))
+    return spoil(labels_hw, noise, np.random.default_rng(seed), (1,))
 
 
 def error_m(place, center) -> float:

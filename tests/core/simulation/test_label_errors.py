@@ -6,9 +6,10 @@ import pytest
 from made_labels import squares
 from made_patches import MODEST, STRONG
 
+from benchmarks.network_errors import NetworkNoise, spoil
 from semref.core.landmarks.landmarks import extract_landmarks
 from semref.core.simulation.label_errors import spoil_labels
-from semref.core.simulation.noise import LabelNoise
+from semref.core.simulation.noise import USUAL, LabelNoise
 
 BUILDING, FIELD, ROAD, WATER = 1, 2, 3, 4
 
@@ -24,14 +25,15 @@ def village():
 
 
 def spoiled(labels_hw, noise, seed=1, values=(BUILDING,), donor=None, minimum_area_px=1.0):
-    return spoil_labels(labels_hw, noise, np.random.default_rng(seed), values, donor, minimum_area_px)
+    make = spoil if isinstance(noise, NetworkNoise) else spoil_labels
+    return make(labels_hw, noise, np.random.default_rng(seed), values, donor, minimum_area_px)
 
 
 def buildings(labels_hw) -> int:
     return cv2.connectedComponents((labels_hw == BUILDING).astype(np.uint8))[0] - 1
 
 
-@pytest.mark.parametrize("noise", [LabelNoise(), STRONG])
+@pytest.mark.parametrize("noise", [LabelNoise(), USUAL])
 def test_an_image_without_pixels_stays_one(noise):
     assert spoiled(np.zeros((0, 0), np.uint8), noise).shape == (0, 0)
 
@@ -47,7 +49,7 @@ def test_the_same_seed_gives_the_same_labels_and_the_input_stays(village):
 
 def test_near_houses_are_merged(village):
     assert buildings(village) == 7
-    assert buildings(spoiled(village, LabelNoise(merge_gap=25))) == 1
+    assert buildings(spoiled(village, NetworkNoise(merge_gap=25))) == 1
 
 
 def test_houses_are_merged_in_the_share_of_the_image_asked_for():
@@ -56,14 +58,14 @@ def test_houses_are_merged_in_the_share_of_the_image_asked_for():
         for left in range(10, 580, 24):
             labels[top : top + 18, left : left + 18] = BUILDING
     whole, half, none = (
-        (spoiled(labels, LabelNoise(merge_gap=9, merge_share=share)) != labels).sum() for share in (1.0, 0.5, 0.0)
+        (spoiled(labels, NetworkNoise(merge_gap=9, merge_share=share)) != labels).sum() for share in (1.0, 0.5, 0.0)
     )
     assert 0.3 * whole < half < 0.7 * whole and none == 0
 
 
 def test_long_houses_are_split_by_the_class_around_them(village):
     village[100:115, 30:250] = BUILDING
-    labels = spoiled(village, LabelNoise(split=1.0, split_length=100.0))
+    labels = spoiled(village, NetworkNoise(split=1.0, split_length=100.0))
     assert buildings(labels) == buildings(village) + 1
     assert set(np.unique(labels[100:115, 30:250])) == {BUILDING, FIELD}
 
@@ -90,7 +92,7 @@ def test_boundaries_move_alike_over_the_length_asked_for(village):
 
 @pytest.mark.parametrize("share", [0.15, 0.35])
 def test_patches_cover_the_share_asked_for_but_for_those_that_drew_the_right_class(village, share):
-    changed = (spoiled(village, LabelNoise(patches=share, patch_size=30.0)) != village).mean()
+    changed = (spoiled(village, NetworkNoise(patches=share, patch_size=30.0)) != village).mean()
     assert 0.5 * share < changed <= share
 
 

@@ -8,16 +8,16 @@ from semref.core.errors import ParameterError
 from semref.core.simulation.noise import USUAL, LabelNoise
 
 
-@pytest.mark.parametrize("wrong", [{"jitter": -1.0}, {"patches": 1.5}, {"missed": math.nan}, {"jitter": math.inf}])
+@pytest.mark.parametrize("wrong", [{"jitter": -1.0}, {"leaning": 1.5}, {"missed": math.nan}, {"jitter": math.inf}])
 def test_impossible_noise_is_refused_by_name(wrong):
     with pytest.raises(ParameterError, match=next(iter(wrong))):
         LabelNoise(**wrong)
 
 
 def test_lengths_and_areas_are_converted_to_pixels():
-    noise = LabelNoise(missed=0.2, jitter=3.0, jitter_length=9.0, missed_below=200.0, merge_gap=6.0).in_pixels(0.5)
+    noise = LabelNoise(missed=0.2, jitter=3.0, jitter_length=9.0, missed_below=200.0).in_pixels(0.5)
     assert (noise.missed, noise.jitter, noise.jitter_length) == (0.2, 6.0, 18.0)
-    assert (noise.missed_below, noise.merge_gap) == (800.0, 12.0)
+    assert noise.missed_below == 800.0
     assert USUAL.in_pixels(0.5).jitter_length is None and USUAL.in_pixels(0.5).missed_below == math.inf
 
 
