@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import re
 
-from made_inputs import (
-    scattered_objects,
-)
+from made_inputs import scattered_objects
 
 RASTERIZE, DECODE, BUILD = "semref:rasterizeannotation", "semref:decodecolorlabels", "semref:builddatabase"
 DESCRIBE, LOCALIZE = "semref:describeimage", "semref:localizeimages"

@@ -20,10 +20,7 @@ LAYERS = {
         "reference_count Integer, vector Binary, distinctiveness Real",
     ),
     "references": (ogr.wkbPoint, "class Integer, class_name String, area Real, touches_edge Integer(Boolean)"),
-    "reference_bounds": (
-        ogr.wkbNone,
-        "first_column Integer, first_row Integer, end_column Integer, end_row Integer",
-    ),
+    "reference_bounds": (ogr.wkbNone, "first_column Integer, first_row Integer, end_column Integer, end_row Integer"),
     "classes": (
         ogr.wkbNone,
         "value Integer, name String, color String, role String, draw_order Real, hsv_min String, hsv_max String",

@@ -58,10 +58,7 @@ def test_landmarks_that_agree_are_joined_between_the_image_and_the_map(dock, ifa
     choose_method(dock, CONSTELLATION)
     localize(dock, area.database, [area.image])
     wait_until(lambda: tab.results.image.canvas.scene().items(), "the picture")
-    pairs, marks = (
-        tab.hit.matches.pairs,
-        tab.results.image.canvas._landmarks.matched,
-    )
+    pairs, marks = (tab.hit.matches.pairs, tab.results.image.canvas._landmarks.matched)
     assert f"{len(pairs)} agree with the map" in tab.results.details.toPlainText()
     assert len(pairs) == len(marks) > 20
     for (seen, on_map), (_, pixel) in zip(pairs, marks):

@@ -130,12 +130,7 @@ def test_images_are_named_by_their_stem(tmp_path, name, separator):
 
 @pytest.mark.parametrize(
     ("text", "seconds"),
-    [
-        ("7.5", 7.5),
-        ("1970-01-01T00:01:00.250", 60.25),
-        ("1970-01-01 00:01:00Z", 60),
-        ("1970-01-01T01:01:00+01:00", 60),
-    ],
+    [("7.5", 7.5), ("1970-01-01T00:01:00.250", 60.25), ("1970-01-01 00:01:00Z", 60), ("1970-01-01T01:01:00+01:00", 60)],
 )
 def test_times_are_seconds_or_dates(tmp_path, text, seconds):
     (camera,) = read_cameras([label_image(tmp_path)], table(tmp_path, f"image,time\nIMG_1,{text}\n"))

@@ -75,11 +75,7 @@ def jobs(run_algorithm, tmp_path_factory):
         ),
         "rasterize": (
             "semref:rasterizeannotation",
-            {
-                "INPUT": str(write_layer(folder / "annotation.shp", features)),
-                "CLASS_FIELD": "class",
-                "PIXEL_SIZE": 0.2,
-            },
+            {"INPUT": str(write_layer(folder / "annotation.shp", features)), "CLASS_FIELD": "class", "PIXEL_SIZE": 0.2},
             "OUTPUT",
             "out.tif",
         ),

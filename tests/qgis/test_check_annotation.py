@@ -169,10 +169,7 @@ def test_drawn_landmarks_are_the_objects_of_the_label_map(run_algorithm, tmp_pat
 @pytest.mark.real_data
 @pytest.mark.parametrize(
     ("name", "field"),
-    [
-        ("berlin_urban_gradient/LandCov_BerlinUrbanGradient.shp", "Level_2"),
-        ("osm_belgrade/landuse.shp", "type"),
-    ],
+    [("berlin_urban_gradient/LandCov_BerlinUrbanGradient.shp", "Level_2"), ("osm_belgrade/landuse.shp", "type")],
 )
 def test_invalid_features_are_those_of_qgis(check, real_data, name, field):
     path = real_data(name)

@@ -128,11 +128,7 @@ def test_the_style_distinguishes_own_flight_and_outvoted_positions(found):
     layer = QgsVectorLayer(found[1]["OUTPUT"], "flight", "ogr")
     assert isinstance(layer.renderer(), QgsRuleBasedRenderer)
     rules = layer.renderer().rootRule().children()
-    assert [rule.label() for rule in rules] == [
-        "Own position",
-        "Position from the flight",
-        "Own position outvoted",
-    ]
+    assert [rule.label() for rule in rules] == ["Own position", "Position from the flight", "Own position outvoted"]
     kinds = [symbol.layerType() for symbol in rules[0].symbol().symbolLayers()]
     # The 95 % ellipse, a casing, the arrow.
     assert kinds == ["EllipseMarker"] * 3

@@ -15,11 +15,7 @@ import numpy as np
 import pytest
 from made_inputs import CLASSES_CSV, scattered_objects, square, write_layer, write_older, write_raster, write_text
 from osgeo import gdal, ogr
-from qgis.core import (
-    QgsProcessingException,
-    QgsProcessingFeedback,
-    QgsVectorLayer,
-)
+from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsVectorLayer
 
 BUILD, DESCRIBE, LOCALIZE = "semref:builddatabase", "semref:describeimage", "semref:localizeimages"
 RASTERIZE, CHECK, REPAIR = "semref:rasterizeannotation", "semref:checkannotation", "semref:repairannotation"

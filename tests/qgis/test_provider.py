@@ -5,19 +5,11 @@ from __future__ import annotations
 import html
 
 import pytest
-from qgis.core import (
-    QgsApplication,
-    QgsProcessingAlgorithm,
-    QgsProcessingModelAlgorithm,
-)
+from qgis.core import QgsApplication, QgsProcessingAlgorithm, QgsProcessingModelAlgorithm
 
 pytestmark = pytest.mark.newer
 
-GROUPS = {
-    "annotation": "Land cover",
-    "referencedatabase": "Reference database",
-    "localization": "Localization",
-}
+GROUPS = {"annotation": "Land cover", "referencedatabase": "Reference database", "localization": "Localization"}
 NAMES = (
     "rasterizeannotation",
     "classifyopenstreetmap",

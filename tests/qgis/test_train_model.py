@@ -275,11 +275,7 @@ def test_missing_inputs_are_reported_before_any_work(train, parameters, said):
 ONE_CLASS = r"Only one class \(building\) is labeled"
 
 
-@pytest.mark.parametrize(
-    "second",
-    [None, (square(300, 300, 90), None)],
-    ids=["alone", "unclassed"],
-)
+@pytest.mark.parametrize("second", [None, (square(300, 300, 90), None)], ids=["alone", "unclassed"])
 def test_ground_around_the_only_class_of_a_layer_is_the_other_class(train, tmp_path, second):
     kept = tmp_path / "kept"
     polygons = [(square(100, 500, 400), "building"), (square(20, 40, 20), "building"), *([second] if second else [])]

@@ -19,18 +19,9 @@ from bad_input import (
     SEGMENT,
     sentence_of,
 )
-from made_inputs import (
-    CLASSES_CSV,
-    square,
-    write_layer,
-    write_older,
-    write_raster,
-    write_text,
-)
+from made_inputs import CLASSES_CSV, square, write_layer, write_older, write_raster, write_text
 from made_models import write_model
-from qgis.core import (
-    QgsProcessingException,
-)
+from qgis.core import QgsProcessingException
 
 
 @pytest.fixture(scope="session")

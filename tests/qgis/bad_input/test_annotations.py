@@ -5,17 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from bad_input import (
-    BUILD,
-    DECODE,
-    DESCRIBE,
-    OUTPUT_NAMES,
-    RASTERIZE,
-)
-from made_inputs import (
-    square,
-    write_layer,
-)
+from bad_input import BUILD, DECODE, DESCRIBE, OUTPUT_NAMES, RASTERIZE
+from made_inputs import square, write_layer
 from osgeo import ogr
 from qgis.core import (
     QgsApplication,

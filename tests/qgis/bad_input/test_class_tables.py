@@ -3,11 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from bad_input import (
-    DECODE,
-    DESCRIBE,
-    RASTERIZE,
-)
+from bad_input import DECODE, DESCRIBE, RASTERIZE
 
 
 @pytest.mark.parametrize("content", [b"\x00\x01\x02\xff" * 50, b"PK\x03\x04" + bytes(300)])

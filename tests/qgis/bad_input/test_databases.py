@@ -8,10 +8,7 @@ import sqlite3
 from pathlib import Path
 
 import pytest
-from bad_input import (
-    DESCRIBE,
-    LOCALIZE,
-)
+from bad_input import DESCRIBE, LOCALIZE
 
 
 @pytest.fixture

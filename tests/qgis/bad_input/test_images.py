@@ -6,16 +6,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from bad_input import (
-    DECODE,
-    DESCRIBE,
-    LABELS,
-    LOCALIZE,
-    sentence_of,
-)
-from made_inputs import (
-    write_raster,
-)
+from bad_input import DECODE, DESCRIBE, LABELS, LOCALIZE, sentence_of
+from made_inputs import write_raster
 from osgeo import gdal, ogr
 
 

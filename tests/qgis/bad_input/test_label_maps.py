@@ -4,15 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from bad_input import (
-    BUILD,
-    LABELS,
-)
-from made_inputs import (
-    NORTH,
-    WEST,
-    write_raster,
-)
+from bad_input import BUILD, LABELS
+from made_inputs import NORTH, WEST, write_raster
 from osgeo import gdal
 
 

@@ -5,13 +5,8 @@ from __future__ import annotations
 import importlib.util
 
 import pytest
-from bad_input import (
-    OUTPUT_NAMES,
-    RASTERIZE,
-)
-from qgis.core import (
-    QgsApplication,
-)
+from bad_input import OUTPUT_NAMES, RASTERIZE
+from qgis.core import QgsApplication
 
 from semref.processing.packages import components
 

@@ -7,19 +7,11 @@ import re
 
 import numpy as np
 import pytest
-from bad_input import (
-    LOCALIZE,
-    SEGMENT,
-)
-from made_inputs import (
-    write_raster,
-    write_text,
-)
+from bad_input import LOCALIZE, SEGMENT
+from made_inputs import write_raster, write_text
 from made_models import brightest_color, metadata, write_model
 from osgeo import ogr
-from qgis.core import (
-    QgsApplication,
-)
+from qgis.core import QgsApplication
 
 BAD_MODELS = {
     "missing weights": ({"network": brightest_color(external="weights.bin")}, "are in another file, which is missing"),

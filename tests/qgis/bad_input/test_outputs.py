@@ -21,15 +21,8 @@ from bad_input import (
     SEGMENT,
     sentence_of,
 )
-from made_inputs import (
-    square,
-    write_layer,
-    write_older,
-    write_raster,
-)
-from qgis.core import (
-    QgsProcessingException,
-)
+from made_inputs import square, write_layer, write_older, write_raster
+from qgis.core import QgsProcessingException
 
 WRITERS = list(OUTPUT_NAMES)
 

@@ -7,14 +7,7 @@ import sqlite3
 from pathlib import Path
 
 import pytest
-from built_database import (
-    BUILD,
-    MINIMUM_AREA,
-    NAMES,
-    SIZE,
-    STRIDE,
-    map_labels,
-)
+from built_database import BUILD, MINIMUM_AREA, NAMES, SIZE, STRIDE, map_labels
 from made_inputs import write_raster
 
 

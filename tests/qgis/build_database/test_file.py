@@ -8,10 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from built_database import (
-    LAYERS,
-    columns_of,
-)
+from built_database import LAYERS, columns_of
 from full_disks import files_of_at_most
 from made_inputs import METRIC_CRS
 from osgeo import ogr

@@ -4,23 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from built_database import (
-    BUILD,
-    LONGITUDE,
-    MINIMUM_AREA,
-    NAMES,
-    SIZE,
-    STRIDE,
-    content,
-    map_labels,
-    most_frequent,
-)
+from built_database import BUILD, LONGITUDE, MINIMUM_AREA, NAMES, SIZE, STRIDE, content, map_labels, most_frequent
 from made_inputs import CLASSES_CSV, write_raster
 from osgeo import gdal
-from qgis.core import (
-    QgsPalettedRasterRenderer,
-    QgsRasterLayer,
-)
+from qgis.core import QgsPalettedRasterRenderer, QgsRasterLayer
 
 
 @pytest.mark.slow
@@ -49,12 +36,7 @@ def test_classes_of_a_map_without_names_are_named_by_their_values(build, tmp_pat
     labels = write_raster(tmp_path / "labels.tif", map_labels())
     made = content(build(labels, REFERENCE_CLASSES="1;3")["DATABASE"])
     found = {row[1]: (row[2], row[4]) for row in made["classes"]}
-    assert found == {
-        1: ("1", "reference"),
-        2: ("2", "background"),
-        3: ("3", "reference"),
-        4: ("4", "background"),
-    }
+    assert found == {1: ("1", "reference"), 2: ("2", "background"), 3: ("3", "reference"), 4: ("4", "background")}
 
 
 def test_classes_come_from_a_paletted_style(build, tmp_path):

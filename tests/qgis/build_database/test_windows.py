@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from built_database import (
-    SIZE,
-)
+from built_database import SIZE
 from made_inputs import METRIC_CRS, NORTH, WEST, spatial_reference
 from osgeo import ogr, osr
 

@@ -5,17 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from made_inputs import (
-    CLASSES_CSV,
-    read_pixels,
-    write_text,
-)
-from qgis.core import (
-    QgsProject,
-)
-from rasterized import (
-    RASTERIZE,
-)
+from made_inputs import CLASSES_CSV, read_pixels, write_text
+from qgis.core import QgsProject
+from rasterized import RASTERIZE
 
 
 @pytest.fixture

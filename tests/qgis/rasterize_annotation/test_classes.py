@@ -7,18 +7,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import (
-    read_pixels,
-    square,
-    write_layer,
-    write_text,
-)
+from made_inputs import read_pixels, square, write_layer, write_text
 from osgeo import ogr
-from rasterized import (
-    category_names,
-    stored_table,
-    styled_layer,
-)
+from rasterized import category_names, stored_table, styled_layer
 
 
 def test_ground_without_a_polygon_is_transparent_in_any_program(rasterize, tmp_path, classes_csv):

@@ -4,14 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from made_inputs import (
-    NORTH,
-    WEST,
-    polygon,
-    ring,
-    square,
-    write_layer,
-)
+from made_inputs import NORTH, WEST, polygon, ring, square, write_layer
 from osgeo import gdal, ogr
 
 

@@ -3,24 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from made_inputs import (
-    NORTH,
-    WEST,
-    read_pixels,
-    rectangle,
-    square,
-    write_layer,
-)
+from made_inputs import NORTH, WEST, read_pixels, rectangle, square, write_layer
 from osgeo import gdal, ogr
-from qgis.core import (
-    QgsPalettedRasterRenderer,
-    QgsProcessingFeatureSourceDefinition,
-    QgsRasterLayer,
-    QgsVectorLayer,
-)
-from rasterized import (
-    category_names,
-)
+from qgis.core import QgsPalettedRasterRenderer, QgsProcessingFeatureSourceDefinition, QgsRasterLayer, QgsVectorLayer
+from rasterized import category_names
 
 
 def test_the_grid_is_aligned_to_multiples_of_the_pixel_size(rasterize, tmp_path):

@@ -5,16 +5,9 @@ from __future__ import annotations
 import re
 
 import pytest
-from made_inputs import (
-    read_pixels,
-)
-from qgis.core import (
-    QgsRasterLayer,
-    QgsVectorLayer,
-)
-from rasterized import (
-    category_names,
-)
+from made_inputs import read_pixels
+from qgis.core import QgsRasterLayer, QgsVectorLayer
+from rasterized import category_names
 
 pytestmark = [pytest.mark.real_data, pytest.mark.slow]
 
