@@ -22,7 +22,6 @@ OUTPUT_NAMES = {
 QGIS_OWN = ("Incorrect parameter value for ", "Could not load source layer for ", "Could not create layer ")
 """Beginnings of QGIS's own messages, which come before the algorithm runs."""
 
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 LABELS = scattered_objects(150, 200, 40, seed=2)
 
 

@@ -11,7 +11,6 @@ from osgeo import ogr
 
 BUILD = "semref:builddatabase"
 HEIGHT, WIDTH, SIZE, STRIDE, MINIMUM_AREA = 300, 420, 120, 50, 40
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 
 LAYERS = {
     "windows": (

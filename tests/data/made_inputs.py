@@ -15,6 +15,7 @@ METRIC_CRS = 32632
 WEST, NORTH = 550000.0, 5220000.0
 """Upper left corner of the places below, EPSG:32632."""
 
+NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 CLASSES_CSV = (
     "value,name,color,role\n"
     "1,building,#d62728,reference\n"
@@ -113,6 +114,24 @@ def write_raster(
 
 def read_pixels(path) -> np.ndarray:
     return gdal.Open(str(path)).ReadAsArray()
+
+
+def read_rows(path, layer=0) -> list[dict]:
+    """Return the values of each feature, with its ``geometry``, None where it is missing or empty."""
+    source, rows = ogr.Open(str(path)), []
+    for feature in source.GetLayer(layer):
+        shape = feature.GetGeometryRef()
+        rows.append({**feature.items(), "geometry": None if shape is None or shape.IsEmpty() else shape.Clone()})
+    return rows
+
+
+def write_photo(path: Path, size_wh=(32, 24), **tags: str) -> str:
+    """Write a JPEG with these items of EXIF, and no side-car file as GDAL writes and cameras do not."""
+    memory = gdal.GetDriverByName("MEM").Create("", *size_wh, 3)
+    memory.SetMetadata({f"EXIF_{name}": value for name, value in tags.items()})
+    gdal.GetDriverByName("JPEG").CreateCopy(str(path), memory)
+    Path(f"{path}.aux.xml").unlink(missing_ok=True)
+    return str(path)
 
 
 def scattered_objects(height: int, width: int, count: int, seed: int, background: int = 4) -> np.ndarray:

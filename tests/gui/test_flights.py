@@ -5,12 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from dock_area import CONSTELLATION, choose_method, results_of, start, wait_until
-from made_inputs import WEST, write_raster
+from made_inputs import NAMES, WEST, write_raster
 from onboard_area import MAP
 
 SIZE, STEP, COUNT = 200, 60, 7
 BLANK = 5
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 
 
 @pytest.fixture(scope="module")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from made_inputs import landmarks_in_the_west
+from made_inputs import NAMES, landmarks_in_the_west
 from osgeo import gdal
 from qgis.core import (
     QgsApplication,
@@ -17,7 +17,6 @@ from qgis.core import (
 )
 
 ASSESS = "semref:assessdatabase"
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 LABELS = landmarks_in_the_west()
 
 

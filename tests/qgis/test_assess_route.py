@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import NORTH, WEST, landmarks_in_the_west, square, write_layer
+from made_inputs import NAMES, NORTH, WEST, landmarks_in_the_west, square, write_layer
 from osgeo import gdal
 from qgis.core import (
     QgsApplication,
@@ -25,7 +25,6 @@ from qgis.core import (
 from qgis.PyQt.QtGui import QImage
 
 ASSESS = "semref:assessroute"
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 LABELS = landmarks_in_the_west()
 TURNS = ((150.0, 250.0), (700.0, 250.0))
 """Column and row of the route below: from the landmarks into the empty east."""

@@ -9,11 +9,19 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import CLASSES_CSV, scattered_objects, square, write_layer, write_older, write_raster, write_text
+from made_inputs import (
+    CLASSES_CSV,
+    NAMES,
+    scattered_objects,
+    square,
+    write_layer,
+    write_older,
+    write_raster,
+    write_text,
+)
 from made_models import write_model
 from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback
 
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 PROMPT_S = 1.0
 """Processor time, which does not depend on other programs."""
 

@@ -8,7 +8,7 @@ import sys
 import numpy as np
 import pytest
 from full_disks import files_of_at_most
-from made_inputs import NORTH, WEST, scattered_objects, write_raster
+from made_inputs import NAMES, NORTH, WEST, scattered_objects, write_raster
 from made_models import write_model
 from osgeo import ogr
 from qgis.core import QgsProcessingException
@@ -18,7 +18,6 @@ from semref.core.simulation.displacement import displace
 from semref.core.simulation.noise import LabelNoise
 
 COMPARE = "semref:comparelabels"
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 LABELS = scattered_objects(120, 160, 30, seed=3)
 
 

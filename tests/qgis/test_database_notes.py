@@ -8,14 +8,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import scattered_objects, square, write_layer, write_raster
+from made_inputs import NAMES, scattered_objects, square, write_layer, write_raster
 from qgis.core import QgsLayerMetadata, QgsProject, QgsRasterLayer, QgsVectorLayer
 
 from semref.processing.layers.database_layers import add_database_to_map
 from semref.processing.layers.layer_metadata import Note
 
 BUILD, UPDATE, LOCALIZE = "semref:builddatabase", "semref:updatedatabase", "semref:localizeimages"
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 TABLES = "references", "windows"
 SOURCES = "Land cover of Erewhon (ODbL 1.0, © OpenStreetMap contributors)"
 

@@ -7,12 +7,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import CLASSES_CSV, NORTH, WEST, scattered_objects, write_raster, write_text
+from made_inputs import CLASSES_CSV, NAMES, NORTH, WEST, scattered_objects, write_raster, write_text
 from osgeo import gdal, ogr
 
 DESCRIBE = "semref:describeimage"
 PIXEL = 2.0
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 WIDE = scattered_objects(150, 210, 60, seed=7)
 """Labels of a wide image; its centered square has the columns 30 to 180."""
 

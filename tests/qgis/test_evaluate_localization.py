@@ -8,13 +8,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import METRIC_CRS, NORTH, WEST, scattered_objects, write_raster
+from made_inputs import METRIC_CRS, NAMES, NORTH, WEST, scattered_objects, write_raster
 from osgeo import ogr
 from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback
 
 EVALUATE = "semref:evaluatelocalization"
 SIZE, STRIDE = 160, 40
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 LABELS = scattered_objects(420, 480, 260, seed=21)
 CLEAN = dict.fromkeys(("MISSED", "INVENTED", "MISNAMED", "RAGGED", "BACKGROUND", "DISPLACED", "SHIFTED"), "0,0")
 CLEAN |= dict.fromkeys(("LEANING", "LENS", "TILT"), "0,0")

@@ -12,13 +12,12 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-from made_inputs import NORTH, WEST, scattered_objects, turned_view, write_layer, write_raster
+from made_inputs import NAMES, NORTH, WEST, scattered_objects, turned_view, write_layer, write_raster
 from made_models import metadata, painted, write_model, writer
 from osgeo import gdal
 from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsProcessingException
 
 EXPORT, LOCALIZE = "semref:exportonboard", "semref:localizeimages"
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 LABELS = scattered_objects(600, 700, 420, seed=11)
 
 

@@ -7,12 +7,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import NORTH, WEST, read_pixels, scattered_objects, write_raster
+from made_inputs import NAMES, NORTH, WEST, read_pixels, scattered_objects, write_raster
 from osgeo import gdal
 from qgis.core import QgsProcessingException, QgsProcessingFeedback
 
 EXPORT = "semref:exporttrainingtiles"
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 HEIGHT, WIDTH, TILE = 320, 480, 32
 LABELS = scattered_objects(HEIGHT, WIDTH, 150, seed=5)
 

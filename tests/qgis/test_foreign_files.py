@@ -14,7 +14,7 @@ from contextlib import closing
 from pathlib import Path
 
 import pytest
-from made_inputs import scattered_objects, square, write_layer, write_older, write_raster, write_text
+from made_inputs import NAMES, scattered_objects, square, write_layer, write_older, write_raster, write_text
 from osgeo import gdal
 from qgis.core import QgsProcessingContext, QgsProcessingException, QgsProject, QgsRasterLayer, QgsVectorLayer
 
@@ -22,7 +22,6 @@ from semref.core.errors import ParameterError
 from semref.storage.atomic_output import Batch
 from semref.storage.replaceable import MARK_OF_NOTE
 
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 SETTINGS = {"REFERENCE_CLASSES": "1;2;3", "WINDOW_SIZE": 100, "STRIDE": 50, "MINIMUM_AREA": 30}
 LOCALIZE, RASTERIZE, BUILD = "semref:localizeimages", "semref:rasterizeannotation", "semref:builddatabase"
 

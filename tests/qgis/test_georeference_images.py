@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from full_disks import files_of_at_most
-from made_inputs import NORTH, WEST, scattered_objects, write_layer, write_raster
+from made_inputs import NAMES, NORTH, WEST, scattered_objects, write_layer, write_raster
 from osgeo import gdal, ogr
 from qgis.core import QgsProcessingException
 
@@ -18,7 +18,6 @@ from semref.core.simulation.views import View, cut
 
 GEOREFERENCE = "semref:georeferenceimages"
 LABELS = scattered_objects(900, 1000, 1300, seed=5)
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 SIZE = 300
 VIEW = View(WEST + 450.0, NORTH - 520.0, 30.0, 1.0, SIZE, SIZE)
 COLUMNS = [("image", "text"), ("status", "text"), ("heading", "real"), ("pixel_size", "real"), ("camera_x", "real")]

@@ -12,11 +12,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import scattered_objects, write_raster
+from made_inputs import NAMES, scattered_objects, write_raster
 
 from semref.core.errors import DatabaseError, SemRefError
 
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 LABELS = scattered_objects(500, 600, 200, seed=3)
 
 HOT_WRITER = """

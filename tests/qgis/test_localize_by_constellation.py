@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from made_inputs import NORTH, WEST, scattered_objects, turned_view, write_raster
+from made_inputs import NAMES, NORTH, WEST, scattered_objects, turned_view, write_raster
 from osgeo import ogr
 
 LOCALIZE = "semref:localizeimages"
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 LABELS = scattered_objects(900, 1000, 1300, seed=5)
 SIZE = 300
 

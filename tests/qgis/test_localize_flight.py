@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import NORTH, WEST, scattered_objects, write_raster, write_text
+from made_inputs import NAMES, NORTH, WEST, scattered_objects, write_raster, write_text
 from osgeo import ogr
 from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsRuleBasedRenderer, QgsVectorLayer
 
@@ -17,7 +17,6 @@ from semref.core.geometry.frame import MapFrame
 from semref.core.simulation.views import View, cut
 
 FLIGHT = "semref:localizeflight"
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 SIZE, STEP = 200, 90
 MAP = scattered_objects(900, 1400, 800, seed=5)
 COUNT = 8

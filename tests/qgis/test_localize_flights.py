@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from made_inputs import NORTH, WEST, scattered_objects, write_raster, write_text
+from made_inputs import NAMES, NORTH, WEST, scattered_objects, write_raster, write_text
 from osgeo import ogr
 from qgis.core import QgsProcessingException
 
@@ -15,7 +15,6 @@ from semref.storage.label_images import LabelImageReader
 
 LOCALIZE = "semref:localizeimages"
 LABELS = scattered_objects(900, 1000, 1300, seed=5)
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 SIZE = 300
 TILT = 25.0
 

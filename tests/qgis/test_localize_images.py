@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import METRIC_CRS, NORTH, WEST, scattered_objects, spatial_reference, write_raster
+from made_inputs import METRIC_CRS, NAMES, NORTH, WEST, scattered_objects, spatial_reference, write_raster
 from osgeo import gdal, ogr, osr
 from qgis.core import QgsProcessingException, QgsVectorLayer
 
@@ -16,7 +16,6 @@ from semref.processing.base.localized_image import LocalizedImage, with_jumps
 
 LOCALIZE = "semref:localizeimages"
 SIZE, STRIDE = 120, 40
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 COLORS = {0: (0, 0, 0), **{c.value: c.rgb for c in class_table_from_names(NAMES[1:])}}
 """Colors (red, green, blue) of the class names above."""
 

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from made_inputs import scattered_objects, write_raster
+from made_inputs import NAMES, scattered_objects, write_raster
 from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingParameterDefinition
 
 from semref.core.simulation.label_errors import spoil_labels
 from semref.core.simulation.noise import LabelNoise
 
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 AS_GIVEN, GOOD, USABLE, POOR = range(4)
 NOISE = LabelNoise(missed=0.25, jitter=1.0)
 

@@ -7,14 +7,13 @@ import os
 from functools import partial
 
 import pytest
-from made_inputs import scattered_objects, write_raster
+from made_inputs import NAMES, scattered_objects, write_raster
 from qgis.core import QgsProcessingException
 
 from semref.core import limits
 from semref.core.errors import SemRefError
 
 LABELS = scattered_objects(150, 200, 40, seed=2)
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 
 
 def one_sentence(refused) -> str:

@@ -13,14 +13,22 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import CLASSES_CSV, scattered_objects, square, write_layer, write_older, write_raster, write_text
+from made_inputs import (
+    CLASSES_CSV,
+    NAMES,
+    scattered_objects,
+    square,
+    write_layer,
+    write_older,
+    write_raster,
+    write_text,
+)
 from osgeo import gdal, ogr
 from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsVectorLayer
 
 BUILD, DESCRIBE, LOCALIZE = "semref:builddatabase", "semref:describeimage", "semref:localizeimages"
 RASTERIZE, CHECK, REPAIR = "semref:rasterizeannotation", "semref:checkannotation", "semref:repairannotation"
 COMPARE, DECODE, UPDATE = "semref:comparelabels", "semref:decodecolorlabels", "semref:updatedatabase"
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 SETTINGS = {"REFERENCE_CLASSES": "1;2;3", "WINDOW_SIZE": 100, "STRIDE": 50, "MINIMUM_AREA": 30}
 
 

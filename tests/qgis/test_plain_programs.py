@@ -10,9 +10,18 @@ import sys
 from pathlib import Path
 
 import pytest
-from made_inputs import CLASSES_CSV, NORTH, WEST, scattered_objects, square, turned_view, write_layer, write_raster
+from made_inputs import (
+    CLASSES_CSV,
+    NAMES,
+    NORTH,
+    WEST,
+    scattered_objects,
+    square,
+    turned_view,
+    write_layer,
+    write_raster,
+)
 
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 SIZE = 300
 LIMIT_S = 300
 

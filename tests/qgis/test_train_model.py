@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import NORTH, WEST, polygon, read_pixels, scattered_objects, square, write_layer, write_raster
+from made_inputs import NAMES, NORTH, WEST, polygon, read_pixels, scattered_objects, square, write_layer, write_raster
 from made_models import write_model
 from made_trainer import EPOCH, READY, write_trainer
 from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsRasterLayer, QgsSettings
@@ -22,7 +22,6 @@ from tile_server import tile_server
 from semref.processing.base.outputs import Outputs
 
 TRAIN = "semref:trainmodel"
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 LABELS = scattered_objects(640, 768, 300, seed=5)
 PHOTO = np.stack([LABELS * 20 + band for band in range(3)]).astype(np.uint8)
 

@@ -12,12 +12,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from full_disks import files_of_at_most
-from made_inputs import NORTH, WEST, read_pixels, scattered_objects, square, write_layer, write_raster
+from made_inputs import NAMES, NORTH, WEST, read_pixels, scattered_objects, square, write_layer, write_raster
 from osgeo import ogr
 from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsVectorLayer
 
 BUILD, UPDATE = "semref:builddatabase", "semref:updatedatabase"
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 HEIGHT, WIDTH = 1100, 1300
 EDIT = (660, 560, 60)
 """Column, row and size of the corrected square."""

@@ -6,20 +6,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from bad_input import (
-    BUILD,
-    COMPARE,
-    DECODE,
-    DESCRIBE,
-    LABELS,
-    LOCALIZE,
-    NAMES,
-    OUTPUT_NAMES,
-    RASTERIZE,
-    SEGMENT,
-    sentence_of,
-)
-from made_inputs import CLASSES_CSV, square, write_layer, write_older, write_raster, write_text
+from bad_input import BUILD, COMPARE, DECODE, DESCRIBE, LABELS, LOCALIZE, OUTPUT_NAMES, RASTERIZE, SEGMENT, sentence_of
+from made_inputs import CLASSES_CSV, NAMES, square, write_layer, write_older, write_raster, write_text
 from made_models import write_model
 from qgis.core import QgsProcessingException
 

@@ -8,20 +8,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from bad_input import (
-    BUILD,
-    COMPARE,
-    DECODE,
-    DESCRIBE,
-    LABELS,
-    LOCALIZE,
-    NAMES,
-    OUTPUT_NAMES,
-    RASTERIZE,
-    SEGMENT,
-    sentence_of,
-)
-from made_inputs import square, write_layer, write_older, write_raster
+from bad_input import BUILD, COMPARE, DECODE, DESCRIBE, LABELS, LOCALIZE, OUTPUT_NAMES, RASTERIZE, SEGMENT, sentence_of
+from made_inputs import NAMES, square, write_layer, write_older, write_raster
 from qgis.core import QgsProcessingException
 
 WRITERS = list(OUTPUT_NAMES)

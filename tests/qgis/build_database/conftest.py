@@ -7,8 +7,8 @@ import sqlite3
 from pathlib import Path
 
 import pytest
-from built_database import BUILD, MINIMUM_AREA, NAMES, SIZE, STRIDE, map_labels
-from made_inputs import write_raster
+from built_database import BUILD, MINIMUM_AREA, SIZE, STRIDE, map_labels
+from made_inputs import NAMES, write_raster
 
 
 @pytest.fixture(scope="session")

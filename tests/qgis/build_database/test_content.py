@@ -6,8 +6,8 @@ import json
 
 import numpy as np
 import pytest
-from built_database import HEIGHT, MINIMUM_AREA, NAMES, SIZE, STRIDE, WIDTH, map_labels, most_frequent
-from made_inputs import METRIC_CRS, NORTH, WEST, spatial_reference
+from built_database import HEIGHT, MINIMUM_AREA, SIZE, STRIDE, WIDTH, map_labels, most_frequent
+from made_inputs import METRIC_CRS, NAMES, NORTH, WEST, spatial_reference
 from osgeo import gdal, ogr, osr
 
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from built_database import BUILD, LONGITUDE, MINIMUM_AREA, NAMES, SIZE, STRIDE, content, map_labels, most_frequent
-from made_inputs import CLASSES_CSV, write_raster
+from built_database import BUILD, LONGITUDE, MINIMUM_AREA, SIZE, STRIDE, content, map_labels, most_frequent
+from made_inputs import CLASSES_CSV, NAMES, write_raster
 from osgeo import gdal
 from qgis.core import QgsPalettedRasterRenderer, QgsRasterLayer
 

@@ -10,8 +10,8 @@ import time
 
 import numpy as np
 import pytest
-from built_database import BUILD, NAMES, content
-from made_inputs import NORTH, WEST, read_pixels, scattered_objects, write_layer, write_raster, write_text
+from built_database import BUILD, content
+from made_inputs import NAMES, NORTH, WEST, read_pixels, scattered_objects, write_layer, write_raster, write_text
 from made_models import painted, write_model
 from osgeo import gdal, ogr
 
