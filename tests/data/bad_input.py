@@ -23,6 +23,7 @@ QGIS_OWN = ("Incorrect parameter value for ", "Could not load source layer for "
 """Beginnings of QGIS's own messages, which come before the algorithm runs."""
 
 LABELS = scattered_objects(150, 200, 40, seed=2)
+WINDOWS = {"REFERENCE_CLASSES": "1;2;3", "WINDOW_SIZE": 100, "STRIDE": 50, "MINIMUM_AREA": 30}
 
 
 def sentence_of(error: Exception) -> str:

@@ -6,7 +6,19 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from bad_input import BUILD, COMPARE, DECODE, DESCRIBE, LABELS, LOCALIZE, OUTPUT_NAMES, RASTERIZE, SEGMENT, sentence_of
+from bad_input import (
+    BUILD,
+    COMPARE,
+    DECODE,
+    DESCRIBE,
+    LABELS,
+    LOCALIZE,
+    OUTPUT_NAMES,
+    RASTERIZE,
+    SEGMENT,
+    WINDOWS,
+    sentence_of,
+)
 from made_inputs import CLASSES_CSV, NAMES, square, write_layer, write_older, write_raster, write_text
 from made_models import write_model
 from qgis.core import QgsProcessingException
@@ -23,15 +35,7 @@ def good(run_algorithm, tmp_path_factory):
     write_raster(folder / "photo.png", LABELS[:100, :100], transform=None)
     write_raster(folder / "color.png", np.zeros((3, 20, 20), np.uint8), transform=None)
     write_model(folder / "colors.onnx")
-    parameters = {
-        "LABELS": str(folder / "labels.tif"),
-        "REFERENCE_CLASSES": "1;2;3",
-        "WINDOW_SIZE": 100,
-        "STRIDE": 50,
-        "MINIMUM_AREA": 30,
-        "DATABASE": str(folder / "area.gpkg"),
-    }
-    run_algorithm(BUILD, parameters)
+    run_algorithm(BUILD, {"LABELS": str(folder / "labels.tif"), **WINDOWS, "DATABASE": str(folder / "area.gpkg")})
     return folder
 
 
@@ -39,21 +43,12 @@ def good(run_algorithm, tmp_path_factory):
 def defaults(good, tmp_path):
     """Return working parameters of each algorithm; outputs are in tmp_path/out."""
     (tmp_path / "out").mkdir()
+    classes = str(good / "classes.csv")
     found = {
         RASTERIZE: {"INPUT": str(good / "annotation.gpkg"), "CLASS_FIELD": "class", "PIXEL_SIZE": 1},
-        DECODE: {"INPUT": str(good / "color.png"), "CLASS_TABLE": str(good / "classes.csv"), "METHOD": 1},
-        BUILD: {
-            "LABELS": str(good / "labels.tif"),
-            "REFERENCE_CLASSES": "1;2;3",
-            "WINDOW_SIZE": 100,
-            "STRIDE": 50,
-            "MINIMUM_AREA": 30,
-        },
-        DESCRIBE: {
-            "INPUT": str(good / "photo.png"),
-            "CLASS_TABLE": str(good / "classes.csv"),
-            "REFERENCES": "TEMPORARY_OUTPUT",
-        },
+        DECODE: {"INPUT": str(good / "color.png"), "CLASS_TABLE": classes, "METHOD": 1},
+        BUILD: {"LABELS": str(good / "labels.tif"), **WINDOWS},
+        DESCRIBE: {"INPUT": str(good / "photo.png"), "CLASS_TABLE": classes, "REFERENCES": "TEMPORARY_OUTPUT"},
         LOCALIZE: {"DATABASE": str(good / "area.gpkg"), "IMAGES": [str(good / "photo.png")], "METHOD": 1},
         SEGMENT: {"INPUT": str(good / "color.png"), "MODEL": str(good / "colors.onnx")},
         COMPARE: {"REFERENCE": str(good / "labels.tif"), "PREDICTED": str(good / "labels.tif")},

@@ -24,14 +24,30 @@ def test_the_good_inputs_are_good(run_algorithm, defaults):
         run_algorithm(algorithm, parameters)
 
 
-def test_a_missing_class_field_is_named_with_the_fields_that_there_are(refused):
-    sentence = refused(RASTERIZE, CLASS_FIELD="klass")
-    assert "“klass”" in sentence and "class, zorder" in sentence
+@pytest.mark.parametrize(
+    ("parameters", "words"),
+    [
+        ({"CLASS_FIELD": "klass"}, ["“klass”", "class, zorder"]),
+        ({"PRIORITY_FIELD": "class"}, ["“class”", "numeric"]),
+        ({"INPUT": "/nowhere/annotation.shp"}, ["INPUT"]),
+        ({"TARGET_CRS": "EPSG:4326"}, ["EPSG:4326", "meters"]),
+        ({"TARGET_CRS": "EPSG:2263"}, ["EPSG:2263", "meters"]),
+    ],
+)
+def test_a_parameter_that_does_not_fit_the_layer_is_named(refused, parameters, words):
+    sentence = refused(RASTERIZE, **parameters)
+    assert [word for word in words if word not in sentence] == []
 
 
-def test_a_priority_field_of_text_is_refused(refused):
-    sentence = refused(RASTERIZE, PRIORITY_FIELD="class")
-    assert "“class”" in sentence and "numeric" in sentence
+@pytest.mark.parametrize("algorithm", [RASTERIZE, DECODE, DESCRIBE])
+def test_a_missing_class_table_is_named(refused, algorithm):
+    assert "/nowhere/classes.csv" in refused(algorithm, CLASS_TABLE="/nowhere/classes.csv")
+
+
+@pytest.mark.parametrize("content", [b"\x00\x01\x02\xff" * 50, b"PK\x03\x04" + bytes(300)])
+def test_a_class_table_that_is_no_text_is_refused(refused, tmp_path, content):
+    (tmp_path / "binary.csv").write_bytes(content)
+    assert "binary.csv" in refused(RASTERIZE, CLASS_TABLE=str(tmp_path / "binary.csv"))
 
 
 def test_class_values_outside_the_table_are_named_and_counted(refused, tmp_path, good):
@@ -41,56 +57,29 @@ def test_class_values_outside_the_table_are_named_and_counted(refused, tmp_path,
     assert "“swamp” (2)" in sentence and "“tundra” (1)" in sentence and "4 field" in sentence
 
 
-@pytest.mark.parametrize("wkt", ["LINESTRING (550000 5220000, 550010 5220010)", "POINT (550000 5220000)"])
-def test_lines_and_points_are_no_annotation(refused, tmp_path, wkt):
-    geometry = ogr.CreateGeometryFromWkt(wkt).GetGeometryType()
-    layer = write_layer(tmp_path / "a.gpkg", [(wkt, "road")], geometry=geometry)
-    sentence = refused(RASTERIZE, INPUT=str(layer))
-    assert "polygon" in sentence
+LINE, POINT = "LINESTRING (550000 5220000, 550010 5220010)", "POINT (550000 5220000)"
+ENDLESS = "POLYGON ((0 0, 1e300 0, 1e300 1e300, 0 1e300, 0 0))"
 
 
-def test_a_missing_annotation_file_is_reported(refused):
-    assert "INPUT" in refused(RASTERIZE, INPUT="/nowhere/annotation.shp")
-
-
-def test_a_layer_without_features_is_refused(refused, tmp_path):
-    layer = write_layer(tmp_path / "a.gpkg", [], geometry=ogr.wkbPolygon)
-    assert "“a”" in refused(RASTERIZE, INPUT=str(layer)).replace("annotation", "a")
-
-
-@pytest.mark.parametrize("crs", [32632, 4326])
-def test_a_layer_with_nothing_but_missing_geometry_is_refused(refused, tmp_path, crs):
-    layer = write_layer(tmp_path / "a.gpkg", [(None, "field"), (None, "water")], crs=crs, geometry=ogr.wkbPolygon)
-    refused(RASTERIZE, INPUT=str(layer))
-
-
-def test_an_annotation_without_crs_is_refused(refused, tmp_path):
-    layer = write_layer(tmp_path / "a.shp", [(square(0, 0, 10), "field")], crs=None, geometry=ogr.wkbPolygon)
-    assert "coordinate reference system" in refused(RASTERIZE, INPUT=str(layer))
-
-
-@pytest.mark.parametrize("target", ["EPSG:4326", "EPSG:2263"])
-def test_a_target_crs_that_is_not_metric_is_named(refused, target):
-    sentence = refused(RASTERIZE, TARGET_CRS=target)
-    assert target in sentence and "meters" in sentence
-
-
-def test_meters_that_are_declared_as_degrees_are_refused(refused, tmp_path):
-    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 10), "field")], crs=4326)
-    sentence = refused(RASTERIZE, INPUT=str(layer))
-    assert "EPSG:4326" in sentence
-
-
-def test_infinite_coordinates_are_no_crash(refused, tmp_path):
-    huge = "POLYGON ((0 0, 1e300 0, 1e300 1e300, 0 1e300, 0 0))"
-    layer = write_layer(tmp_path / "a.gpkg", [(huge, "field"), (square(0, 0, 10), "field")])
-    assert "choose larger pixels" in refused(RASTERIZE, INPUT=str(layer))
-
-
-def test_a_pixel_size_that_makes_a_gigantic_map_is_refused_with_the_size(refused, tmp_path):
-    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 500_000), "field")])
-    sentence = refused(RASTERIZE, INPUT=str(layer), PIXEL_SIZE=0.01)
-    assert "50000000 × 50000000" in sentence and "choose larger pixels" in sentence
+@pytest.mark.parametrize(
+    ("shapes", "options", "words"),
+    [
+        ([LINE], {"geometry": ogr.wkbLineString}, "polygon"),
+        ([POINT], {"geometry": ogr.wkbPoint}, "polygon"),
+        ([], {"geometry": ogr.wkbPolygon}, "“a”"),
+        ([None, None], {"geometry": ogr.wkbPolygon}, "a"),
+        ([None, None], {"geometry": ogr.wkbPolygon, "crs": 4326}, "a"),
+        ([square(0, 0, 10)], {"geometry": ogr.wkbPolygon, "crs": None}, "coordinate reference system"),
+        # Meters that are declared as degrees.
+        ([square(0, 0, 10)], {"crs": 4326}, "EPSG:4326"),
+        ([ENDLESS, square(0, 0, 10)], {}, "choose larger pixels"),
+        ([square(0, 0, 500_000)], {}, "50000000 × 50000000"),
+    ],
+)
+def test_a_layer_that_makes_no_map_is_refused(refused, tmp_path, shapes, options, words):
+    name = "a.shp" if options.get("crs", 1) is None else "a.gpkg"
+    layer = write_layer(tmp_path / name, [(shape, "field") for shape in shapes], **options)
+    assert words in refused(RASTERIZE, INPUT=str(layer), PIXEL_SIZE=0.01).replace("annotation", "a")
 
 
 def test_a_layer_removed_while_the_algorithm_runs_does_not_stop_it(tmp_path, defaults, good):
