@@ -1,6 +1,9 @@
 """Start QGIS without a display."""
 
 import os
+import shutil
+import subprocess
+from pathlib import Path
 
 import pytest
 from made_inputs import write_raster
@@ -46,3 +49,22 @@ def short_wait(monkeypatch):
 
     for module in (replaceable, vector_files, connection, undo):
         monkeypatch.setattr(module, "WAIT_S", 0.1)
+
+
+@pytest.fixture
+def small_disk(tmp_path):
+    """`small_disk(kilobytes)`: a folder on a disk of that size."""
+    mounted = []
+
+    def mount(kilobytes: int) -> Path:
+        folder = tmp_path / f"disk{len(mounted)}"
+        folder.mkdir()
+        command = ["mount", "-t", "tmpfs", "-o", f"size={kilobytes}k", "tmpfs", str(folder)]
+        if shutil.which("mount") is None or subprocess.run(command, capture_output=True, check=False).returncode:
+            pytest.skip("a disk of its own can't be mounted here")
+        mounted.append(folder)
+        return folder
+
+    yield mount
+    for folder in mounted:
+        subprocess.run(["umount", "-l", str(folder)], check=False)

@@ -178,25 +178,6 @@ def test_a_written_layer_is_not_kept_open(run_algorithm, given, suffix):
         assert [path for path in held if path.startswith(str(given)) and "area.gpkg" not in path] == []
 
 
-@pytest.fixture
-def small_disk(tmp_path):
-    """`small_disk(kilobytes)`: a folder on a disk of that size."""
-    mounted = []
-
-    def mount(kilobytes: int) -> Path:
-        folder = tmp_path / f"disk{len(mounted)}"
-        folder.mkdir()
-        command = ["mount", "-t", "tmpfs", "-o", f"size={kilobytes}k", "tmpfs", str(folder)]
-        if shutil.which("mount") is None or subprocess.run(command, capture_output=True, check=False).returncode:
-            pytest.skip("a disk of its own can't be mounted here")
-        mounted.append(folder)
-        return folder
-
-    yield mount
-    for folder in mounted:
-        subprocess.run(["umount", "-l", str(folder)], check=False)
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("kilobytes", [16, 64, 96, 112, 128, 200, 300])
 def test_a_full_disk_is_an_error_and_leaves_the_older_file(run_algorithm, given, small_disk, kilobytes):

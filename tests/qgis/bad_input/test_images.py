@@ -6,61 +6,57 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from bad_input import DECODE, DESCRIBE, LABELS, LOCALIZE, sentence_of
-from made_inputs import write_raster
-from osgeo import gdal, ogr
+from bad_input import BUILD, DECODE, DESCRIBE, LABELS, LOCALIZE, SEGMENT, sentence_of
+from made_inputs import read_rows, write_raster
+from osgeo import gdal
+
+NOISE = np.random.default_rng(1).integers(0, 255, (3, 400, 400)).astype(np.uint8)
+HUGE = '<VRTDataset rasterXSize="100000" rasterYSize="100000"><VRTRasterBand dataType="Byte" band="1"/></VRTDataset>'
 
 
-def reason_of(run_algorithm, defaults, path) -> str:
-    parameters = {**defaults[LOCALIZE], "IMAGES": [str(path)]}
-    source = ogr.Open(run_algorithm(LOCALIZE, parameters)["OUTPUT"])
-    (row,) = list(source.GetLayer(0))
-    assert row["status"] == "error"
-    return sentence_of(ValueError(row["reason"]))
+def write(path: Path, pixels, kind=gdal.GDT_Byte) -> Path:
+    return write_raster(path, pixels, transform=None, kind=kind)
 
 
-def truncated_png(path: Path) -> Path:
-    noise = np.random.default_rng(1).integers(0, 255, (200, 200)).astype(np.uint8)
-    content = write_raster(path, noise, transform=None).read_bytes()
+def cut_short(path: Path, pixels) -> Path:
+    content = write(path, pixels).read_bytes()
     path.write_bytes(content[: len(content) // 2])
     return path
 
 
-@pytest.fixture(params=["missing", "empty", "text", "truncated", "huge", "16-bit color", "two bands", "float", "300"])
-def bad_image(request, tmp_path):
-    path = tmp_path / "bad.png"
-    if request.param == "empty":
-        path.touch()
-    elif request.param == "text":
-        path.write_text("This is no picture.")
-    elif request.param == "truncated":
-        truncated_png(path)
-    elif request.param == "huge":
-        path = tmp_path / "bad.vrt"
-        path.write_text(
-            '<VRTDataset rasterXSize="100000" rasterYSize="100000">'
-            '<VRTRasterBand dataType="Byte" band="1"/></VRTDataset>'
-        )
-    elif request.param == "16-bit color":
-        write_raster(path, np.full((3, 50, 50), 300, np.uint16), transform=None, kind=gdal.GDT_UInt16)
-    elif request.param == "two bands":
-        write_raster(path, np.full((2, 50, 50), 1, np.uint8), transform=None)
-    elif request.param == "float":
-        path = write_raster(tmp_path / "bad.tif", LABELS, kind=gdal.GDT_Float32)
-    elif request.param == "300":
-        write_raster(path, np.full((50, 50), 300, np.uint16), transform=None, kind=gdal.GDT_UInt16)
-    return path
+BAD_IMAGES = {
+    "missing.png": lambda path: None,
+    "empty.png": Path.touch,
+    "text.png": lambda path: path.write_text("This is no picture."),
+    "truncated.png": lambda path: cut_short(path, NOISE[0]),
+    "huge.vrt": lambda path: path.write_text(HUGE),
+    "color of 16 bits.png": lambda path: write(path, np.full((3, 50, 50), 300, np.uint16), gdal.GDT_UInt16),
+    "two bands.png": lambda path: write(path, np.full((2, 50, 50), 1, np.uint8)),
+    "float.tif": lambda path: write(path, LABELS, gdal.GDT_Float32),
+    "300.png": lambda path: write(path, np.full((50, 50), 300, np.uint16), gdal.GDT_UInt16),
+}
 
 
-def test_a_bad_image_has_a_row_with_one_sentence_that_names_it(run_algorithm, defaults, bad_image):
-    assert bad_image.name in reason_of(run_algorithm, defaults, bad_image)
+@pytest.mark.parametrize("name", BAD_IMAGES)
+def test_a_bad_image_has_a_row_with_one_sentence_that_names_it(run_algorithm, defaults, tmp_path, name):
+    BAD_IMAGES[name](tmp_path / name)
+    found = run_algorithm(LOCALIZE, {**defaults[LOCALIZE], "IMAGES": [str(tmp_path / name)]})
+    (row,) = read_rows(found["OUTPUT"])
+    assert row["status"] == "error" and name in sentence_of(ValueError(row["reason"]))
 
 
-def test_a_truncated_image_cannot_be_decoded(refused, tmp_path):
-    noise = np.random.default_rng(1).integers(0, 255, (3, 200, 200)).astype(np.uint8)
-    path = write_raster(tmp_path / "cut.png", noise, transform=None)
-    path.write_bytes(path.read_bytes()[:60_000])
-    assert "cut.png" in refused(DECODE, INPUT=str(path))
+@pytest.mark.parametrize(
+    ("algorithm", "key", "pixels", "words"),
+    [
+        (DECODE, "INPUT", NOISE, "cut.tif"),
+        (BUILD, "LABELS", NOISE[0] % 4 + 1, "cut.tif"),
+        (SEGMENT, "INPUT", NOISE, "cut.tif is damaged or cut short"),
+    ],
+)
+def test_a_raster_that_is_cut_short_is_refused(refused, tmp_path, algorithm, key, pixels, words):
+    path = write_raster(tmp_path / "cut.tif", pixels)
+    path.write_bytes(path.read_bytes()[: path.stat().st_size // 2])
+    assert words in refused(algorithm, **{key: str(path)})
 
 
 @pytest.mark.parametrize(
@@ -82,9 +78,18 @@ def test_a_folder_without_images_is_named(refused, tmp_path):
     assert "flight" in refused(LOCALIZE, IMAGES=[str(tmp_path / "flight")])
 
 
-@pytest.mark.parametrize("images", ["", ";", []])
-def test_no_images_at_all_are_refused(refused, images):
-    assert "“Images”" in refused(LOCALIZE, IMAGES=images)
+@pytest.mark.parametrize(
+    ("algorithm", "parameters", "words"),
+    [
+        (LOCALIZE, {"IMAGES": ""}, "“Images”"),
+        (LOCALIZE, {"IMAGES": ";"}, "“Images”"),
+        (LOCALIZE, {"IMAGES": []}, "“Images”"),
+        (LOCALIZE, {"SCALE_MINIMUM": 2, "SCALE_MAXIMUM": 0.5}, "(2)"),
+        (DESCRIBE, {"CLASS_TABLE": None}, "class table"),
+    ],
+)
+def test_missing_images_and_classes_and_exchanged_scales_are_refused(refused, algorithm, parameters, words):
+    assert words in refused(algorithm, **parameters)
 
 
 @pytest.mark.parametrize("keys", [["EXTENT"], ["MASK"], ["EXTENT", "MASK"]])
@@ -93,11 +98,3 @@ def test_a_part_of_no_layer_is_refused_by_name(refused, good, keys):
     sentence = refused(LOCALIZE, **{key: parts[key] for key in keys})
     assert "layer to test" in sentence
     assert [key for key in parts if f"“{key.title()} of the test layer”" in sentence] == keys
-
-
-def test_scales_the_wrong_way_round_are_refused(refused):
-    assert "(2)" in refused(LOCALIZE, SCALE_MINIMUM=2, SCALE_MAXIMUM=0.5)
-
-
-def test_an_image_without_classes_of_its_own_needs_a_table(refused):
-    assert "class table" in refused(DESCRIBE, CLASS_TABLE=None)

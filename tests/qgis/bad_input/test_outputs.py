@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import gc
-import subprocess
 from pathlib import Path
 
 import numpy as np
@@ -22,19 +21,18 @@ def output_refused(run_algorithm, defaults, algorithm, path) -> str:
     return sentence_of(caught.value)
 
 
-@pytest.mark.parametrize("algorithm", WRITERS)
+@pytest.mark.parametrize("algorithm", [one for one in WRITERS if one not in (LOCALIZE, COMPARE)])
 def test_a_missing_output_folder_is_named_and_not_made(run_algorithm, defaults, tmp_path, algorithm):
     path = tmp_path / "nowhere" / OUTPUT_NAMES[algorithm][1]
-    if algorithm not in (LOCALIZE, COMPARE):
-        assert "nowhere" in output_refused(run_algorithm, defaults, algorithm, path)
-        assert not path.parent.exists()
+    assert "nowhere" in output_refused(run_algorithm, defaults, algorithm, path)
+    assert not path.parent.exists()
 
 
 @pytest.mark.parametrize("algorithm", WRITERS)
 def test_an_output_below_a_file_is_refused(run_algorithm, defaults, tmp_path, algorithm):
     (tmp_path / "file").write_text("a file")
-    sentence = output_refused(run_algorithm, defaults, algorithm, tmp_path / "file" / OUTPUT_NAMES[algorithm][1])
-    assert "file" in sentence
+    path = tmp_path / "file" / OUTPUT_NAMES[algorithm][1]
+    assert "file" in output_refused(run_algorithm, defaults, algorithm, path)
 
 
 @pytest.mark.skipif(not Path("/proc/self").exists(), reason="no /proc on this machine")
@@ -52,20 +50,6 @@ def test_an_output_that_is_a_folder_is_refused(run_algorithm, defaults, tmp_path
     assert list(folder.iterdir()) == []
 
 
-@pytest.fixture
-def small_disk(tmp_path):
-    """Return a file system of 60 kB."""
-    folder = tmp_path / "disk"
-    folder.mkdir()
-    mounted = subprocess.run(
-        ["mount", "-t", "tmpfs", "-o", "size=60k", "tmpfs", str(folder)], capture_output=True, check=False
-    )
-    if mounted.returncode:
-        pytest.skip("mounting a small file system is not permitted here")
-    yield folder
-    subprocess.run(["umount", "--lazy", str(folder)], check=True)
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("algorithm", [RASTERIZE, DECODE, BUILD])
 def test_a_full_disk_is_reported_and_leaves_nothing(run_algorithm, defaults, small_disk, tmp_path, algorithm):
@@ -81,10 +65,11 @@ def test_a_full_disk_is_reported_and_leaves_nothing(run_algorithm, defaults, sma
     else:
         labels = write_raster(tmp_path / "a.tif", LABELS, names=NAMES)
         parameters.update(LABELS=str(labels), WINDOW_SIZE=50, STRIDE=5)
-    target = small_disk / OUTPUT_NAMES[algorithm][1]
+    disk = small_disk(60)
+    target = disk / OUTPUT_NAMES[algorithm][1]
     before = write_older(target)
     output_refused(run_algorithm, defaults, algorithm, target)
     assert target.read_bytes() == before
-    assert [path.name for path in small_disk.iterdir()] == [target.name]
+    assert [path.name for path in disk.iterdir()] == [target.name]
     # GDAL objects that failed to close must not be closed again, which would end the process.
     gc.collect()
