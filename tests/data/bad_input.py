@@ -1,7 +1,5 @@
 """Shared parts of the tests of bad input: algorithms with their outputs, and the check of a refusal."""
 
-from __future__ import annotations
-
 import re
 
 from made_inputs import scattered_objects

@@ -1,7 +1,5 @@
 """Shared parts of the tests of semref:builddatabase."""
 
-from __future__ import annotations
-
 import contextlib
 import sqlite3
 

@@ -1,7 +1,5 @@
 """A small database of rectangles, and user actions in the dock, for tests of the dock."""
 
-from __future__ import annotations
-
 import time
 from pathlib import Path
 

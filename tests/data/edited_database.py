@@ -1,7 +1,5 @@
 """The database of tests/data/kept, and databases as another program edits them."""
 
-from __future__ import annotations
-
 import contextlib
 import gzip
 import sqlite3

@@ -1,7 +1,5 @@
 """Files that are no onboard files, by their kind."""
 
-from __future__ import annotations
-
 import gzip
 import io
 import pickle

@@ -1,7 +1,5 @@
 """Simulate a full disk (Unix)."""
 
-from __future__ import annotations
-
 import contextlib
 from collections.abc import Iterator
 

@@ -1,7 +1,5 @@
 """Measure how the time of a function grows with its input."""
 
-from __future__ import annotations
-
 import time
 from typing import Callable
 

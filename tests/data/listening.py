@@ -1,7 +1,5 @@
 """A web server on loopback without files that records requests: untrusted files must not cause requests."""
 
-from __future__ import annotations
-
 import http.server
 import threading
 from collections.abc import Iterator

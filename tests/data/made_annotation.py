@@ -1,7 +1,5 @@
 """Small seeded land-cover layers with known truth: features as `core` takes them."""
 
-from __future__ import annotations
-
 import numpy as np
 import shapely
 

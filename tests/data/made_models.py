@@ -1,7 +1,5 @@
 """Small segmentation networks with known answers: the class of a pixel is its brightest color."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import sys

@@ -1,7 +1,5 @@
 """A made map of patches and houses, images of it, and errors of positions."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import cv2

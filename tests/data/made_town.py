@@ -1,7 +1,5 @@
 """A made town and its images, for tests of the constellation."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from semref.core.constellation.index import build_index

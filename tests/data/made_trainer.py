@@ -1,7 +1,5 @@
 """A replacement for the training environment: it answers like the training and copies a finished model."""
 
-from __future__ import annotations
-
 import sys
 from pathlib import Path
 

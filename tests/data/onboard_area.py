@@ -1,7 +1,5 @@
 """A small made-up map as an onboard file, and images of it."""
 
-from __future__ import annotations
-
 import shutil
 
 import numpy as np

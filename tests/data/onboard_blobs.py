@@ -1,7 +1,5 @@
 """A small map of blobs with its database, and onboard files with changed members."""
 
-from __future__ import annotations
-
 import io
 import json
 import zipfile

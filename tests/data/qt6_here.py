@@ -1,7 +1,5 @@
 """Whether the running Python has PyQt6, for tests that start it in another process."""
 
-from __future__ import annotations
-
 import sys
 from pathlib import Path
 

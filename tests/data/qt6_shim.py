@@ -4,8 +4,6 @@
 classes that painting needs are Qt's; every other name is a ``StandIn``, good for nothing but being imported.
 """
 
-from __future__ import annotations
-
 import importlib
 import sys
 import types

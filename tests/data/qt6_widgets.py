@@ -6,8 +6,6 @@ Prints JSON: by widget, how many colors its picture has and how many pixels are 
 kept in the folder PICTURES. Anything that Qt 6 refuses ends it with a traceback.
 """
 
-from __future__ import annotations
-
 import importlib
 import importlib.util
 import json

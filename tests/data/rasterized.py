@@ -1,7 +1,5 @@
 """Shared parts of the tests of semref:rasterizeannotation."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from osgeo import gdal

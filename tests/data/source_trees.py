@@ -1,7 +1,5 @@
 """The shipped source as syntax trees; each file is parsed once for all tests."""
 
-from __future__ import annotations
-
 import ast
 import functools
 from collections.abc import Callable, Iterable

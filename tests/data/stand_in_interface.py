@@ -1,7 +1,5 @@
 """A replacement for QGIS's window, for tests that load the plugin into their own process."""
 
-from __future__ import annotations
-
 from qgis.core import QgsProject
 from qgis.gui import QgsMapCanvas, QgsMessageBar
 from qgis.PyQt.QtWidgets import QMainWindow, QVBoxLayout, QWidget

@@ -1,7 +1,5 @@
 """Fixtures with real QGIS windows; tools/pytest_suites.sh runs these tests in a virtual display."""
 
-from __future__ import annotations
-
 import os
 import sys
 import time

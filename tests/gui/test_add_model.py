@@ -1,7 +1,5 @@
 """The dialog *Add a model*: fields from the file or a preset, a test picture, and a new model in the list."""
 
-from __future__ import annotations
-
 import os
 
 import numpy as np
@@ -9,16 +7,16 @@ import pytest
 from dock_area import wait_until
 from made_inputs import write_raster
 from made_models import write_model
+from qgis.core import QgsProcessingContext, QgsProject, QgsRasterLayer, QgsSettings
+
+from semref.processing.inspection.models import choose_models_folder
+from semref.ui.add_model import AddModelDialog
+from semref.ui.model_list import ModelsDialog
 
 
 @pytest.fixture
 def models(plugin, tmp_path):
     """The list of models of an empty folder."""
-    from qgis.core import QgsSettings
-
-    from semref.processing.inspection.models import choose_models_folder
-    from semref.ui.model_list import ModelsDialog
-
     choose_models_folder(str(tmp_path / "models"))
     made = ModelsDialog()
     made.show()
@@ -54,8 +52,6 @@ def says(dialog, text: str) -> None:
 
 
 def test_a_network_without_names_is_tested_and_added(models, dialog, photo, tmp_path):
-    from qgis.core import QgsProcessingContext
-
     dialog.file.setFilePath(str(write_model(tmp_path / "bare.onnx", metadata={}, size=(64, 64))))
     says(dialog, "3 outputs")
     assert dialog.classes.rowCount() == 3 and not dialog.threshold.isEnabled()
@@ -76,10 +72,6 @@ def test_a_network_without_names_is_tested_and_added(models, dialog, photo, tmp_
 
 
 def test_the_test_picture_is_the_photo_of_the_project_not_its_label_map(models, photo, tmp_path):
-    from qgis.core import QgsProject, QgsRasterLayer
-
-    from semref.ui.add_model import AddModelDialog
-
     labels = write_raster(tmp_path / "labels.tif", np.ones((9, 9), np.uint8), names=["", "building"])
     layers = [QgsRasterLayer(str(path), name) for path, name in ((labels, "A labels"), (photo, "Photo"))]
     QgsProject.instance().addMapLayers(layers)

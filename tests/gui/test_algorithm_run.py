@@ -1,9 +1,12 @@
 """One algorithm in the background ends with exactly one signal, whatever becomes of it."""
 
-from __future__ import annotations
-
 import pytest
 from dock_area import settle, wait_until
+from qgis.core import QgsVectorLayer
+from qgis.PyQt.QtCore import QObject
+
+from semref.processing.algorithms.rasterize_annotation import RasterizeAnnotation
+from semref.ui.running.algorithm_run import AlgorithmRun
 
 ALGORITHM = "semref:rasterizeannotation"
 SUCCEEDS = "native:centroids"
@@ -12,10 +15,6 @@ SUCCEEDS = "native:centroids"
 @pytest.fixture
 def run(qgis_app):
     """An AlgorithmRun with what it said: (signal, what came with it)."""
-    from qgis.PyQt.QtCore import QObject
-
-    from semref.ui.running.algorithm_run import AlgorithmRun
-
     parent = QObject()
     made, ends = AlgorithmRun(parent), []
     for name in ("done", "failed", "broke", "canceled"):
@@ -29,7 +28,6 @@ def run(qgis_app):
 @pytest.fixture
 def broken(monkeypatch):
     """Rasterize land-cover layer with a fault of its own before its work begins."""
-    from semref.processing.algorithms.rasterize_annotation import RasterizeAnnotation
 
     def read_layers(self, values):
         raise RuntimeError("a fault in preparing")
@@ -63,8 +61,6 @@ def test_missing_parameters_are_reported(run):
 
 
 def test_a_run_whose_task_qgis_never_starts_is_started_again_and_ends_once(run, first_task_lost, monkeypatch):
-    from qgis.core import QgsVectorLayer
-
     begun, parameters = [], {"INPUT": QgsVectorLayer("Point?crs=EPSG:32632", "p", "memory"), "OUTPUT": "memory:"}
     whole = run.start_algorithm
     monkeypatch.setattr(run, "start_algorithm", lambda *asked: begun.append(asked) or whole(*asked))

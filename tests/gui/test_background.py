@@ -1,20 +1,18 @@
 """Reading in the background answers once, with what was asked last, whatever QGIS does with its tasks."""
 
-from __future__ import annotations
-
 import threading
 
 import pytest
 from dock_area import settle, wait_until
+from qgis.PyQt.QtCore import QObject
+
+from semref.core.errors import LabelMapError
+from semref.ui.running.background import Reader
 
 
 @pytest.fixture
 def reader(qgis_app):
     """A Reader with what it said: (signal, what came with it)."""
-    from qgis.PyQt.QtCore import QObject
-
-    from semref.ui.running.background import Reader
-
     parent = QObject()
     made, said = Reader(parent), []
     for name in ("answered", "failed", "broke"):
@@ -37,8 +35,6 @@ def test_what_was_asked_is_answered_once(reader):
 
 
 def test_errors_for_the_user_and_bugs_have_different_signals(reader):
-    from semref.core.errors import LabelMapError
-
     def refuses():
         raise LabelMapError("Image {path} can't be read: {reason}.", path="photo.jpg", reason="no image")
 

@@ -1,11 +1,16 @@
 """The window of class tables, and the button that opens it where an algorithm asks for one."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest
 from dock_area import settle
+from qgis.gui import QgsFileWidget
+from qgis.PyQt.QtGui import QColor
+
+from semref.core.labels.class_table import class_table_from_csv
+from semref.processing.inspection.class_tables import read_rows, require_table
+from semref.ui import class_table
+from semref.ui.class_table import COLOR, NAME, ORDER, ROLE, VALUE, ClassTableEditor
 
 CSV = (
     "value,name,color,role,draw_order,hsv_min,hsv_max\n"
@@ -23,9 +28,6 @@ def file(tmp_path):
 
 @pytest.fixture
 def editor(plugin, file):
-    from semref.processing.inspection.class_tables import read_rows
-    from semref.ui.class_table import ClassTableEditor
-
     window = ClassTableEditor(read_rows(str(file)))
     window.show()
     settle()
@@ -36,8 +38,6 @@ def editor(plugin, file):
 @pytest.fixture
 def accepted(editor):
     """`accepted()`: the table that the window makes."""
-    from semref.core.labels.class_table import class_table_from_csv
-    from semref.processing.inspection.class_tables import require_table
 
     def accept():
         editor.accept()
@@ -48,9 +48,6 @@ def accepted(editor):
 
 
 def test_headings_and_roles_are_not_cut_off_in_a_language_of_longer_words(plugin, file, monkeypatch):
-    from semref.processing.inspection.class_tables import read_rows
-    from semref.ui import class_table
-
     monkeypatch.setattr(class_table, "tr", lambda text: f"{text}, much longer")
     window = class_table.ClassTableEditor(read_rows(str(file)))
     window.resize(900, 300)
@@ -65,10 +62,6 @@ def test_headings_and_roles_are_not_cut_off_in_a_language_of_longer_words(plugin
 
 
 def test_every_column_can_be_edited(editor, accepted):
-    from qgis.PyQt.QtGui import QColor
-
-    from semref.ui.class_table import COLOR, NAME, ORDER, ROLE
-
     editor.rows.item(1, NAME).setText('wood, "old"')
     editor.rows.item(1, ORDER).setText("2.5")
     editor.rows.cellWidget(1, COLOR).setColor(QColor("#123456"))
@@ -85,8 +78,6 @@ def test_classes_are_added_with_the_next_free_value_and_removed(editor, accepted
 
 
 def test_invalid_classes_are_reported_and_the_window_stays_open(editor):
-    from semref.ui.class_table import VALUE
-
     editor.rows.item(1, VALUE).setText("1")
     editor.accept()
     assert editor.isVisible() and editor.fault.isVisible()
@@ -101,10 +92,6 @@ def test_a_nomenclature_fills_the_table(editor, accepted):
 
 
 def test_the_button_beside_a_file_box_edits_the_file_in_place(plugin, file, tmp_path, monkeypatch):
-    from qgis.gui import QgsFileWidget
-
-    from semref.ui import class_table
-
     box = QgsFileWidget()
     button = class_table.EditButton(box)
     box.setFilePath(str(file))
@@ -121,10 +108,6 @@ def test_the_button_beside_a_file_box_edits_the_file_in_place(plugin, file, tmp_
 
 
 def test_a_table_that_cannot_be_read_is_reported_and_not_changed(plugin, file, monkeypatch):
-    from qgis.gui import QgsFileWidget
-
-    from semref.ui import class_table
-
     file.write_text("no table", encoding="utf-8")
     said = []
     monkeypatch.setattr(class_table.QMessageBox, "warning", lambda *arguments: said.append(arguments[2]))

@@ -1,18 +1,23 @@
 """The options page and the dock's notice, in real windows."""
 
-from __future__ import annotations
-
 import os
 
 import pytest
+from qgis.core import Qgis, QgsApplication, QgsMessageLog, QgsSettings
+from qgis.PyQt.QtWidgets import QTabWidget
+
+from semref.plugin import SemRefPlugin
+from semref.processing.packages import components
+from semref.processing.packages.components import DASK, ONNXRUNTIME, OPENCV, install_command
+from semref.processing.packages.devices import DEVICE_SETTING, chosen_device
+from semref.processing.packages.training_environment import PYTHON_SETTING
+from semref.ui.entry import PAGE
+from semref.ui.packages import components_page
 
 
 @pytest.fixture
 def lacking(monkeypatch):
     """OpenCV, ONNX Runtime and Dask are missing until taken out of this list."""
-    from semref.processing.packages import components
-    from semref.ui.packages import components_page
-
     packages = [components.OPENCV, components.ONNXRUNTIME, components.DASK]
     for module in (components, components_page):
         monkeypatch.setattr(module, "is_missing", lambda package: package in packages)
@@ -21,8 +26,6 @@ def lacking(monkeypatch):
 
 @pytest.fixture
 def plugin(lacking, iface, without_provider):
-    from semref.plugin import SemRefPlugin
-
     loaded = SemRefPlugin(iface)
     loaded.initGui()
     yield loaded
@@ -39,10 +42,6 @@ def page(plugin, iface):
 
 
 def test_the_page_lists_what_is_missing_and_copies_the_command_for_what_is_ticked(page, lacking):
-    from qgis.core import QgsApplication
-
-    from semref.processing.packages.components import DASK, ONNXRUNTIME, OPENCV, install_command
-
     states = [state.text() for state in page.states.values()]
     assert states == ["Missing", "Ready", "Ready", "Missing", "Missing", "Ready"]
     # Dask is there for who wants it; nothing suggests it.
@@ -54,10 +53,6 @@ def test_the_page_lists_what_is_missing_and_copies_the_command_for_what_is_ticke
 
 
 def test_the_dock_shows_missing_packages_until_they_are_installed(plugin, iface, lacking):
-    from qgis.PyQt.QtWidgets import QTabWidget
-
-    from semref.ui.entry import PAGE
-
     iface.tool_bar_actions[0].trigger()
     dock = iface.docks[0]
     assert dock.notice.isVisible() and "does not have yet: OpenCV, ONNX Runtime." in dock.notice.sentence.text()
@@ -70,10 +65,6 @@ def test_the_dock_shows_missing_packages_until_they_are_installed(plugin, iface,
 
 
 def test_the_page_keeps_which_python_trains(page):
-    from qgis.core import QgsSettings
-
-    from semref.processing.packages.training_environment import PYTHON_SETTING
-
     assert "no training environment" in page.training.state.text()
     assert page.training.make.isEnabled() and not page.training.remove.isEnabled()
     page.training.python.setFilePath("/opt/torch/bin/python")
@@ -97,10 +88,6 @@ def test_errors_of_the_environment_are_shown_and_the_user_can_try_again(page, if
 
 @pytest.fixture
 def no_choice():
-    from qgis.core import QgsSettings
-
-    from semref.processing.packages.devices import DEVICE_SETTING
-
     QgsSettings().remove(DEVICE_SETTING)
     yield
     QgsSettings().remove(DEVICE_SETTING)
@@ -120,8 +107,6 @@ def choosable(page) -> dict[str, bool]:
 def test_devices_that_onnxruntime_reports_can_be_chosen_and_the_choice_is_kept(
     lacking, no_choice, plugin, iface, monkeypatch
 ):
-    from semref.processing.packages.devices import chosen_device
-
     lacking.clear()
     fake_providers(monkeypatch, "CUDA", "CPU")
     page = iface.options_factories[0].createWidget(None)
@@ -144,8 +129,6 @@ def test_devices_that_onnxruntime_reports_can_be_chosen_and_the_choice_is_kept(
 
 
 def test_diagnostics_are_copied_from_the_menu_with_the_last_messages_of_semref(plugin, iface):
-    from qgis.core import Qgis, QgsApplication, QgsMessageLog
-
     path = os.path.expanduser("~/maps.gpkg")
     QgsMessageLog.logMessage(f"{path} is damaged.", "SemRef", Qgis.MessageLevel.Warning)
     QgsMessageLog.logMessage("Something of another plugin", "Other", Qgis.MessageLevel.Warning)

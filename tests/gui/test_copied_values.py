@@ -1,12 +1,13 @@
 """What a dialog's values become when they are copied, kept in QGIS's history, and given again."""
 
-from __future__ import annotations
-
 import ast
 import json
 import shlex
 
 import pytest
+from dock_area import label_map, write_raster
+from qgis.core import Qgis, QgsProcessingFeedback, QgsProject, QgsVectorLayer
+from qgis.PyQt.QtWidgets import QApplication, QMenu
 
 WAYS = {"python": "Copy as Python Command", "json": "Copy as JSON", "terminal": "Copy as qgis_process Command"}
 """Entries of the menu *Advanced*, of dialogs from QGIS 3.26 on; 3.22 keeps the Python command in its history."""
@@ -15,8 +16,6 @@ WAYS = {"python": "Copy as Python Command", "json": "Copy as JSON", "terminal": 
 def copied(dialog) -> dict:
     """The dialog's values as each of QGIS's copies has them; those that this QGIS has."""
     from processing.tools import dataobjects
-    from qgis.core import Qgis, QgsProcessingFeedback
-    from qgis.PyQt.QtWidgets import QApplication, QMenu
 
     texts = {}
     for menu in dialog.findChildren(QMenu):
@@ -47,8 +46,6 @@ def as_a_word(value) -> str:
 @pytest.fixture
 def given(area, tmp_path):
     """`given[id]`: values of a dialog with SemRef's own widgets, all of them files that exist."""
-    from dock_area import label_map, write_raster
-
     (tmp_path / "own.onnx").write_bytes(b"a model")
     (tmp_path / "classes.csv").write_text("value,name,color,role\n1,building,#ff0000,reference\n")
     labels = write_raster(tmp_path / "labels.tif", label_map(), True)
@@ -105,8 +102,6 @@ def test_an_empty_optional_file_is_copied_as_nothing(open_dialog, given):
 
 
 def test_a_class_field_is_copied_with_its_layer(open_dialog, plugin):
-    from qgis.core import QgsProject, QgsVectorLayer
-
     layer = QgsVectorLayer("Polygon?crs=epsg:2056&field=name:string&field=class:string", "cover", "memory")
     QgsProject.instance().addMapLayer(layer)
     found = copied(open_dialog("rasterizeannotation", {"INPUT": layer.id()}))

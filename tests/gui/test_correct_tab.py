@@ -1,20 +1,32 @@
 """The tab Correct by itself, where a project has more polygon layers than the one that is gone through."""
 
-from __future__ import annotations
-
 import pytest
-from dock_area import CRS, rubber_bands, settle, wait_until
+from dock_area import CRS, messages, rubber_bands, settle, wait_until
+from qgis.core import (
+    QgsApplication,
+    QgsCoordinateReferenceSystem,
+    QgsFeature,
+    QgsGeometry,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProject,
+    QgsRectangle,
+    QgsSettings,
+    QgsVectorFileWriter,
+    QgsVectorLayer,
+)
+from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtWidgets import QApplication, QMessageBox
+
+from semref.ui.tabs.correct.places_table import PlaceRow, PlacesTable
+from semref.ui.tabs.correct.tab import CorrectTab
+from semref.ui.widgets.messages import Messages
 
 SPECK_M = 0.1
 
 
 @pytest.fixture
 def tab(iface):
-    from qgis.core import QgsCoordinateReferenceSystem, QgsProject, QgsSettings
-
-    from semref.ui.tabs.correct.tab import CorrectTab
-    from semref.ui.widgets.messages import Messages
-
     iface.canvas.setDestinationCrs(QgsCoordinateReferenceSystem(CRS))
     QgsSettings().remove("semref/correct")
     tab = CorrectTab(iface.canvas, Messages(iface.bar))
@@ -28,7 +40,6 @@ def tab(iface):
 @pytest.fixture
 def add_layer(qgis_app):
     """`add_layer(name)` adds a polygon layer with one speck and one square of 100 m."""
-    from qgis.core import QgsFeature, QgsGeometry, QgsProject, QgsRectangle, QgsVectorLayer
 
     def add(name: str):
         layer = QgsVectorLayer(f"Polygon?crs={CRS}&field=kind:string&field=message:string", name, "memory")
@@ -46,8 +57,6 @@ def add_layer(qgis_app):
 
 @pytest.mark.parametrize("others", [[], ["A land cover"], ["Z land cover"]])
 def test_when_the_layer_is_removed_no_other_one_takes_its_place(tab, iface, add_layer, others):
-    from qgis.core import QgsProject
-
     for name in others:
         add_layer(name)
     issues = add_layer("issues")
@@ -61,8 +70,6 @@ def test_when_the_layer_is_removed_no_other_one_takes_its_place(tab, iface, add_
 
 
 def test_the_list_has_the_words_of_each_kind_and_nothing_of_a_file_is_taken_for_markup(tab, add_layer):
-    from qgis.PyQt.QtCore import Qt
-
     issues = add_layer("issues")
     provider = issues.dataProvider()
     first, second = (feature.id() for feature in issues.getFeatures())
@@ -76,8 +83,6 @@ def test_the_list_has_the_words_of_each_kind_and_nothing_of_a_file_is_taken_for_
 
 
 def test_other_layers_may_be_removed(tab, add_layer):
-    from qgis.core import QgsProject
-
     issues, other = add_layer("issues"), add_layer("A land cover")
     tab.layer.setLayer(issues)
     tab.places.selectRow(1)
@@ -89,8 +94,6 @@ def test_other_layers_may_be_removed(tab, add_layer):
 
 def test_what_is_left_out_of_the_lists_is_forgotten_with_its_layer(tab, add_layer):
     """Otherwise a new layer at the address of the deleted one would be hidden."""
-    from qgis.core import QgsProject, QgsVectorLayer
-
     # Neither places nor an annotation, and both at once.
     cover = QgsVectorLayer(f"Polygon?crs={CRS}&field=class:string", "cover", "memory")
     QgsProject.instance().addMapLayer(cover)
@@ -110,8 +113,6 @@ def test_a_speck_is_shown_with_the_ground_around_it(tab, iface, add_layer):
 
 
 def test_information_can_be_left_out_and_what_is_done_is_kept(tab):
-    from qgis.core import QgsFeature, QgsGeometry, QgsProject, QgsRectangle, QgsVectorLayer
-
     fields = "field=kind:string&field=severity:string&field=message:string"
     layer = QgsVectorLayer(f"Polygon?crs={CRS}&{fields}", "issues", "memory")
     for number, severity in enumerate(("information", "error", "information", "warning")):
@@ -133,8 +134,6 @@ def test_information_can_be_left_out_and_what_is_done_is_kept(tab):
 
 
 def test_only_layers_of_places_are_offered_and_one_that_comes_is_chosen(tab, add_layer):
-    from qgis.core import QgsProject, QgsVectorLayer
-
     cover = QgsVectorLayer(f"Polygon?crs={CRS}&field=class:string", "land cover", "memory")
     QgsProject.instance().addMapLayer(cover)
     settle()
@@ -183,8 +182,6 @@ def test_what_is_done_is_remembered_in_the_project_and_not_in_the_table(dock, is
 
 @pytest.mark.slow
 def test_a_list_of_many_places_is_filled_without_holding_up_qgis(dock, iface, issues, monkeypatch):
-    from qgis.core import QgsFeature, QgsGeometry, QgsProject, QgsRectangle
-
     from semref.ui.tabs.correct import tab
 
     monkeypatch.setattr(tab, "_FILL_S", 0.02)
@@ -214,19 +211,12 @@ def test_a_list_of_many_places_is_filled_without_holding_up_qgis(dock, iface, is
 
 
 def test_severities_are_shown_and_read_aloud(dock, issues):
-    from qgis.PyQt.QtCore import Qt
-
     places = dock.content.correct.places
     assert not places.isColumnHidden(0) and not places.item(0, 0).icon().isNull()
     assert places.item(0, 0).data(Qt.ItemDataRole.AccessibleTextRole) == "Warning"
 
 
 def test_places_have_two_lines_of_whatever_font_and_are_selected_from_right_to_left(qgis_app):
-    from qgis.PyQt.QtCore import Qt
-    from qgis.PyQt.QtWidgets import QApplication
-
-    from semref.ui.tabs.correct.places_table import PlaceRow, PlacesTable
-
     table = PlacesTable()
     table.setLayoutDirection(Qt.LayoutDirection.RightToLeft)
     table.resize(300, 200)
@@ -252,8 +242,6 @@ BOW_TIE = "MULTIPOLYGON(((550100 5420000, 550120 5420020, 550120 5420000, 550100
 @pytest.fixture
 def annotation(qgis_app, tmp_path):
     """A GeoPackage of two buildings that overlap, one in order, one that crosses itself, and one without a class."""
-    from qgis.core import QgsFeature, QgsGeometry, QgsProject, QgsRectangle, QgsVectorFileWriter, QgsVectorLayer
-
     made = QgsVectorLayer(f"MultiPolygon?crs={CRS}&field=class:string&field=note:string", "cover", "memory")
     shapes = [QgsGeometry.fromRect(QgsRectangle(*map(float, square.split()))) for square in SQUARES]
     shapes += [QgsGeometry.fromWkt(BOW_TIE), QgsGeometry.fromRect(QgsRectangle(550200, 5420000, 550210, 5420010))]
@@ -273,8 +261,6 @@ def annotation(qgis_app, tmp_path):
 @pytest.fixture
 def found(annotation, run_algorithm):
     """What “Check land-cover layer” finds in it."""
-    from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingFeedback, QgsProject
-
     context = QgsProcessingContext()
     checked = QgsApplication.processingRegistry().createAlgorithmById("semref:checkannotation")
     parameters = {"INPUT": annotation, "CLASS_FIELD": "class", "MINIMUM_AREA": 1, "ISSUES": "memory:"}
@@ -290,8 +276,6 @@ def shapes(layer) -> list:
 
 
 def press_repair(tab, monkeypatch, answer: str) -> list[str]:
-    from qgis.PyQt.QtWidgets import QMessageBox
-
     asked = []
     monkeypatch.setattr(
         QMessageBox,
@@ -333,8 +317,6 @@ def test_repair_all_edits_the_annotation_in_one_step_that_can_be_undone(dock, an
 
 
 def test_a_layer_that_can_t_be_edited_is_reported_and_not_repaired(dock, iface, annotation, found, monkeypatch):
-    from dock_area import messages
-
     settle()
     annotation.setReadOnly(True)
     dock.content.correct.layer.setLayer(found)
@@ -343,8 +325,6 @@ def test_a_layer_that_can_t_be_edited_is_reported_and_not_repaired(dock, iface, 
 
 
 def test_places_are_listed_by_kind_with_their_number(dock, issues):
-    from qgis.core import QgsFeature
-
     tab = dock.content.correct
     second = QgsFeature(next(issues.getFeatures()))
     issues.dataProvider().addFeature(second)
@@ -361,8 +341,6 @@ def test_places_are_listed_by_kind_with_their_number(dock, issues):
 
 
 def test_places_of_one_kind_differ_by_size_and_position(dock):
-    from qgis.core import QgsFeature, QgsGeometry, QgsProject, QgsRectangle, QgsVectorLayer
-
     fields = "field=annotated_class:string&field=predicted_class:string&field=area:double"
     layer = QgsVectorLayer(f"Polygon?crs={CRS}&{fields}", "disagreements", "memory")
     for number in range(22):

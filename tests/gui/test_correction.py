@@ -1,13 +1,27 @@
 """The tab Correct updates the database from a corrected layer with one button, and undoes it."""
 
-from __future__ import annotations
-
 import contextlib
 import sqlite3
 from pathlib import Path
 
 import pytest
 from dock_area import CRS, ORIGIN, messages, settle, wait_until
+from qgis.core import (
+    QgsFeature,
+    QgsGeometry,
+    QgsMapRendererSequentialJob,
+    QgsMapSettings,
+    QgsProject,
+    QgsRasterLayer,
+    QgsRectangle,
+    QgsVectorFileWriter,
+    QgsVectorLayer,
+)
+from qgis.PyQt.QtCore import QSize
+from qgis.PyQt.QtWidgets import QDialog, QPushButton
+
+from semref.ui.running import correction_run
+from semref.ui.running.algorithm_run import AlgorithmRun
 
 SIDE, ACROSS = 20, 6
 """Meters from square to square, and squares along an edge."""
@@ -16,8 +30,6 @@ SIDE, ACROSS = 20, 6
 @pytest.fixture
 def annotation(qgis_app, tmp_path):
     """A GeoPackage layer of squares of two classes."""
-    from qgis.core import QgsFeature, QgsGeometry, QgsProject, QgsRectangle, QgsVectorFileWriter, QgsVectorLayer
-
     made = QgsVectorLayer(f"Polygon?crs={CRS}&field=class:string&field=zorder:integer", "cover", "memory")
     for number in range(ACROSS * ACROSS):
         left, top = ORIGIN[0] + SIDE * (number % ACROSS) + 3, ORIGIN[1] - SIDE * (number // ACROSS) - 3
@@ -59,8 +71,6 @@ def landmarks(path: str) -> list:
 @pytest.fixture
 def box(dock, annotation, database):
     """The lower part of the tab, ready."""
-    from qgis.core import QgsProject
-
     QgsProject.instance().addMapLayer(annotation)
     dock.content.database.file.setFilePath(database)
     settle()
@@ -86,8 +96,6 @@ def press(dock, box) -> None:
 def test_one_button_makes_the_database_that_a_full_build_would(
     dock, iface, box, annotation, database, run_algorithm, tmp_path
 ):
-    from qgis.core import QgsProject
-
     before = landmarks(database)
     assert box.annotation.currentLayer().id() == annotation.id()
     assert (box.class_field.currentField(), box.priority_field.currentField()) == ("class", "zorder")
@@ -108,8 +116,6 @@ def test_one_button_makes_the_database_that_a_full_build_would(
 def test_the_next_update_rasterizes_and_compares_only_what_was_changed_since(
     dock, iface, box, annotation, database, run_algorithm, tmp_path, monkeypatch
 ):
-    from qgis.core import QgsGeometry, QgsRectangle
-
     run, extents = dock.content.correct.run, []
     start = run._run.start_algorithm
     run._run.start_algorithm = lambda name, given, title: extents.append(given.get("EXTENT")) or start(
@@ -136,8 +142,6 @@ def test_the_next_update_rasterizes_and_compares_only_what_was_changed_since(
 
 
 def test_a_bug_between_the_steps_of_an_update_ends_it_and_is_reported(dock, box, database, monkeypatch):
-    from semref.ui.running import correction_run
-
     reports = []
     dock.content.correct.run.broke.connect(reports.append)
     monkeypatch.setattr(correction_run.CorrectionRun, "_beside", lambda self, database: {}["nothing"])
@@ -149,8 +153,6 @@ def test_a_bug_between_the_steps_of_an_update_ends_it_and_is_reported(dock, box,
 
 
 def test_an_annotation_of_elsewhere_is_refused_and_nothing_is_written(dock, iface, box, annotation, database):
-    from qgis.core import QgsFeature, QgsGeometry, QgsProject, QgsRectangle, QgsVectorLayer
-
     other = QgsVectorLayer(f"Polygon?crs={CRS}&field=class:string", "another country", "memory")
     feature = QgsFeature(other.fields())
     feature.setGeometry(QgsGeometry.fromRect(QgsRectangle(0, 0, 10, 10)))
@@ -187,9 +189,6 @@ def test_layers_of_databases_and_of_places_are_no_annotation(dock, box, annotati
 
 def drawn(layer) -> bytes:
     """The layer's own extent as the map shows it."""
-    from qgis.core import QgsMapRendererSequentialJob, QgsMapSettings
-    from qgis.PyQt.QtCore import QSize
-
     settings = QgsMapSettings()
     settings.setLayers([layer])
     settings.setDestinationCrs(layer.crs())
@@ -206,8 +205,6 @@ def drawn(layer) -> bytes:
 
 @pytest.mark.slow
 def test_an_update_and_its_undo_by_one_button_are_shown_on_the_map(dock, box, annotation, database):
-    from qgis.core import QgsProject
-
     dock.content.database.add_to_map.click()
     (overview,) = QgsProject.instance().mapLayersByName("Overview")
     before, repainted, rows = drawn(overview), [], landmarks(database)
@@ -225,10 +222,6 @@ def test_an_update_and_its_undo_by_one_button_are_shown_on_the_map(dock, box, an
 
 
 def test_the_map_shows_a_label_map_that_was_rasterized_again(dock, annotation, run_algorithm, tmp_path):
-    from qgis.core import QgsProject, QgsRasterLayer
-
-    from semref.ui.running.algorithm_run import AlgorithmRun
-
     built_of(annotation, run_algorithm, tmp_path, "area")
     path = str(tmp_path / "area.tif")
     layer = QgsRasterLayer(path, "Label map")
@@ -251,8 +244,6 @@ def test_a_label_map_that_the_update_made_old_is_offered_to_be_rasterized_again(
     dock, iface, box, annotation, database, monkeypatch
 ):
     import processing
-    from qgis.core import QgsProject, QgsRasterLayer
-    from qgis.PyQt.QtWidgets import QDialog, QPushButton
 
     labels = database.replace(".gpkg", ".tif")
     before, asked = Path(labels).read_bytes(), []

@@ -1,12 +1,11 @@
 """Desktop QGIS, as a user starts it, with the zip installed in a fresh profile."""
 
-from __future__ import annotations
-
 import os
 from pathlib import Path
 
 import pytest
 from desktop_qgis import install_package, run_desktop
+from osgeo import ogr
 
 pytestmark = pytest.mark.slow  # a QGIS of its own is started
 
@@ -24,8 +23,6 @@ def desktop(repository, display, area, tmp_path_factory) -> dict:
 
 
 def write_layer(path: str, table: str) -> None:
-    from osgeo import ogr
-
     driver = ogr.GetDriverByName("GPKG")
     source = driver.Open(path, 1) if os.path.exists(path) else driver.CreateDataSource(path)
     source.CreateLayer(table, geom_type=ogr.wkbPoint)

@@ -1,9 +1,8 @@
 """The dock as a whole: opened, filled, unloaded; the database that its tabs share."""
 
-from __future__ import annotations
-
 import time
 
+import numpy as np
 import pytest
 from dock_area import (
     CONSTELLATION,
@@ -21,6 +20,20 @@ from dock_area import (
     start,
     wait_until,
 )
+from made_inputs import write_raster
+from qgis.core import QgsApplication, QgsCoordinateReferenceSystem, QgsLayerTreeRegistryBridge, QgsProject, QgsSettings
+from qgis.PyQt.QtWidgets import QFileDialog, QTextBrowser
+
+from semref.processing.algorithms import localize_images
+from semref.processing.compat import wkt_for_gdal
+from semref.processing.inspection.image import ImageInspector
+from semref.processing.layers.database_layers import add_database_to_map
+from semref.processing.packages import components
+from semref.ui.canvas.drapes import add_placed, place_image
+from semref.ui.dock.content import INSPECT, LOCALIZE
+from semref.ui.dock.dock import FIRST_WIDTH_PX
+from semref.ui.entry import PAGE
+from semref.ui.packages import missing_notice
 
 
 def test_the_button_shows_and_hides_the_dock(plugin, iface):
@@ -33,10 +46,6 @@ def test_the_button_shows_and_hides_the_dock(plugin, iface):
 
 
 def test_a_bug_gives_one_sentence_and_is_logged_whole(dock, iface, area, monkeypatch):
-    from qgis.core import QgsApplication
-
-    from semref.processing.algorithms import localize_images
-
     def break_down(*_arguments):
         raise ZeroDivisionError("a made mistake")
 
@@ -59,8 +68,6 @@ def test_a_bug_gives_one_sentence_and_is_logged_whole(dock, iface, area, monkeyp
 @pytest.mark.slow
 @pytest.mark.parametrize("begun", [False, True])
 def test_unloading_while_a_run_works_leaves_nothing(plugin, dock, iface, area, slow, begun, tab):
-    from qgis.core import QgsApplication
-
     start(dock, area.database, [area.image])
     if begun:
         wait_until(lambda: tab.progress.value() > 0, "progress")
@@ -79,8 +86,6 @@ def test_closing_the_dock_takes_the_hit_off_the_map_until_it_is_opened_again(doc
 
 
 def test_the_database_goes_to_the_map_as_a_group_with_the_overview_below(dock, area):
-    from qgis.core import QgsProject
-
     dock.content.database.file.setFilePath(area.database)
     dock.content.database.add_to_map.click()
     (group,) = QgsProject.instance().layerTreeRoot().children()
@@ -91,8 +96,6 @@ def test_the_database_goes_to_the_map_as_a_group_with_the_overview_below(dock, a
 
 
 def test_a_dock_that_was_open_is_open_again_after_a_reload(plugin, dock, iface, area):
-    from qgis.core import QgsSettings
-
     assert dock.isVisible()
     try:
         plugin.unload()
@@ -106,8 +109,6 @@ def test_a_dock_that_was_open_is_open_again_after_a_reload(plugin, dock, iface, 
 
 
 def test_a_database_of_the_project_can_be_dropped(dock, area):
-    from qgis.core import QgsProject
-
     dock.content.database.file.setFilePath(area.database)
     dock.content.database.add_to_map.click()
     settle()
@@ -118,8 +119,6 @@ def test_a_database_of_the_project_can_be_dropped(dock, area):
 
 
 def test_a_dock_that_is_opened_first_has_room_for_the_titles_of_its_tabs(plugin, iface):
-    from semref.ui.dock.dock import FIRST_WIDTH_PX
-
     iface.tool_bar_actions[0].trigger()
     settle()
     dock = iface.docks[0]
@@ -133,9 +132,6 @@ def test_a_dock_that_is_opened_first_has_room_for_the_titles_of_its_tabs(plugin,
 def test_layers_removed_and_the_project_closed_while_everything_is_shown_break_nothing(
     dock, iface, area, issues, tab, tmp_path, monkeypatch
 ):
-    from qgis.core import QgsProject
-    from qgis.PyQt.QtWidgets import QFileDialog
-
     dock.content.database.file.setFilePath(area.database)
     dock.content.database.add_to_map.click()
     choose_method(dock, CONSTELLATION)
@@ -156,8 +152,6 @@ def test_layers_removed_and_the_project_closed_while_everything_is_shown_break_n
 
 
 def test_unloading_while_pictures_are_read_leaves_nothing(plugin, dock, iface, area, monkeypatch):
-    from semref.processing.inspection.image import ImageInspector
-
     inspect = ImageInspector.inspect
 
     def inspect_slowly(*arguments):
@@ -175,10 +169,6 @@ def test_unloading_while_pictures_are_read_leaves_nothing(plugin, dock, iface, a
 
 
 def test_photos_without_onnx_runtime_point_to_the_installer(plugin, dock, iface, area, monkeypatch, tmp_path, tab):
-    from semref.processing.packages import components
-    from semref.ui.entry import PAGE
-    from semref.ui.packages import missing_notice
-
     for module in (components, missing_notice):
         monkeypatch.setattr(module, "missing", lambda packages: [p for p in packages if p is components.ONNXRUNTIME])
     assert not dock.notice.isVisible()
@@ -193,8 +183,6 @@ def test_photos_without_onnx_runtime_point_to_the_installer(plugin, dock, iface,
 
 
 def test_tab_and_sizes_are_remembered(plugin, dock, iface, area, tab):
-    from semref.ui.dock.content import INSPECT, LOCALIZE
-
     parts = tab.results.parts
     parts.setSizes([300, 200, 100])
     parts.splitterMoved.emit(300, 1)
@@ -213,8 +201,6 @@ def test_tab_and_sizes_are_remembered(plugin, dock, iface, area, tab):
 
 
 def test_names_of_files_are_shown_to_the_letter(dock, iface):
-    from qgis.PyQt.QtWidgets import QTextBrowser
-
     dock.messages.error("<a href='http://example.org'>photo</a> & <b>co</b>.png can't be read.")
     (item,) = iface.bar.items()
     shown = " ".join(browser.toPlainText() for browser in item.findChildren(QTextBrowser))
@@ -222,13 +208,6 @@ def test_names_of_files_are_shown_to_the_letter(dock, iface):
 
 
 def test_an_image_that_is_laid_on_the_map_has_its_crs_always(qgis_app, tmp_path):
-    import numpy as np
-    from made_inputs import write_raster
-    from qgis.core import QgsCoordinateReferenceSystem, QgsProject
-
-    from semref.processing.compat import wkt_for_gdal
-    from semref.ui.canvas.drapes import add_placed, place_image
-
     write_raster(tmp_path / "photo.png", np.zeros((3, 20, 20), np.uint8), transform=None)
     crs = QgsCoordinateReferenceSystem("EPSG:32632")
     level = ((400_000, 5_400_020), (400_020, 5_400_020), (400_020, 5_400_000), (400_000, 5_400_000))
@@ -241,13 +220,6 @@ def test_an_image_that_is_laid_on_the_map_has_its_crs_always(qgis_app, tmp_path)
 
 
 def test_an_image_that_is_added_to_the_map_is_above_all_other_layers(qgis_app, area, tmp_path):
-    import numpy as np
-    from made_inputs import write_raster
-    from qgis.core import QgsLayerTreeRegistryBridge, QgsProject
-
-    from semref.processing.layers.database_layers import add_database_to_map
-    from semref.ui.canvas.drapes import add_placed
-
     project = QgsProject.instance()
     group = add_database_to_map(area.database, project)
     bridge, root = project.layerTreeRegistryBridge(), project.layerTreeRoot()

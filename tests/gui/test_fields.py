@@ -1,16 +1,25 @@
 """The widgets of SemRef's parameters, made as QGIS's dialogs make them."""
 
-from __future__ import annotations
-
 import pytest
+from qgis.core import (
+    QgsApplication,
+    QgsCategorizedSymbolRenderer,
+    QgsProcessingContext,
+    QgsProcessingFeatureSourceDefinition,
+    QgsProject,
+    QgsVectorFileWriter,
+    QgsVectorLayer,
+)
+from qgis.PyQt.QtWidgets import QDialog, QVBoxLayout
+
+from semref.processing.layers.database_layers import OPENED
+from semref.ui.class_table import EditButton
 
 
 @pytest.fixture
 def wrapper_in(plugin):
     """`wrapper_in(kind, algorithm, key)` makes a parameter's widget as the dialog of that class does."""
     from processing.gui.wrappers import WidgetWrapperFactory
-    from qgis.core import QgsApplication, QgsProcessingContext
-    from qgis.PyQt.QtWidgets import QDialog, QVBoxLayout
 
     kept = []
 
@@ -41,8 +50,6 @@ def test_a_dialog_opens_the_database_that_it_builds_and_a_batch_does_not(wrapper
 
 
 def test_a_database_that_was_opened_is_the_docks_choice_also_in_a_dock_that_was_never_shown(plugin, iface, area):
-    from semref.processing.layers.database_layers import OPENED
-
     OPENED.database.emit(area.database)
     iface.tool_bar_actions[0].trigger()
     dock = iface.docks[0]
@@ -54,8 +61,6 @@ def test_a_database_that_was_opened_is_the_docks_choice_also_in_a_dock_that_was_
 
 
 def test_a_class_table_can_be_edited_where_it_is_asked_for(wrapper_in, plugin):
-    from semref.ui.class_table import EditButton
-
     for dialog in ("AlgorithmDialog", "BatchAlgorithmDialog"):
         wrapper = wrapper_in(dialog, "semref:rasterizeannotation", "CLASS_TABLE")
         (button,) = wrapper.wrappedWidget().findChildren(EditButton)
@@ -68,7 +73,6 @@ WITH_A_CLASS = ["rasterizeannotation", "checkannotation", "repairannotation", "c
 @pytest.fixture
 def polygons(qgis_app, tmp_path):
     """`polygons(fields)` gives a layer of the project with these fields, written “name:type”."""
-    from qgis.core import QgsProject, QgsVectorLayer
 
     def make(*fields: str):
         columns = "&".join(f"field={field}" for field in fields)
@@ -87,8 +91,6 @@ def dialog_of(open_dialog):
 
 
 def set_value(wrapper, value) -> None:
-    from qgis.core import QgsProcessingContext, QgsProject
-
     context = QgsProcessingContext()
     context.setProject(QgsProject.instance())
     wrapper.setParameterValue(value, context)
@@ -105,8 +107,6 @@ def test_a_dialog_begins_with_the_class_field_and_not_with_the_first_one(dialog_
 
 
 def test_the_class_field_follows_the_layer_and_its_style_and_a_layer_without_one_shows_none(dialog_of, polygons):
-    from qgis.core import QgsCategorizedSymbolRenderer
-
     first, second, third = (
         polygons("id:integer", *more) for more in (["class:string"], ["cover:string"], ["n:integer"])
     )
@@ -132,8 +132,6 @@ def test_a_layer_of_buildings_needs_no_class_field_in_any_dialog(dialog_of, poly
 
 
 def test_a_class_field_that_is_given_or_chosen_stays(dialog_of, polygons):
-    from qgis.core import QgsProcessingFeatureSourceDefinition
-
     layer = polygons("id:integer", "class:string", "kind:string")
     wrappers = dialog_of("rasterizeannotation", INPUT=layer.id(), CLASS_FIELD="kind")
     assert wrappers["CLASS_FIELD"].parameterValue() == "kind"
@@ -143,8 +141,6 @@ def test_a_class_field_that_is_given_or_chosen_stays(dialog_of, polygons):
 
 
 def test_the_class_field_of_a_file_that_is_no_layer_yet(dialog_of, polygons, tmp_path):
-    from qgis.core import QgsProject, QgsVectorFileWriter
-
     path = str(tmp_path / "annotation.gpkg")
     options = QgsVectorFileWriter.SaveVectorOptions()
     context = QgsProject.instance().transformContext()

@@ -1,12 +1,15 @@
 """The tab Localize with the images of one flight: offered, placed together, gone through, kept with its track."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from dock_area import CONSTELLATION, choose_method, results_of, start, wait_until
 from made_inputs import NAMES, WEST, write_raster
 from onboard_area import MAP
+from qgis.core import QgsProject, QgsRuleBasedRenderer
+from qgis.PyQt.QtWidgets import QFileDialog
+
+from semref.processing.layers.results_file import open_results
+from semref.ui.findings import ResultLayers, read_findings
 
 SIZE, STEP, COUNT = 200, 60, 7
 BLANK = 5
@@ -61,12 +64,6 @@ def test_a_flight_is_shown_with_its_track_and_what_each_image_rests_on(flown, do
 
 @pytest.mark.slow
 def test_its_layers_are_saved_with_their_style_and_bring_the_track_back(flown, tmp_path, monkeypatch):
-    from qgis.core import QgsProject, QgsRuleBasedRenderer
-    from qgis.PyQt.QtWidgets import QFileDialog
-
-    from semref.processing.layers.results_file import open_results
-    from semref.ui.findings import ResultLayers, read_findings
-
     path = str(tmp_path / "flown.gpkg")
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (path, ""))
     flown.results.save.click()

@@ -1,19 +1,15 @@
 """Boxes that are folded and unfolded, and tabs that are changed, show what they showed before."""
 
-from __future__ import annotations
-
 from dock_area import settle, wait_until
+from qgis.gui import QgsCollapsibleGroupBox
+from qgis.PyQt.QtWidgets import QApplication, QDialog
 
 
 def open_windows() -> set[str]:
-    from qgis.PyQt.QtWidgets import QApplication
-
     return {window.objectName() for window in QApplication.topLevelWidgets() if window.isVisible()}
 
 
 def fold_each_box_and_change_tabs(dock) -> None:
-    from qgis.gui import QgsCollapsibleGroupBox
-
     for tab in (*range(dock.content.tabs.count()), 0):
         dock.content.tabs.setCurrentIndex(tab)
         settle()
@@ -43,8 +39,6 @@ def test_what_is_hidden_in_a_box_stays_hidden_when_it_unfolds(dock, tab):
 
 
 def test_there_is_one_list_of_models_at_a_time_and_it_goes_with_the_dock(dock, tab):
-    from qgis.PyQt.QtWidgets import QDialog
-
     tab.images.models.click()
     tab.images.models.click()
     settle()

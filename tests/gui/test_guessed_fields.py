@@ -1,19 +1,17 @@
 """The class field is guessed by one rule for all dialogs; a layer of buildings needs no field."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest
 from made_inputs import square, write_layer
+from qgis.core import QgsVectorLayer
+
+from semref.processing.layers.guess_fields import class_field_of, class_of_all
 
 
 @pytest.fixture
 def guess(qgis_app):
     """`guess(path, name)` gives (class field, class of all polygons) of a layer."""
-    from qgis.core import QgsVectorLayer
-
-    from semref.processing.layers.guess_fields import class_field_of, class_of_all
 
     def of(path, name: str = "") -> tuple[str, str]:
         layer = QgsVectorLayer(str(path), name or Path(str(path).split("|")[0]).stem, "ogr")

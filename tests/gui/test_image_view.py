@@ -1,7 +1,6 @@
 """The selected image beside the map: its picture, its landmarks, and those that agree with the map."""
 
-from __future__ import annotations
-
+import shutil
 import threading
 from pathlib import Path
 
@@ -9,6 +8,11 @@ import numpy as np
 import pytest
 from dock_area import CONSTELLATION, CUT, DEADLINE_S, ORIGIN, WINDOW, choose_method, localize, wait_until
 from made_models import RGB, metadata, painted, write_model
+from osgeo import gdal
+from qgis.PyQt.QtGui import QColor
+from qgis.PyQt.QtWidgets import QGraphicsPixmapItem
+
+from semref.processing.inspection.image import ImageInspector
 
 
 @pytest.mark.slow
@@ -31,10 +35,6 @@ def test_the_view_shows_why_an_image_cannot_be_shown(dock, area, tab):
 
 @pytest.mark.slow
 def test_a_photo_is_shown_with_what_the_model_makes_of_it(dock, area, tmp_path, tab):
-    from osgeo import gdal
-    from qgis.PyQt.QtGui import QColor
-    from qgis.PyQt.QtWidgets import QGraphicsPixmapItem
-
     model = write_model(tmp_path / "colors.onnx", metadata=metadata(class_names={"0": "1", "1": "2", "2": "3"}))
     labels = np.zeros((80, 120), np.uint8)
     labels[20:40, 30:60] = 2
@@ -76,10 +76,6 @@ def test_landmarks_that_agree_are_joined_between_the_image_and_the_map(dock, ifa
 
 @pytest.mark.slow
 def test_going_through_many_images_quickly_reads_the_first_and_the_last(dock, area, monkeypatch, tmp_path, tab):
-    import shutil
-
-    from semref.processing.inspection.image import ImageInspector
-
     images = [str(shutil.copy(area.image, tmp_path / f"{number:02d}.tif")) for number in range(30)]
     read, inspect, go_on = [], ImageInspector.inspect, threading.Event()
 

@@ -1,18 +1,21 @@
 """The dock's box of images: what is added, dropped and removed there, and the model beside them."""
 
-from __future__ import annotations
-
 import contextlib
+import sqlite3
 
+import numpy as np
 import pytest
 from dock_area import add_raster_layer, dropped, from_the_layer_tree, messages, wait_until
+from qgis.core import QgsApplication, QgsProcessingOutputFile, QgsProcessingOutputHtml
+from qgis.PyQt.QtCore import QMimeData, QUrl, pyqtSignal
+from qgis.PyQt.QtGui import QDesktopServices
+from qgis.PyQt.QtWidgets import QDialog, QPushButton
 
 from semref.processing.inspection.models import PHOTO_MODEL
+from semref.storage.pictures import write_jpeg, write_png
 
 
 def test_dropped_files_are_added_once_and_selected_ones_removed(dock, area, tab):
-    from qgis.PyQt.QtCore import QMimeData, QUrl
-
     data = QMimeData()
     data.setUrls([QUrl.fromLocalFile(area.image), QUrl("https://example.org/image.png")])
     for _ in range(2):
@@ -35,8 +38,6 @@ def test_layers_dropped_on_the_list_become_images_and_others_are_reported(dock, 
 def training_dialog(tab, monkeypatch):
     """Press the dock's button; a stand-in replaces QGIS's dialog, which needs its main window."""
     import processing
-    from qgis.PyQt.QtCore import pyqtSignal
-    from qgis.PyQt.QtWidgets import QDialog
 
     class Dialog(QDialog):
         algorithmFinished = pyqtSignal(bool, dict)
@@ -62,10 +63,6 @@ def test_a_model_that_is_trained_from_the_dock_is_the_chosen_one(tab, tmp_path, 
 def test_the_report_of_a_training_is_opened_from_a_message_and_not_in_qgis_s_results_viewer(
     tab, iface, tmp_path, training_dialog, monkeypatch
 ):
-    from qgis.core import QgsApplication, QgsProcessingOutputFile, QgsProcessingOutputHtml
-    from qgis.PyQt.QtGui import QDesktopServices
-    from qgis.PyQt.QtWidgets import QPushButton
-
     # Dialogs and tasks make their own copies.
     for algorithm in (training_dialog.algorithm, training_dialog.algorithm.create()):
         report = algorithm.outputDefinition("REPORT")
@@ -86,10 +83,6 @@ def test_the_report_of_a_training_is_opened_from_a_message_and_not_in_qgis_s_res
 @pytest.fixture
 def photo_folder(tmp_path):
     """Three photos and a text."""
-    import numpy as np
-
-    from semref.storage.pictures import write_jpeg
-
     folder = tmp_path / "photos"
     folder.mkdir()
     bands = np.random.default_rng(3).integers(0, 255, (3, 40, 40), np.uint8)
@@ -112,10 +105,6 @@ def test_photos_get_the_model_of_buildings_and_are_not_ready_without_it(dock, ar
 
 
 def test_pictures_with_the_colors_of_photos_are_photos_whatever_their_names(dock, area, tab, tmp_path):
-    import numpy as np
-
-    from semref.storage.pictures import write_png
-
     photo, labels = tmp_path / "photo.png", tmp_path / "labels.png"
     colors = np.random.default_rng(3).integers(0, 255, (3, 40, 40), np.uint8)
     write_png(photo, colors)
@@ -150,8 +139,6 @@ def test_what_is_found_out_about_images_does_not_replace_the_end_of_a_run(dock, 
 @pytest.mark.slow
 @pytest.mark.parametrize("content", [b"<html>no database</html>", b"", None], ids=["html", "empty", "of others"])
 def test_a_file_that_is_no_database_is_refused_before_a_run(dock, area, tab, tmp_path, content):
-    import sqlite3
-
     path = tmp_path / "index.html"
     if content is None:
         with contextlib.closing(sqlite3.connect(path)) as other:

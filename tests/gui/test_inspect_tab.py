@@ -1,9 +1,11 @@
 """The tab Inspect: windows picked, named, compared with an image."""
 
-from __future__ import annotations
-
 import pytest
 from dock_area import corners, cut_extent, localize, messages, rubber_bands, settle, wait_until
+from qgis.core import QgsPointXY
+from qgis.PyQt.QtCore import Qt
+
+from semref.storage.database.reader import read_database
 
 
 def test_a_window_is_inspected_by_name_with_its_vector_and_its_look_alikes(dock, iface, area):
@@ -21,8 +23,6 @@ def test_a_window_is_inspected_by_name_with_its_vector_and_its_look_alikes(dock,
 
 
 def test_a_click_on_the_map_inspects_the_window_whose_middle_is_nearest(dock, iface, area):
-    from qgis.core import QgsPointXY
-
     dock.content.database.file.setFilePath(area.database)
     dock.content.inspect.pick.click()
     assert iface.canvas.mapTool() is dock.content.inspect.tool
@@ -37,8 +37,6 @@ def test_the_first_press_of_the_next_button_shows_the_first_window(dock, area):
     dock.content.tabs.setCurrentIndex(1)
     dock.content.inspect.after.click()
     wait_until(lambda: dock.content.inspect.numbers.rowCount(), "the window")
-    from semref.storage.database.reader import read_database
-
     first = str(read_database(area.database).windows.names[0])
     assert dock.content.inspect.name.text() == first
     dock.content.inspect.before.click()
@@ -84,8 +82,6 @@ def test_an_image_is_compared_with_the_window_element_by_element(dock, area):
 
 
 def test_names_of_windows_are_read_from_left_to_right_in_every_language(dock):
-    from qgis.PyQt.QtCore import Qt
-
     inspect = dock.content.inspect
     dock.setLayoutDirection(Qt.LayoutDirection.RightToLeft)
     settle()

@@ -1,13 +1,12 @@
 """A project that an earlier version saved opens forever; tests/data/kept never changes."""
 
-from __future__ import annotations
-
 import gzip
 import zipfile
 from pathlib import Path
 
 import pytest
 from dock_area import messages, results_of, settle, shown_outline, wait_until
+from qgis.core import QgsProject
 
 KEPT = Path(__file__).resolve().parents[1] / "data" / "kept" / "v1"
 
@@ -22,8 +21,6 @@ def kept(tmp_path):
 
 
 def test_a_project_of_version_1_brings_dock_layers_and_results_back(dock, iface, tab, kept):
-    from qgis.core import QgsProject
-
     project = QgsProject.instance()
     assert project.read(str(kept / "project.qgs"))
     settle()
@@ -45,8 +42,6 @@ def test_a_project_of_version_1_brings_dock_layers_and_results_back(dock, iface,
 
 @pytest.mark.slow
 def test_a_project_of_version_1_can_be_worked_with(dock, tab, kept):
-    from qgis.core import QgsProject
-
     QgsProject.instance().read(str(kept / "project.qgs"))
     settle()
     tab.localize_button.click()

@@ -1,18 +1,16 @@
 """The dock by keyboard and by ear: Tab reaches everything, and everything has a name."""
 
-from __future__ import annotations
-
 import pytest
 from dock_area import CONSTELLATION, choose_method, localize, settle, wait_until
+from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtTest import QTest
+from qgis.PyQt.QtWidgets import QApplication, QLabel, QWidget
 
 MOST_STEPS = 80
 
 
 def reachable(page) -> list:
     """What a mouse could use now, and keys should."""
-    from qgis.PyQt.QtCore import Qt
-    from qgis.PyQt.QtWidgets import QWidget
-
     widgets = [w for w in page.findChildren(QWidget) if w.isVisible() and w.isEnabled()]
     return [w for w in widgets if w.focusPolicy() & Qt.FocusPolicy.TabFocus and w.focusProxy() is None]
 
@@ -27,10 +25,6 @@ def has_focus(widget) -> bool:
 
 def walked(first) -> list:
     """Widgets that have the focus one after the other while Tab is pressed, from the first until it comes again."""
-    from qgis.PyQt.QtCore import Qt
-    from qgis.PyQt.QtTest import QTest
-    from qgis.PyQt.QtWidgets import QApplication
-
     # Without a window manager, X reports the active window late, and no window has the focus until then.
     wait_until(lambda: has_focus(first), "the focus")
     seen = []
@@ -45,8 +39,6 @@ def walked(first) -> list:
 
 def name_of(widget) -> str:
     """What a screen reader says: Qt takes a widget's own name, else its text or title, else the label beside it."""
-    from qgis.PyQt.QtWidgets import QLabel
-
     own = [widget.accessibleName()] + [getattr(widget, part)() for part in ("text", "title") if hasattr(widget, part)]
     labels = [label.text() for label in widget.window().findChildren(QLabel) if label.buddy() is widget]
     # A tab bar has its tabs, a scroll area what it shows.
@@ -80,8 +72,6 @@ def test_everything_has_a_name(filled):
 
 @pytest.mark.slow
 def test_a_mirrored_dock_shows_everything(filled, qgis_app):
-    from qgis.PyQt.QtCore import Qt
-
     filled.setLayoutDirection(Qt.LayoutDirection.RightToLeft)
     settle()
     inside = filled.content.rect()

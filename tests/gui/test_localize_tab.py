@@ -1,7 +1,5 @@
 """The tab Localize in a real window, with a small database that the algorithms build."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from types import SimpleNamespace
 
@@ -30,6 +28,26 @@ from dock_area import (
     wait_until,
     write_raster,
 )
+from qgis.core import (
+    QgsApplication,
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsGeometry,
+    QgsPointXY,
+    QgsProject,
+)
+from qgis.gui import QgsRubberBand
+from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtTest import QTest
+from qgis.PyQt.QtWidgets import QFileDialog
+
+from semref.core.localization import Status
+from semref.processing.base.localized_image import ERROR
+from semref.ui.canvas.marks import ORANGE, RED
+from semref.ui.findings import Finding, error_text, status_text
+from semref.ui.running import localization_run
+from semref.ui.tabs.localize.inputs import MethodRow
+from semref.ui.widgets.tables import sign_icon
 
 
 def test_an_empty_dock_shows_what_to_do(dock, area, tab):
@@ -65,8 +83,6 @@ def test_an_image_cut_from_a_window_is_found_there(dock, area, tab):
 
 
 def test_the_method_is_remembered(dock, qgis_app):
-    from semref.ui.tabs.localize.inputs import MethodRow
-
     choose_method(dock, TOPOLOGY_VECTOR)
     assert MethodRow().method() == TOPOLOGY_VECTOR
     choose_method(dock, AUTOMATIC)
@@ -75,8 +91,6 @@ def test_the_method_is_remembered(dock, qgis_app):
 
 @pytest.mark.slow
 def test_the_hit_is_outlined_and_its_center_marked_in_any_crs_of_the_canvas(dock, iface, area):
-    from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsProject
-
     localize(dock, area.database, [area.image])
     assert corners(shown_outline(iface)) == pytest.approx(corners(cut_extent()), abs=1e-6)
     assert shown_center(iface).x() == pytest.approx(cut_extent().center().x())
@@ -100,8 +114,6 @@ def test_an_unreadable_image_has_a_row_with_its_reason_and_no_outline(dock, ifac
 
 
 def test_the_position_can_be_copied(dock, area, tab):
-    from qgis.core import QgsApplication
-
     localize(dock, area.database, [area.image])
     tab.results.copy.click()
     longitude, latitude = QgsApplication.clipboard().text().split(", ")
@@ -123,9 +135,6 @@ def test_cancel_ends_the_run_without_results(dock, iface, area, slow, tab):
 
 @pytest.mark.slow
 def test_results_are_saved_to_a_file_and_its_positions_join_the_project(dock, area, tab, tmp_path, monkeypatch):
-    from qgis.core import QgsProject
-    from qgis.PyQt.QtWidgets import QFileDialog
-
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "flown"), ""))
     assert not tab.results.save.isEnabled()
     localize(dock, area.database, [area.image, area.unreadable])
@@ -136,10 +145,6 @@ def test_results_are_saved_to_a_file_and_its_positions_join_the_project(dock, ar
 
 
 def test_every_status_has_words(qgis_app):
-    from semref.core.localization import Status
-    from semref.processing.base.localized_image import ERROR
-    from semref.ui.findings import status_text
-
     def words(status, is_verified=True):
         given = {"status": status, "is_verified": is_verified, "is_by_flight": False, "speaks_against": ""}
         return status_text(SimpleNamespace(**given))
@@ -158,13 +163,6 @@ def test_the_dock_accepts_positions_that_are_wrong_in_one_of_a_hundred(dock, are
 
 
 def test_a_likely_position_is_amber_and_counted_apart(dock, iface, area, tab, monkeypatch, tmp_path):
-    from qgis.gui import QgsRubberBand
-    from qgis.PyQt.QtCore import Qt
-
-    from semref.ui.canvas.marks import ORANGE, RED
-    from semref.ui.running import localization_run
-    from semref.ui.widgets.tables import sign_icon
-
     column, row = CUT
     small = write_raster(tmp_path / "small.tif", label_map()[row : row + 100, column : column + 100], False)
     choose_method(dock, CONSTELLATION)
@@ -199,8 +197,6 @@ def test_a_likely_position_is_amber_and_counted_apart(dock, iface, area, tab, mo
 
 @pytest.mark.parametrize(("confidence", "words"), [(1 - 1 / 8, "1 in 8"), (0.8, "1 in 5"), (0.985, "1 in 67")])
 def test_the_error_probability_of_a_likely_position_is_shown(qgis_app, confidence, words):
-    from semref.ui.findings import Finding, error_text
-
     empty = dict.fromkeys(Finding.__dataclass_fields__)
     assert error_text(Finding(**{**empty, "status": "likely", "confidence": confidence})) == words
 
@@ -218,8 +214,6 @@ def test_the_heading_arrow_points_where_the_top_of_the_image_is(dock, iface, are
 @pytest.mark.slow
 @pytest.mark.parametrize(("away_m", "fixes"), [(0, 1), (250, 0)])
 def test_only_the_circle_drawn_on_the_map_is_searched(dock, area, away_m, fixes, tab):
-    from qgis.core import QgsPointXY
-
     choose_method(dock, CONSTELLATION)
     middle = cut_extent().center()
     middle = QgsPointXY(middle.x() + away_m, middle.y())
@@ -242,8 +236,6 @@ def show_in(iface):
 
 @pytest.mark.slow
 def test_a_circle_in_a_custom_crs_is_measured_in_meters_and_ignored_outside_its_area(dock, tab, show_in):
-    from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY
-
     globe = QgsCoordinateReferenceSystem.fromProj("+proj=ortho +lat_0=48 +lon_0=8 +datum=WGS84")
     assert globe.isValid() and not globe.authid()
     show_in(globe)
@@ -255,8 +247,6 @@ def test_a_circle_in_a_custom_crs_is_measured_in_meters_and_ignored_outside_its_
 
 @pytest.mark.slow
 def test_a_circle_in_a_project_without_crs_has_the_coordinates_of_the_database(dock, tab, show_in):
-    from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY
-
     show_in(QgsCoordinateReferenceSystem())
     tab.prior.set_circle(QgsPointXY(400100, 5399900), QgsPointXY(400160, 5399900))
     assert tab.prior.parameters() == {"PRIOR_POINT": "400100.0,5399900.0 []", "PRIOR_RADIUS": 60}
@@ -268,8 +258,6 @@ def test_a_circle_in_a_project_without_crs_has_the_coordinates_of_the_database(d
 
 @pytest.mark.slow
 def test_an_image_is_laid_on_the_map_where_it_was_taken(dock, area, tab):
-    from qgis.core import QgsProject
-
     choose_method(dock, AUTOMATIC)
     localize(dock, area.database, [area.image])
     tab.results.drape.click()
@@ -304,9 +292,6 @@ def test_the_places_where_an_ambiguous_image_may_lie_are_outlined(dock, iface, r
 
 
 def test_a_key_goes_from_image_to_image(dock, iface, area, tab):
-    from qgis.PyQt.QtCore import Qt
-    from qgis.PyQt.QtTest import QTest
-
     localize(dock, area.database, [area.image, area.unreadable])
     iface.window.activateWindow()
     tab.results.list.setFocus()
@@ -322,8 +307,6 @@ def test_a_key_goes_from_image_to_image(dock, iface, area, tab):
 
 @pytest.mark.slow
 def test_a_leveled_image_is_laid_on_the_map_as_the_trapezoid_it_shows(dock, area, tab):
-    from qgis.core import QgsGeometry, QgsPointXY, QgsProject
-
     localize(dock, area.database, [area.image])
     left, bottom, right, top = corners(cut_extent())
     trapezoid = [(left, top), (right, top), (right - 40, bottom), (left + 40, bottom)]
@@ -342,8 +325,6 @@ def test_a_leveled_image_is_laid_on_the_map_as_the_trapezoid_it_shows(dock, area
 
 
 def test_messages_of_a_run_are_in_the_log_panel_and_a_hidden_dock_reports_the_result(dock, iface, area, tab):
-    from qgis.core import QgsApplication
-
     logged = []
     log = QgsApplication.messageLog()
 

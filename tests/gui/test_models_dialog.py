@@ -1,12 +1,16 @@
 """The list of models with their cards."""
 
-from __future__ import annotations
-
 import html
 import json
 import os
 
 import pytest
+from made_models import smallest_model
+from qgis.core import QgsSettings
+
+from semref.core.segmentation.onnx_file import with_metadata
+from semref.processing.inspection.models import choose_models_folder
+from semref.ui.model_list import ModelsDialog
 
 CARD = {
     "name": "Houses of two towns",
@@ -22,12 +26,6 @@ CARD = {
 @pytest.fixture
 def folder(qgis_app, tmp_path):
     """A folder with a model that has a card, a model without one, and a file that is not a model."""
-    from made_models import smallest_model
-    from qgis.core import QgsSettings
-
-    from semref.core.segmentation.onnx_file import with_metadata
-    from semref.processing.inspection.models import choose_models_folder
-
     model = with_metadata(smallest_model(), "class_names", '{"0": "other", "1": "building"}')
     model = with_metadata(with_metadata(model, "resolution", "25"), "model_card", json.dumps(CARD))
     (tmp_path / "houses").mkdir()
@@ -41,8 +39,6 @@ def folder(qgis_app, tmp_path):
 
 @pytest.fixture
 def dialog(folder):
-    from semref.ui.model_list import ModelsDialog
-
     made = ModelsDialog()
     made.show()
     yield made
@@ -84,10 +80,6 @@ def test_a_folder_whose_name_no_system_takes_leaves_the_models_that_ship(dialog)
 
 
 def test_names_that_are_no_text_or_look_like_html_are_shown_as_they_are(dialog, folder):
-    from made_models import smallest_model
-
-    from semref.core.segmentation.onnx_file import with_metadata
-
     image = f"<img src='{folder}/seen.png'>"
     model = with_metadata(smallest_model(), "class_names", json.dumps([image, "b"]))
     (folder / "a.onnx").write_bytes(with_metadata(model, "model_card", json.dumps(dict.fromkeys(CARD, image))))

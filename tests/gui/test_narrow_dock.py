@@ -1,11 +1,13 @@
 """The dock beside a map on a small screen: 320 pixels are enough, in every language."""
 
-from __future__ import annotations
-
 from xml.etree import ElementTree
 
 import pytest
 from dock_area import AUTOMATIC, choose_method, localize, settle
+from qgis.PyQt.QtCore import QCoreApplication, QTranslator
+from qgis.PyQt.QtWidgets import QWidget
+
+from semref.ui.dock.content import CORRECT, INSPECT, LOCALIZE
 
 pytestmark = pytest.mark.slow  # a dock is made for each test
 
@@ -16,7 +18,6 @@ LANGUAGES = ("", "de", "es", "fr", "zh_Hans")
 @pytest.fixture(params=LANGUAGES, ids=[name or "en" for name in LANGUAGES])
 def language(request, qgis_app, repository):
     """SemRef's texts in this language, from the translation files."""
-    from qgis.PyQt.QtCore import QCoreApplication, QTranslator
 
     class Kept(QTranslator):
         def translate(self, context, source, *_more):
@@ -38,16 +39,12 @@ def language(request, qgis_app, repository):
 
 def widest(widget) -> list[str]:
     """Return the widest widgets, to explain a failure."""
-    from qgis.PyQt.QtWidgets import QWidget
-
     parts = [part for part in widget.findChildren(QWidget) if part.isVisibleTo(widget)]
     parts.sort(key=lambda part: -part.minimumSizeHint().width())
     return [f"{type(p).__name__} {p.objectName()} {p.minimumSizeHint().width()}" for p in parts[:12]]
 
 
 def test_the_dock_can_be_narrow(language, dock, area, issues, tab):
-    from semref.ui.dock.content import CORRECT, INSPECT, LOCALIZE
-
     choose_method(dock, AUTOMATIC)
     localize(dock, area.database, [area.image])
     dock.content.inspect.show_window("150_250")

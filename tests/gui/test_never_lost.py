@@ -1,9 +1,13 @@
 """Results survive new projects and reloads of the plugin."""
 
-from __future__ import annotations
+from pathlib import Path
 
 import pytest
 from dock_area import CONSTELLATION, choose_method, localize, results_of, settle, wait_until
+from qgis.core import QgsProject
+
+from semref.ui.running import run_history
+from semref.ui.widgets.progress import remaining_text
 
 pytestmark = pytest.mark.slow  # plugins and projects are loaded again
 
@@ -20,8 +24,6 @@ def reloaded(plugin, iface):
 
 
 def test_two_projects_in_turn_have_each_their_own_results_without_anybody_saving_them(dock, area, tab, tmp_path):
-    from qgis.core import QgsProject
-
     project, states = QgsProject.instance(), []
     for number, images in enumerate(([area.image], [area.image, area.unreadable])):
         project.clear()
@@ -34,8 +36,6 @@ def test_two_projects_in_turn_have_each_their_own_results_without_anybody_saving
 
 
 def test_results_of_a_project_that_was_never_saved_are_among_the_earlier_ones(plugin, dock, iface, area, tab):
-    from qgis.core import QgsProject
-
     choose_method(dock, CONSTELLATION)
     localize(dock, area.database, [area.image])
     shown = results_of(dock)
@@ -52,10 +52,6 @@ def test_results_of_a_project_that_was_never_saved_are_among_the_earlier_ones(pl
 
 
 def test_only_the_last_runs_are_kept(qgis_app):
-    from pathlib import Path
-
-    from semref.ui.running import run_history
-
     made = [run_history.begin_run("/area.gpkg", "", 1) for _ in range(25)]
     for run in made:
         Path(run.file).write_bytes(b"results")
@@ -71,10 +67,6 @@ def test_only_the_last_runs_are_kept(qgis_app):
 
 
 def test_runs_that_came_to_nothing_displace_no_results(qgis_app):
-    from pathlib import Path
-
-    from semref.ui.running import run_history
-
     found = run_history.begin_run("/area.gpkg", "", 1)
     Path(found.file).write_bytes(b"results")
     for _ in range(25):
@@ -85,8 +77,6 @@ def test_runs_that_came_to_nothing_displace_no_results(qgis_app):
 
 
 def test_results_that_the_profile_cannot_store_are_shown_as_well(dock, area, tab, monkeypatch, tmp_path):
-    from semref.ui.running import run_history
-
     monkeypatch.setattr(run_history, "runs_folder", lambda: tmp_path / "it's here")
     choose_method(dock, CONSTELLATION)
     localize(dock, area.database, [area.image])
@@ -94,8 +84,6 @@ def test_results_that_the_profile_cannot_store_are_shown_as_well(dock, area, tab
 
 
 def test_a_run_shows_the_remaining_time(qgis_app):
-    from semref.ui.widgets.progress import remaining_text
-
     assert remaining_text(1.0, 50) == "" and remaining_text(100, 1) == "" and remaining_text(100, 100) == ""
     assert remaining_text(10, 50) == "about 10 s left"
     assert remaining_text(60, 10) == "about 9 min left"

@@ -1,7 +1,5 @@
 """What the dock keeps in the project, and what opening another one does to it."""
 
-from __future__ import annotations
-
 import shutil
 import time
 from dataclasses import replace
@@ -9,13 +7,15 @@ from pathlib import Path
 
 import pytest
 from dock_area import corners, localize, messages, results_of, settle, shown_outline, start, wait_until
+from qgis.core import QgsPointXY, QgsProject, QgsSettings
+from qgis.PyQt.QtWidgets import QFileDialog
+
+from semref.processing.inspection.models import SHIPPED
 
 
 @pytest.fixture
 def saved(dock, area, tab, tmp_path, monkeypatch):
     """Path of a GeoPackage of the results of one image, which the dock shows."""
-    from qgis.PyQt.QtWidgets import QFileDialog
-
     path = tmp_path / "elsewhere" / "results.gpkg"
     path.parent.mkdir()
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
@@ -25,8 +25,6 @@ def saved(dock, area, tab, tmp_path, monkeypatch):
 
 
 def test_a_project_closed_while_a_run_works_ends_the_run(dock, area, tab):
-    from qgis.core import QgsProject
-
     start(dock, area.database, [area.image])
     QgsProject.instance().clear()
     wait_until(lambda: not tab.run.running, "the end of the run")
@@ -34,8 +32,6 @@ def test_a_project_closed_while_a_run_works_ends_the_run(dock, area, tab):
 
 
 def test_a_run_that_ended_just_before_its_project_was_closed_shows_nothing(dock, area, tab):
-    from qgis.core import QgsProject
-
     start(dock, area.database, [area.image])
     # The run ends in its thread, while the main thread hears nothing of it.
     time.sleep(2)
@@ -46,8 +42,6 @@ def test_a_run_that_ended_just_before_its_project_was_closed_shows_nothing(dock,
 
 @pytest.mark.slow
 def test_clearing_the_project_clears_the_dock(dock, iface, area, tab):
-    from qgis.core import QgsProject, QgsSettings
-
     localize(dock, area.database, [area.image])
     assert shown_outline(iface) is not None
     QgsProject.instance().clear()
@@ -60,9 +54,6 @@ def test_clearing_the_project_clears_the_dock(dock, iface, area, tab):
 
 @pytest.mark.slow
 def test_the_project_brings_the_dock_back_as_it_was_saved(dock, iface, area, tmp_path, monkeypatch, tab):
-    from qgis.core import QgsPointXY, QgsProject
-    from qgis.PyQt.QtWidgets import QFileDialog
-
     saved = str(tmp_path / "results.gpkg")
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (saved, ""))
     localize(dock, area.database, [area.image, area.unreadable])
@@ -88,8 +79,6 @@ def test_the_project_brings_the_dock_back_as_it_was_saved(dock, iface, area, tmp
 
 @pytest.mark.slow
 def test_a_project_whose_results_are_gone_is_opened_with_a_sentence(dock, iface, saved, tmp_path):
-    from qgis.core import QgsProject
-
     QgsProject.instance().write(str(tmp_path / "project.qgs"))
     QgsProject.instance().clear()
     saved.unlink()
@@ -100,8 +89,6 @@ def test_a_project_whose_results_are_gone_is_opened_with_a_sentence(dock, iface,
 
 
 def test_a_project_without_the_dock_gets_an_empty_one(dock, area, tmp_path):
-    from qgis.core import QgsProject
-
     (tmp_path / "other.qgs").write_text("<qgis version='3.22.0'/>", encoding="utf-8")
     localize(dock, area.database, [area.image])
     QgsProject.instance().read(str(tmp_path / "other.qgs"))
@@ -110,10 +97,6 @@ def test_a_project_without_the_dock_gets_an_empty_one(dock, area, tmp_path):
 
 
 def test_a_project_of_another_profile_works_with_the_model_that_ships_here(dock, tab, tmp_path):
-    from qgis.core import QgsProject
-
-    from semref.processing.inspection.models import SHIPPED
-
     elsewhere = tmp_path.joinpath("other profile", *SHIPPED.parts[-3:])
     own = tmp_path / "own" / "sample_area.onnx"
     for model, expected in ((elsewhere / "sample_area.onnx", SHIPPED / "sample_area.onnx"), (own, own)):
@@ -157,8 +140,6 @@ def test_earlier_results_are_shown_until_another_choice(dock, area, tab, tmp_pat
 
 
 def test_a_message_that_waits_for_a_click_goes_with_its_project(dock, iface, tab):
-    from qgis.core import QgsProject
-
     tab.images.trained.emit("/models/report.html")
     assert messages(iface) == ["The model is trained and selected in the dock."]
     QgsProject.instance().clear()
@@ -168,8 +149,6 @@ def test_a_message_that_waits_for_a_click_goes_with_its_project(dock, iface, tab
 
 @pytest.mark.slow
 def test_saved_results_that_are_dropped_on_qgis_come_with_all_their_layers(iface, area, saved):
-    from qgis.core import QgsProject
-
     QgsProject.instance().clear()
     (handler,) = iface.drop_handlers
     assert handler.handleFileDrop(str(saved)) and not handler.handleFileDrop(area.image)
@@ -179,8 +158,6 @@ def test_saved_results_that_are_dropped_on_qgis_come_with_all_their_layers(iface
 
 @pytest.mark.slow
 def test_results_from_a_stranger_show_only_images_in_their_folder_or_in_the_list(iface, area, saved, monkeypatch, tab):
-    from qgis.core import QgsProject
-
     state = tab.state_now()
     QgsProject.instance().clear()
     drawn = []

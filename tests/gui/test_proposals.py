@@ -1,19 +1,20 @@
 """What the dialogs begin with that the dock opens: of the project's layers those that they can only be."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import square, write_layer, write_raster
+from made_inputs import NORTH, WEST, rectangle, square, write_layer, write_raster
 from made_models import metadata, write_model
+from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
+from qgis.PyQt.QtWidgets import QDialog
+
+from semref.processing.inspection.models import choose_models_folder
+from semref.ui.proposals import annotation_at_hand, training_at_hand
 
 
 @pytest.fixture
 def project(qgis_app):
-    from qgis.core import QgsProject
-
     yield QgsProject.instance()
     QgsProject.instance().clear()
 
@@ -21,7 +22,6 @@ def project(qgis_app):
 @pytest.fixture
 def add(project, tmp_path):
     """`add(name, fields)` adds a layer with one polygon; `add.photo(name)`, `add.labels(name)` a raster."""
-    from qgis.core import QgsRasterLayer, QgsVectorLayer
 
     def vector(name, fields):
         value = {"text": "building", "integer": 7}
@@ -38,8 +38,6 @@ def add(project, tmp_path):
 
 
 def test_the_only_polygons_and_the_only_photo_are_taken_with_their_fields_and_table(add, project, tmp_path):
-    from semref.ui.proposals import training_at_hand
-
     (tmp_path / "classes.csv").write_text("value,name,color,role\n1,building,#ff0000,reference\n")
     layer = add("cover", [("number", "integer"), ("name", "text"), ("Class", "text"), ("zorder", "integer")])
     photo = add.photo("orthophoto")
@@ -54,23 +52,17 @@ def test_the_only_polygons_and_the_only_photo_are_taken_with_their_fields_and_ta
 
 
 def test_of_several_layers_the_one_with_classes_is_taken(add, project):
-    from semref.ui.proposals import annotation_at_hand
-
     add("parcels", [("owner", "text")])
     layer = add("cover", [("class", "text")])
     assert annotation_at_hand(project) == {"INPUT": layer.id(), "CLASS_FIELD": "class"}
 
 
 def test_the_only_text_field_is_the_class_field_and_number_fields_are_not(add, project):
-    from semref.ui.proposals import annotation_at_hand
-
     layer = add("cover", [("number", "integer"), ("kind", "text")])
     assert annotation_at_hand(project) == {"INPUT": layer.id(), "CLASS_FIELD": "kind"}
 
 
 def test_buildings_without_a_class_field_are_all_of_one_class(add, project):
-    from semref.ui.proposals import annotation_at_hand
-
     layer = add("buildings", [("osm_id", "integer"), ("building", "text")])
     assert annotation_at_hand(project) == {"INPUT": layer.id(), "CLASS": "building"}
 
@@ -78,8 +70,6 @@ def test_buildings_without_a_class_field_are_all_of_one_class(add, project):
 @pytest.fixture
 def models(tmp_path, qgis_app):
     """`models(name, **metadata)` puts a model that SemRef trained into the folder of models; gives its path."""
-    from semref.processing.inspection.models import choose_models_folder
-
     folder = tmp_path / "models"
     folder.mkdir()
     choose_models_folder(str(folder))
@@ -92,8 +82,6 @@ def models(tmp_path, qgis_app):
 
 
 def test_a_model_of_another_area_with_the_same_classes_is_the_base(add, project, models):
-    from semref.ui.proposals import training_at_hand
-
     add("cover", [("class", "text")])
     add.photo("orthophoto")
     houses = models("houses.onnx", class_names={"0": "other", "1": "Building"})
@@ -109,8 +97,6 @@ def test_a_model_of_another_area_with_the_same_classes_is_the_base(add, project,
 
 
 def test_where_it_could_be_several_nothing_is_taken(add, project):
-    from semref.ui.proposals import training_at_hand
-
     for name in ("north", "south"):
         add(name, [("class", "text")])
         add.photo(f"{name}_photo")
@@ -118,8 +104,6 @@ def test_where_it_could_be_several_nothing_is_taken(add, project):
 
 
 def test_the_layers_of_a_database_are_no_annotation(area, dock, project):
-    from semref.ui.proposals import annotation_at_hand
-
     dock.content.database.file.setFilePath(area.database)
     dock.content.database.add_to_map.click()
     assert annotation_at_hand(project) == {}
@@ -127,7 +111,6 @@ def test_the_layers_of_a_database_are_no_annotation(area, dock, project):
 
 def test_the_dock_makes_a_database_of_the_polygons_at_hand(dock, add, monkeypatch):
     import processing
-    from qgis.PyQt.QtWidgets import QDialog
 
     asked = []
     monkeypatch.setattr(processing, "createAlgorithmDialog", lambda *given: asked.append(given) or QDialog())
@@ -139,8 +122,6 @@ def test_the_dock_makes_a_database_of_the_polygons_at_hand(dock, add, monkeypatc
 
 
 def test_a_new_model_is_a_file_of_the_models_folder_that_no_model_has(add, project, models):
-    from semref.ui.proposals import training_at_hand
-
     add.photo("orthophoto")
     folder = Path(models("orthophoto.onnx")).parent
     assert training_at_hand(project)["OUTPUT"] == str(folder / "orthophoto_2.onnx")
@@ -149,8 +130,6 @@ def test_a_new_model_is_a_file_of_the_models_folder_that_no_model_has(add, proje
 @pytest.fixture
 def ground(project, tmp_path):
     """`ground(widths, kind)` adds a photo of 10 cm and rectangles of these widths, all of them twice as long."""
-    from made_inputs import NORTH, WEST, rectangle
-    from qgis.core import QgsRasterLayer, QgsVectorLayer
 
     def make(widths, kinds=None):
         fine = (WEST, 0.1, 0, NORTH, 0, -0.1)
@@ -165,8 +144,6 @@ def ground(project, tmp_path):
 
 
 def test_the_resolution_is_proposed_from_the_smallest_typical_building(ground, project):
-    from semref.ui.proposals import training_at_hand
-
     # One shed in twenty does not count; 3.6 m in 14 pixels.
     ground([1.0, *[3.6] * 5, *[12.0] * 14])
     assert training_at_hand(project)["RESOLUTION"] == 25

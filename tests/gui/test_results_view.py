@@ -1,11 +1,16 @@
 """Results in the dock: two lines a row at any width, and a large image."""
 
-from __future__ import annotations
-
+import shutil
 from dataclasses import replace
 
 import pytest
 from dock_area import AUTOMATIC, CONSTELLATION, choose_method, localize, results_of, settle, wait_until
+from qgis.core import QgsApplication
+from qgis.PyQt.QtCore import QLocale, Qt
+from qgis.PyQt.QtTest import QTest
+from qgis.PyQt.QtWidgets import QScrollArea
+
+from semref.ui.tabs.localize.results_list import _ICON_AND_MARGINS_PX, fit_name
 
 pytestmark = pytest.mark.slow  # a dock is made for each test; test_localize_tab.py has results, too
 
@@ -19,8 +24,6 @@ def found(dock, area, tab):
 
 
 def as_wide_as(dock, iface, width: int) -> None:
-    from qgis.PyQt.QtCore import Qt
-
     iface.window.resizeDocks([dock], [width], Qt.Orientation.Horizontal)
     settle()
 
@@ -40,8 +43,6 @@ def test_a_row_has_two_lines_with_position_radius_and_error_probability(dock, if
 @pytest.mark.parametrize("odds", ["error below 1 in 10,000", "Irrtum unter 1 : 10.000", "erreur < 1 sur 10 000"])
 @pytest.mark.parametrize("width", [320, 400])
 def test_how_surely_it_was_found_is_never_cut_off(dock, iface, found, odds, width):
-    from semref.ui.tabs.localize.results_list import _ICON_AND_MARGINS_PX, fit_name
-
     as_wide_as(dock, iface, width)
     results = found.results.list
     metrics, room = results.fontMetrics(), results.viewport().width() - _ICON_AND_MARGINS_PX
@@ -56,8 +57,6 @@ def test_how_surely_it_was_found_is_never_cut_off(dock, iface, found, odds, widt
 
 @pytest.mark.parametrize("status", ["Position", "Position trouvée", "Posición encontrada"])
 def test_an_image_s_name_is_kept_rather_than_a_status_that_its_mark_shows(dock, iface, found, status):
-    from semref.ui.tabs.localize.results_list import fit_name
-
     metrics, odds = found.results.list.fontMetrics(), "error inferior a 1 de 10.000"
     text = f"photo_01.jpg · {status} · {odds}"
     wide = metrics.horizontalAdvance(text)
@@ -70,8 +69,6 @@ def test_an_image_s_name_is_kept_rather_than_a_status_that_its_mark_shows(dock, 
 
 
 def test_photos_of_a_flight_are_distinguishable_if_their_names_do_not_fit(dock, iface, found):
-    from semref.ui.tabs.localize.results_list import fit_name
-
     metrics, odds = found.results.list.fontMetrics(), " · error below 1 in 10,000"
     room = metrics.horizontalAdvance("photo_01" + odds) + 4
     shown = [fit_name(f"photo_0{n}.jpg{odds}", f"photo_0{n}.jpg", metrics, room).strip() for n in (1, 2)]
@@ -90,8 +87,6 @@ def test_photos_of_a_flight_are_distinguishable_if_their_names_do_not_fit(dock, 
     ],
 )
 def test_a_fix_that_something_speaks_against_has_no_check_mark(dock, found, doubt, status):
-    from qgis.core import QgsApplication
-
     results = found.results.list
     fix = results.selected()
     assert fix.status == "fix"
@@ -125,8 +120,6 @@ def test_the_image_gets_the_most_room_and_what_was_chosen_is_folded_away(dock, i
 
 
 def test_nothing_of_the_dock_is_cut_off_where_it_is_as_narrow_as_it_gets(dock, iface, found):
-    from qgis.PyQt.QtWidgets import QScrollArea
-
     as_wide_as(dock, iface, 100)
     for area in dock.content.tabs.findChildren(QScrollArea):
         if area.isVisible():
@@ -134,8 +127,6 @@ def test_nothing_of_the_dock_is_cut_off_where_it_is_as_narrow_as_it_gets(dock, i
 
 
 def test_the_details_have_one_decimal_sign(found):
-    from qgis.PyQt.QtCore import QLocale
-
     before = QLocale()
     QLocale.setDefault(QLocale("de_DE"))
     try:
@@ -149,8 +140,6 @@ def test_the_details_have_one_decimal_sign(found):
 
 
 def test_the_image_is_zoomed_by_keys(dock, iface, area, tab, qgis_app):
-    from qgis.PyQt.QtTest import QTest
-
     choose_method(dock, CONSTELLATION)
     localize(dock, area.database, [area.image])
     canvas = tab.results.image.canvas
@@ -177,8 +166,6 @@ def test_all_tabs_are_seen_in_a_narrow_dock_in_other_languages(dock, iface, titl
 
 
 def test_right_to_left_a_selected_result_is_shown_as_well(dock, area, tab, qgis_app):
-    from qgis.PyQt.QtCore import Qt
-
     qgis_app.setLayoutDirection(Qt.LayoutDirection.RightToLeft)
     try:
         choose_method(dock, AUTOMATIC)
@@ -194,8 +181,6 @@ def test_right_to_left_a_selected_result_is_shown_as_well(dock, area, tab, qgis_
 
 
 def test_a_long_name_of_a_database_does_not_keep_the_dock_wide(dock, area, tmp_path):
-    import shutil
-
     name = "reference_database_of_the_whole_country_with_a_long_name"
     path = shutil.copy(area.database, tmp_path / f"{name}.gpkg")
     database = dock.content.database

@@ -1,19 +1,19 @@
 """The first run: the sample project from the menu, as a person clicks it; the file dialog stubbed."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest
 from dock_area import settle, wait_until
+from qgis.core import Qgis, QgsApplication, QgsProject, QgsSettings, QgsVectorLayer
+from qgis.PyQt.QtWidgets import QFileDialog
+
+from semref.plugin import SemRefPlugin
+from semref.ui import sample_project
+from semref.ui.sample_project import DATABASE_FILE, MARKER, sample_folder
 
 
 @pytest.fixture
 def plugin(iface, without_provider, sample):
-    from qgis.core import QgsProject, QgsSettings
-
-    from semref.plugin import SemRefPlugin
-
     QgsSettings().remove("semref")
     loaded = SemRefPlugin(iface)
     loaded.initGui()
@@ -26,7 +26,6 @@ def plugin(iface, without_provider, sample):
 @pytest.fixture
 def open_sample(plugin, iface, monkeypatch):
     """`open_sample(folder)` clicks the menu entry and picks that folder."""
-    from qgis.PyQt.QtWidgets import QFileDialog
 
     def click(folder: Path) -> None:
         monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(folder))
@@ -43,8 +42,6 @@ def messages(iface) -> list:
 
 def layers() -> dict:
     """Whether each layer of the project is shown, by name."""
-    from qgis.core import QgsProject
-
     return {node.name(): node.isVisible() for node in QgsProject.instance().layerTreeRoot().findLayers()}
 
 
@@ -53,8 +50,6 @@ def is_open() -> bool:
 
 
 def wait_until_open(iface) -> None:
-    from qgis.core import Qgis
-
     def failed() -> bool:
         return Qgis.MessageLevel.Critical in [level for level, _ in messages(iface)]
 
@@ -65,8 +60,6 @@ def wait_until_open(iface) -> None:
 
 @pytest.mark.slow
 def test_the_sample_project_opens_styled_with_the_dock_ready_on_the_first_photo(open_sample, iface, tmp_path):
-    from qgis.core import QgsProject
-
     (tmp_path / "letter.txt").write_text("of somebody", encoding="utf-8")
     open_sample(tmp_path)
     wait_until_open(iface)
@@ -125,16 +118,12 @@ def test_the_sample_project_opens_styled_with_the_dock_ready_on_the_first_photo(
 
 
 def test_an_empty_folder_is_used_itself(tmp_path):
-    from semref.ui.sample_project import sample_folder
-
     assert sample_folder(tmp_path) == tmp_path
     (tmp_path / "letter.txt").write_text("of somebody", encoding="utf-8")
     assert sample_folder(tmp_path) == tmp_path / "semref_sample"
 
 
 def test_another_folder_of_that_name_is_reported_and_not_changed(open_sample, iface, tmp_path):
-    from qgis.core import Qgis
-
     (tmp_path / "semref_sample").mkdir()
     (tmp_path / "semref_sample" / "letter.txt").write_text("of somebody", encoding="utf-8")
     open_sample(tmp_path)
@@ -145,8 +134,6 @@ def test_another_folder_of_that_name_is_reported_and_not_changed(open_sample, if
 
 
 def test_a_canceled_task_opens_nothing(open_sample, iface, tmp_path):
-    from qgis.core import QgsApplication
-
     open_sample(tmp_path)
     settle()
     (task,) = QgsApplication.taskManager().activeTasks()
@@ -157,10 +144,6 @@ def test_a_canceled_task_opens_nothing(open_sample, iface, tmp_path):
 
 
 def test_a_message_shows_the_path_of_the_sample_if_the_user_keeps_the_open_project(plugin, iface, tmp_path):
-    from qgis.core import QgsProject, QgsVectorLayer
-
-    from semref.ui.sample_project import DATABASE_FILE, MARKER
-
     for name in (MARKER, DATABASE_FILE):
         (tmp_path / name).touch()
     QgsProject.instance().addMapLayer(QgsVectorLayer("Point", "unsaved work", "memory"))
@@ -171,8 +154,6 @@ def test_a_message_shows_the_path_of_the_sample_if_the_user_keeps_the_open_proje
 
 
 def test_a_copy_of_the_plugin_without_the_sample_reports_that(open_sample, iface, tmp_path, monkeypatch):
-    from semref.ui import sample_project
-
     monkeypatch.setattr(sample_project, "SAMPLE", tmp_path / "nowhere")
     open_sample(tmp_path)
     assert "has no sample area" in messages(iface)[0][1]

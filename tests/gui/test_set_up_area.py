@@ -1,12 +1,12 @@
 """The dialog *Set up an area* of the dock: it shows the derived sizes, runs in the background and fills the project."""
 
-from __future__ import annotations
-
 import shutil
 from pathlib import Path
 
 import pytest
 from dock_area import messages, wait_until
+from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
+from qgis.PyQt.QtWidgets import QFileDialog
 
 
 @pytest.fixture
@@ -17,8 +17,6 @@ def dialog(dock):
 
 @pytest.fixture
 def project_map(sample):
-    from qgis.core import QgsProject, QgsVectorLayer
-
     # Not returned: QGIS deletes it with the project.
     QgsProject.instance().addMapLayer(QgsVectorLayer(str(sample / "landcover.shp"), "land cover", "ogr"))
 
@@ -50,8 +48,6 @@ def test_it_asks_for_what_is_missing_and_shows_the_sizes_before_it_starts(
 
 
 def test_several_photos_are_chosen_at_once(project_map, dialog, sample, monkeypatch):
-    from qgis.PyQt.QtWidgets import QFileDialog
-
     chosen = [str(sample / "photos" / f"photo_{n:02d}.jpg") for n in (1, 3)]
     monkeypatch.setattr(QFileDialog, "getOpenFileNames", lambda *_: (chosen, ""))
     dialog.add_files.click()
@@ -61,8 +57,6 @@ def test_several_photos_are_chosen_at_once(project_map, dialog, sample, monkeypa
 
 
 def test_the_only_map_and_orthophoto_of_the_project_are_chosen(project_map, dock, sample):
-    from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
-
     project = QgsProject.instance()
     project.addMapLayer(QgsVectorLayer("Polygon?crs=EPSG:32632", "a sketch", "memory"))
     project.addMapLayer(QgsRasterLayer(str(sample / "orthophoto.tif"), "orthophoto"))
@@ -73,8 +67,6 @@ def test_the_only_map_and_orthophoto_of_the_project_are_chosen(project_map, dock
 
 @pytest.mark.slow
 def test_a_run_shows_map_landmarks_and_positions(dock, iface, project_map, dialog, sample, repository, tmp_path):
-    from qgis.core import QgsProject
-
     photos = tmp_path / "photos"
     photos.mkdir()
     for n in (1, 2):

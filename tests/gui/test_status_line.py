@@ -1,16 +1,14 @@
 """The line below the button, and its second sentence."""
 
-from __future__ import annotations
-
 import pytest
+
+from semref.ui.widgets.progress import StatusLine
 
 SAID, ASIDE = "2 of 2 images have a position.", "CPU, 11.6 tiles per second."
 
 
 @pytest.fixture
 def line(qgis_app):
-    from semref.ui.widgets.progress import StatusLine
-
     line = StatusLine()
     line.show_text(SAID, ASIDE)
     line.show()

@@ -19,6 +19,8 @@ import numpy as np
 import pytest
 from desktop_qgis import TIMEOUT_S, run_desktop
 
+from semref.processing.packages.components import ONNXRUNTIME, OPENCV, PILLOW, SHAPELY
+
 pytestmark = [pytest.mark.slow, pytest.mark.newer]  # a QGIS of its own is started
 
 DATA = Path(__file__).resolve().parents[1] / "data"
@@ -41,8 +43,6 @@ def package(repository, tmp_path_factory) -> Path:
 @pytest.fixture(scope="module")
 def wheels(tmp_path_factory) -> Path | None:
     """What the button *Install* asks pip for, from the index that pip has here; None where that is out of reach."""
-    from semref.processing.packages.components import ONNXRUNTIME, OPENCV, PILLOW, SHAPELY
-
     folder = tmp_path_factory.mktemp("wheels")
     pinned = [line for package in (OPENCV, PILLOW, SHAPELY, ONNXRUNTIME) for line in package.pinned(np.__version__)]
     (folder / "pinned.txt").write_text("\n".join(pinned), encoding="ascii")

@@ -4,8 +4,6 @@ Instead of training, a small program returns the shipped model, so that the test
 SEMREF_TRAINING_PYTHON is a Python with torch, a real training of two minutes runs as well.
 """
 
-from __future__ import annotations
-
 import importlib.util
 import os
 import shutil

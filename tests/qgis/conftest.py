@@ -5,8 +5,11 @@ import shutil
 import subprocess
 from pathlib import Path
 
+import numpy as np
 import pytest
-from made_inputs import write_raster
+from bad_input import BUILD, LABELS, WINDOWS
+from made_inputs import CLASSES_CSV, NAMES, square, write_layer, write_raster, write_text
+from made_models import write_model
 
 
 @pytest.fixture(scope="session")
@@ -27,18 +30,35 @@ def build_area(run_algorithm, tmp_path_factory):
         key = (labels_hw.shape, labels_hw.tobytes(), tuple(names), size, stride, references)
         if key not in built:
             folder = tmp_path_factory.mktemp("area")
-            parameters = {
-                "LABELS": str(write_raster(folder / "labels.tif", labels_hw, names=names)),
-                "REFERENCE_CLASSES": references,
-                "WINDOW_SIZE": size,
-                "STRIDE": stride,
-                "MINIMUM_AREA": 30,
-                "DATABASE": str(folder / "area.gpkg"),
-            }
-            built[key] = run_algorithm("semref:builddatabase", parameters)["DATABASE"]
+            labels = str(write_raster(folder / "labels.tif", labels_hw, names=names))
+            sizes = {"WINDOW_SIZE": size, "STRIDE": stride, "MINIMUM_AREA": 30}
+            parameters = {"LABELS": labels, "REFERENCE_CLASSES": references, **sizes}
+            built[key] = run_algorithm(BUILD, {**parameters, "DATABASE": str(folder / "area.gpkg")})["DATABASE"]
         return built[key]
 
     return build
+
+
+@pytest.fixture(scope="session")
+def good(run_algorithm, tmp_path_factory):
+    """Return a folder with one valid input of each kind."""
+    folder = tmp_path_factory.mktemp("good")
+    features = [(square(0, 0, 100), "field", 1), (square(10, 10, 20), "building", 2)]
+    write_layer(folder / "annotation.gpkg", features, [("class", "text"), ("zorder", "integer")])
+    write_text(folder / "classes.csv", CLASSES_CSV)
+    write_raster(folder / "labels.tif", LABELS, names=NAMES)
+    write_raster(folder / "photo.png", LABELS[:100, :100], transform=None)
+    write_raster(folder / "color.png", np.zeros((3, 20, 20), np.uint8), transform=None)
+    write_model(folder / "colors.onnx")
+    run_algorithm(BUILD, {"LABELS": str(folder / "labels.tif"), **WINDOWS, "DATABASE": str(folder / "area.gpkg")})
+    return folder
+
+
+@pytest.fixture
+def given(good, tmp_path):
+    """Return a copy of these in a separate folder."""
+    shutil.copytree(good, tmp_path / "given")
+    return tmp_path / "given"
 
 
 @pytest.fixture

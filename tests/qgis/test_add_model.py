@@ -1,7 +1,5 @@
 """semref:addmodel: a network of others becomes a model that Segment image uses."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from pathlib import Path

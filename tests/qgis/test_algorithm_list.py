@@ -1,12 +1,13 @@
 """The reference page lists every algorithm with its parameters, and the Help buttons open the right pages."""
 
-from __future__ import annotations
-
 import importlib
 import sys
 
 import pytest
 from qgis.core import QgsApplication
+
+from semref.processing import version
+from semref.processing.version import algorithm_help_url, guide_url
 
 
 @pytest.fixture
@@ -29,8 +30,6 @@ def test_the_reference_page_has_every_algorithm_and_parameter(provider, reposito
 
 
 def test_help_opens_pages_that_come_with_the_plugin(provider, tmp_path):
-    from semref.processing.version import algorithm_help_url, guide_url
-
     for name in ("index.html", "reference/networks.html", "algorithms/builddatabase.html"):
         (tmp_path / "help" / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / "help" / name).write_text("", encoding="utf-8")
@@ -43,8 +42,6 @@ def test_help_opens_pages_that_come_with_the_plugin(provider, tmp_path):
 
 
 def test_without_built_pages_help_opens_the_index_as_text(tmp_path):
-    from semref.processing import version
-
     text = tmp_path / "docs" / "README.md"
     text.parent.mkdir()
     text.write_text("", encoding="utf-8")
@@ -52,7 +49,5 @@ def test_without_built_pages_help_opens_the_index_as_text(tmp_path):
 
 
 def test_without_built_pages_help_opens_the_web_page_if_there_is_one(tmp_path, monkeypatch):
-    from semref.processing import version
-
     monkeypatch.setattr(version, "_metadata", lambda: {"homepage": "https://forge.net/semref"})
     assert version.guide_url(root=tmp_path) == "https://forge.net/semref/blob/main/docs/README.md"

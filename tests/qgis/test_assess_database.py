@@ -1,7 +1,5 @@
 """semref:assessdatabase: layer, report and number of the expected success agree."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest
@@ -12,6 +10,7 @@ from qgis.core import (
     QgsProcessingContext,
     QgsProcessingException,
     QgsProcessingFeedback,
+    QgsProcessingOutputLayerDefinition,
     QgsProject,
     QgsVectorLayer,
 )
@@ -89,8 +88,6 @@ def test_a_layer_that_is_loaded_gets_the_style(database, qgis_app):
     context, project = QgsProcessingContext(), QgsProject()
     context.setProject(project)
     algorithm = QgsApplication.processingRegistry().createAlgorithmById(ASSESS)
-    from qgis.core import QgsProcessingOutputLayerDefinition
-
     output = QgsProcessingOutputLayerDefinition("memory:", project)
     parameters = {"DATABASE": database, "TRIALS": 20, "SPACING": 250, "OUTPUT": output}
     feedback = QgsProcessingFeedback(False)

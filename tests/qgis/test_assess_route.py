@@ -1,7 +1,5 @@
 """semref:assessroute: expectations along a route, its gaps, and waypoint files."""
 
-from __future__ import annotations
-
 import base64
 import json
 import re
@@ -23,6 +21,12 @@ from qgis.core import (
     QgsVectorLayer,
 )
 from qgis.PyQt.QtGui import QImage
+
+from semref.core.assessment.route import route_points
+from semref.core.errors import ParameterError
+from semref.processing.layers.routes import lines_in, read_route
+from semref.processing.reports.maps import WIDTH, route_ground, route_map
+from semref.storage.route_files import is_waypoint_file
 
 ASSESS = "semref:assessroute"
 LABELS = landmarks_in_the_west()
@@ -106,9 +110,6 @@ FILES = {
 
 @pytest.mark.parametrize("name", list(FILES))
 def test_waypoint_files_have_the_same_route(qgis_app, tmp_path, name):
-    from semref.processing.layers.routes import lines_in, read_route
-    from semref.storage.route_files import is_waypoint_file
-
     path = tmp_path / name
     path.write_text(FILES[name](TURNS), encoding="utf-8")
     assert is_waypoint_file(str(path))
@@ -137,9 +138,6 @@ def test_waypoint_files_have_the_same_route(qgis_app, tmp_path, name):
     ],
 )
 def test_a_bad_route_file_gets_one_sentence(qgis_app, tmp_path, name, text, said):
-    from semref.core.errors import ParameterError
-    from semref.processing.layers.routes import read_route
-
     path = tmp_path / name
     path.write_text(text, encoding="utf-8")
     with pytest.raises(ParameterError, match=said) as refused:
@@ -148,9 +146,6 @@ def test_a_bad_route_file_gets_one_sentence(qgis_app, tmp_path, name, text, said
 
 
 def test_a_route_file_that_is_not_there_or_no_text_is_refused(qgis_app, tmp_path):
-    from semref.core.errors import ParameterError
-    from semref.processing.layers.routes import read_route
-
     with pytest.raises(ParameterError, match="There is no file"):
         read_route(str(tmp_path / "none.plan"))
     (tmp_path / "binary.plan").write_bytes(b"\xff\xfe\x00\x80" * 50)
@@ -221,14 +216,10 @@ def test_the_report_has_a_map_of_the_route_on_the_layers_that_were_given(assesse
 
 
 def route_of(*lines):
-    from semref.core.assessment.route import route_points
-
     return route_points([np.array(one, float) for one in lines], 10.0)
 
 
 def test_a_route_map_has_a_piece_for_each_run_of_a_class_and_numbers_several_lines(qgis_app):
-    from semref.processing.reports.maps import route_map
-
     classes = [(0.0, 0.5, "#000001", "bad"), (0.5, 1.0, "#000002", "good")]
     one = route_of([(0, 0), (50, 0)])
     svg = route_map(one, np.array([1, 1, 0, 0, 1, 1]), classes, b"", "map")
@@ -241,8 +232,6 @@ def test_a_route_map_has_a_piece_for_each_run_of_a_class_and_numbers_several_lin
 
 
 def test_a_sketch_shows_the_extent_that_is_drawn_below_it(qgis_app):
-    from semref.processing.reports.maps import WIDTH, route_ground
-
     ground = route_ground(route_of([(1000, 200), (1600, 260)]))
     x_min, y_min, x_max, y_max = ground.extent
     assert ground.at((x_min, y_max)) == pytest.approx((0, 0), abs=1e-6)

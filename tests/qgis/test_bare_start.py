@@ -1,7 +1,5 @@
 """The plugin starts in a QGIS without the packages of SemRef; a process hides them."""
 
-from __future__ import annotations
-
 import json
 import os
 import subprocess

@@ -1,7 +1,5 @@
 """``python -m benchmarks``, from a map to a table, on the sample area."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """Cached columns of a large database equal its rows bit for bit, or they are not used."""
 
-from __future__ import annotations
-
 import gzip
 import os
 import shutil

@@ -1,7 +1,5 @@
 """Cameras from CSV files, EXIF and XMP; each mistake in a CSV is one sentence with its line."""
 
-from __future__ import annotations
-
 import struct
 from dataclasses import replace
 from pathlib import Path

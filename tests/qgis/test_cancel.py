@@ -1,7 +1,5 @@
 """Cancel: an algorithm stops at once, writes no output and does not change an older one."""
 
-from __future__ import annotations
-
 import os
 import shutil
 import time
@@ -21,6 +19,9 @@ from made_inputs import (
 )
 from made_models import write_model
 from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback
+
+from semref.processing.algorithms import decode_color_labels
+from semref.storage import atomic_output, label_comparison, rasterize
 
 PROMPT_S = 1.0
 """Processor time, which does not depend on other programs."""
@@ -142,9 +143,6 @@ def jobs(run_algorithm, tmp_path_factory):
 @pytest.fixture
 def small_steps(monkeypatch):
     """Use small slices, so that small inputs take many steps."""
-    from semref.processing.algorithms import decode_color_labels
-    from semref.storage import label_comparison, rasterize
-
     monkeypatch.setattr(label_comparison, "_PIXELS_AT_ONCE", 10_000)
     monkeypatch.setattr(decode_color_labels, "ROWS_PIXELS", 10_000)
     monkeypatch.setattr(rasterize, "STRIP_PIXELS", 1)
@@ -187,8 +185,6 @@ def test_cancel_leaves_nothing_where_nothing_was(jobs, small_steps, tmp_path, na
 @pytest.mark.parametrize("percent", [50, pytest.param(90, marks=pytest.mark.slow)])
 def test_files_are_closed_before_they_are_removed(jobs, small_steps, tmp_path, monkeypatch, name, percent):
     """Windows can't remove open files."""
-    from semref.storage import atomic_output
-
     remove, still_open, looked = shutil.rmtree, [], []
 
     def look_and_remove(workplace, **options):

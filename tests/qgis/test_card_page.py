@@ -1,11 +1,12 @@
 """The page of a model card."""
 
-from __future__ import annotations
-
 import sys
 from pathlib import Path
 
 import pytest
+
+from semref.core.segmentation.model_card import Ground, ModelCard
+from semref.processing.reports.model_card import card_html
 
 TOOLS = Path(__file__).resolve().parents[2] / "tools"
 
@@ -21,8 +22,6 @@ def tools():
 def test_the_page_of_a_card_has_what_the_card_has():
     from training.card_page import card_page
 
-    from semref.core.segmentation.model_card import Ground, ModelCard
-
     tested = (Ground("Kenya", "flats", True, {"building": 0.612}),)
     card = ModelCard("a/houses.onnx", None, "Houses", ("other", "building"), 0.25, tested_on=tested, not_for="ships")
     page = card_page(card)
@@ -33,9 +32,6 @@ def test_the_page_of_a_card_has_what_the_card_has():
 
 
 def test_no_text_of_a_model_becomes_markup():
-    from semref.core.segmentation.model_card import Ground, ModelCard
-    from semref.processing.reports.model_card import card_html
-
     hostile = "<b>a&b</b>"
     ground = Ground(hostile, hostile, True, {hostile: 0.5})
     card = ModelCard(

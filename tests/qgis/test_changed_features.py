@@ -1,16 +1,13 @@
 """Changed features of a land-cover layer since a database was updated from it."""
 
-from __future__ import annotations
-
 import pytest
+from qgis.core import QgsRectangle
+
+from semref.processing.inspection.correction import DrawnFeature, changed_bounds
 
 
 def drawn(**digests):
     """Return features with these digests, each at its own place."""
-    from qgis.core import QgsRectangle
-
-    from semref.processing.inspection.correction import DrawnFeature
-
     return {
         ord(name): DrawnFeature(digest, QgsRectangle(ord(name), digest, ord(name) + 1, digest + 1))
         for name, digest in digests.items()
@@ -30,7 +27,5 @@ def drawn(**digests):
     ids=["nothing", "changed", "removed", "added", "moved to the bottom", "several"],
 )
 def test_old_and_new_places_of_all_that_differs_are_found(qgis_app, now, changed):
-    from semref.processing.inspection.correction import changed_bounds
-
     found = changed_bounds(drawn(a=1, b=1, c=1), drawn(**now))
     assert {(chr(int(place.xMinimum())), int(place.yMinimum())) for place in found} == changed

@@ -1,7 +1,5 @@
 """semref:checkannotation: findings are features and agree with rasterizing."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 
@@ -9,7 +7,12 @@ import numpy as np
 import pytest
 from made_inputs import CLASSES_CSV, polygon, square, write_layer, write_text
 from osgeo import gdal, ogr
-from qgis.core import QgsProcessingException, QgsProcessingFeatureSourceDefinition, QgsVectorLayer
+from qgis.core import QgsProcessingException, QgsProcessingFeatureSourceDefinition, QgsProject, QgsVectorLayer
+
+from semref.core.annotation.check import AnnotationCheck, CheckSettings
+from semref.core.annotation.polygons import AnnotatedFeature
+from semref.storage.pixel_grid import pixel_grid
+from semref.storage.rasterize import RegionBurning
 
 CHECK, RASTERIZE = "semref:checkannotation", "semref:rasterizeannotation"
 
@@ -93,8 +96,6 @@ def test_only_selected_features_are_checked(issues, tmp_path):
     path = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 9), "a"), (square(5, 0, 9), "b"), (square(40, 0, 9), "c")])
     layer = QgsVectorLayer(str(path))
     layer.selectByIds([1, 3])
-    from qgis.core import QgsProject
-
     QgsProject.instance().addMapLayer(layer)
     assert issues(QgsProcessingFeatureSourceDefinition(layer.id(), selectedFeaturesOnly=True)) == []
     QgsProject.instance().clear()
@@ -131,11 +132,6 @@ def test_the_report_counts_by_kind_and_class(check, tmp_path, classes_csv):
 
 def test_drawn_landmarks_are_the_objects_of_the_label_map(run_algorithm, tmp_path):
     """Compare the regions that the check draws with those of Rasterize annotation on the same layer."""
-    from semref.core.annotation.check import AnnotationCheck, CheckSettings
-    from semref.core.annotation.polygons import AnnotatedFeature
-    from semref.storage.pixel_grid import pixel_grid
-    from semref.storage.rasterize import RegionBurning
-
     random = np.random.default_rng(8)
     features = []
     for _ in range(150):

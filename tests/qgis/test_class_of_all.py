@@ -1,7 +1,5 @@
 """One class for all polygons, named by a parameter instead of a field."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """semref:classifyopenstreetmap: an extract, columns of tags or outlines become land cover."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

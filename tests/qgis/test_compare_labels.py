@@ -1,7 +1,5 @@
 """semref:comparelabels: figures equal manual counts; each disagreement is a polygon, the largest first."""
 
-from __future__ import annotations
-
 import json
 import sys
 
@@ -13,9 +11,12 @@ from made_models import write_model
 from osgeo import ogr
 from qgis.core import QgsProcessingException
 
+from semref.core.errors import SemRefError
 from semref.core.segmentation.onnx_file import read_metadata
 from semref.core.simulation.displacement import displace
 from semref.core.simulation.noise import LabelNoise
+from semref.storage import label_comparison
+from semref.storage.label_comparison import DisagreementMap, LabelMapPair
 
 COMPARE = "semref:comparelabels"
 LABELS = scattered_objects(120, 160, 30, seed=3)
@@ -108,8 +109,6 @@ def test_photos_without_georeference_are_compared_pixel_by_pixel(compare, tmp_pa
 
 
 def test_blocks_give_the_same_as_the_whole(compare, maps, monkeypatch):
-    from semref.storage import label_comparison
-
     whole = compare(*maps[:2])
     monkeypatch.setattr(label_comparison, "_PIXELS_AT_ONCE", 1000)
     assert compare(*maps[:2])[0] == whole[0]
@@ -135,9 +134,6 @@ def test_maps_that_do_not_overlap_are_refused(compare, tmp_path, options, messag
 @pytest.mark.skipif(sys.platform == "win32", reason="limits on files as Unix has them")
 def test_a_full_disk_for_polygons_is_reported(tmp_path):
     """What is lost on a full disk must not look like equal maps."""
-    from semref.core.errors import SemRefError
-    from semref.storage.label_comparison import DisagreementMap, LabelMapPair
-
     noise = np.random.default_rng(5).integers(0, 2, LABELS.shape).astype(np.uint8)
     pair = LabelMapPair(*(str(write_raster(tmp_path / f"{n}.tif", LABELS)) for n in range(2)))
     outcomes = []

@@ -1,7 +1,5 @@
 """Missing Python packages: the real pip installs small wheels made here, without a network."""
 
-from __future__ import annotations
-
 import hashlib
 import importlib.util
 import json
@@ -19,6 +17,7 @@ from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QCoreApplication
 
 from semref.core.errors import ComponentError
+from semref.plugin import SemRefPlugin
 from semref.processing.packages import components
 from semref.processing.packages import install as component_install
 from semref.processing.packages.components import Package
@@ -270,8 +269,6 @@ def test_a_package_without_its_newest_part_is_too_old(qgis_app, tmp_path, monkey
 
 
 def test_the_plugin_adds_what_is_installed_to_the_end_of_the_path(root, without_provider):
-    from semref.plugin import SemRefPlugin
-
     folder = components.components_folder() / GOOD.pip_name
     folder.mkdir(parents=True)
     plugin = SemRefPlugin(None)

@@ -1,7 +1,5 @@
 """The example algorithm of CONTRIBUTING runs."""
 
-from __future__ import annotations
-
 import re
 import textwrap
 

@@ -1,7 +1,5 @@
 """Metadata of a reference database: title, history and licenses."""
 
-from __future__ import annotations
-
 import contextlib
 import sqlite3
 from pathlib import Path
@@ -9,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from made_inputs import NAMES, scattered_objects, square, write_layer, write_raster
-from qgis.core import QgsLayerMetadata, QgsProject, QgsRasterLayer, QgsVectorLayer
+from qgis.core import QgsLayerMetadata, QgsProject, QgsProviderRegistry, QgsRasterLayer, QgsVectorLayer
 
 from semref.processing.layers.database_layers import add_database_to_map
 from semref.processing.layers.layer_metadata import Note
@@ -129,8 +127,6 @@ def test_the_licenses_of_a_geopackage_layer_are_read_from_its_file(run_algorithm
     told.setLicenses(["CC BY 4.0"])
     layer.setMetadata(told)
     del layer
-    from qgis.core import QgsProviderRegistry
-
     QgsProviderRegistry.instance().saveLayerMetadata("ogr", f"{path}|layername=annotation", told)
     output = str(tmp_path / "issues.gpkg")
     run_algorithm("semref:checkannotation", {"INPUT": path, "CLASS_FIELD": "class", "ISSUES": output})

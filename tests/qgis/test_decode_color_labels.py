@@ -1,7 +1,5 @@
 """semref:decodecolorlabels: every color becomes its class, on the grid of the image."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np
@@ -9,6 +7,8 @@ import pytest
 from made_inputs import CLASSES_CSV, NORTH, WEST, read_pixels, scattered_objects, write_raster, write_text
 from osgeo import gdal
 from qgis.core import QgsProcessingException, QgsRasterLayer
+
+from semref.processing.algorithms import decode_color_labels
 
 DECODE = "semref:decodecolorlabels"
 HSV_RANGES, NEAREST_COLOR = 0, 1
@@ -99,8 +99,6 @@ def test_a_fourth_band_is_left_out(decode, tmp_path):
 
 
 def test_an_image_of_several_slices_equals_one_decoded_at_once(decode, tmp_path, monkeypatch):
-    from semref.processing.algorithms import decode_color_labels
-
     image = write_raster(tmp_path / "a.tif", painted(LABELS))
     monkeypatch.setattr(decode_color_labels, "ROWS_PIXELS", 7 * LABELS.shape[1])
     np.testing.assert_array_equal(read_pixels(decode(image)), LABELS)

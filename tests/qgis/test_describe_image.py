@@ -1,7 +1,5 @@
 """semref:describeimage: landmarks are on the objects of the image, and the vector is that of matching."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 
@@ -9,6 +7,8 @@ import numpy as np
 import pytest
 from made_inputs import CLASSES_CSV, NAMES, NORTH, WEST, scattered_objects, write_raster, write_text
 from osgeo import gdal, ogr
+
+from semref.core.landmarks.landmarks import extract_landmarks
 
 DESCRIBE = "semref:describeimage"
 PIXEL = 2.0
@@ -47,8 +47,6 @@ def points(path) -> list:
 
 
 def expected_objects(labels: np.ndarray, minimum_area_px: float):
-    from semref.core.landmarks.landmarks import extract_landmarks
-
     return extract_landmarks(np.ascontiguousarray(labels), (1, 2, 3), minimum_area_px)
 
 

@@ -1,7 +1,5 @@
 """The device in the options: kept, used by algorithms, reported with its speed, replaced only with a note."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from made_inputs import write_raster

@@ -1,10 +1,14 @@
 """Diagnostics for a bug report."""
 
-from __future__ import annotations
-
 import os
 
+import numpy
 import pytest
+from qgis.core import Qgis
+
+from semref.processing import version
+from semref.processing.packages.diagnostics import diagnostics, without_home
+from semref.processing.version import plugin_version
 
 
 @pytest.mark.parametrize(
@@ -19,18 +23,10 @@ import pytest
     ],
 )
 def test_the_home_folder_is_left_out(qgis_app, home, line, left):
-    from semref.processing.packages.diagnostics import without_home
-
     assert without_home(line, home) == left
 
 
 def test_diagnostics_have_versions_packages_settings_and_messages(qgis_app):
-    import numpy
-    from qgis.core import Qgis
-
-    from semref.processing.packages.diagnostics import diagnostics
-    from semref.processing.version import plugin_version
-
     text = diagnostics([f"SemRef: {os.path.expanduser('~')}/x.gpkg can't be read."])
     versions = f"SemRef {plugin_version()}", f"QGIS {Qgis.QGIS_VERSION}", f"numpy {numpy.__version__}"
     assert [told for told in (*versions, "OpenCV: ", "ONNX Runtime: ") if told not in text] == []
@@ -39,8 +35,6 @@ def test_diagnostics_have_versions_packages_settings_and_messages(qgis_app):
 
 
 def test_nobody_is_led_to_a_tracker_that_nobody_filled_in(qgis_app, monkeypatch):
-    from semref.processing import version
-
     monkeypatch.setattr(version, "_metadata", lambda: {"tracker": "https://example.org/semref/issues"})
     assert version.tracker_url() == ""
     monkeypatch.setattr(version, "_metadata", lambda: {"tracker": "https://forge.net/semref/issues"})
@@ -48,6 +42,4 @@ def test_nobody_is_led_to_a_tracker_that_nobody_filled_in(qgis_app, monkeypatch)
 
 
 def test_diagnostics_show_that_there_are_no_messages(qgis_app):
-    from semref.processing.packages.diagnostics import diagnostics
-
     assert diagnostics().endswith("Last messages:\n(none)\n")

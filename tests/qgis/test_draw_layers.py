@@ -1,7 +1,5 @@
 """Map tiles and parts of images become label maps of their ground."""
 
-from __future__ import annotations
-
 import gc
 import threading
 import time
@@ -14,13 +12,19 @@ from osgeo import gdal, ogr, osr
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
+    QgsNetworkAccessManager,
     QgsProcessingException,
     QgsProject,
     QgsRasterLayer,
 )
+from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QUrl
-from qgis.PyQt.QtNetwork import QNetworkRequest
+from qgis.PyQt.QtNetwork import QNetworkAccessManager, QNetworkRequest
 from tile_server import labels_at, tile_png, tile_server
+
+from semref.core import limits
+from semref.processing.layers import downloads
+from semref.processing.layers.downloads import install, watched_downloads
 
 SEGMENT = "semref:segmentimage"
 EXTENT = f"{WEST},{WEST + 1200},{NORTH - 900},{NORTH} [EPSG:32632]"
@@ -124,8 +128,6 @@ def test_tiles_without_an_end_are_given_up_and_little_of_them_is_read(segment, t
 
 
 def test_tiles_without_an_end_are_given_up_also_when_python_collects_garbage_meanwhile(segment, tiles, monkeypatch):
-    from semref.processing.layers import downloads
-
     is_for_raster = downloads._is_for_raster
     timer = threading.Timer(0.5, gc.collect)
     monkeypatch.setattr(downloads, "_is_for_raster", lambda request: (gc.collect(), is_for_raster(request))[1])
@@ -143,12 +145,6 @@ def test_tiles_without_an_end_are_given_up_also_when_python_collects_garbage_mea
 
 def test_a_reply_that_qt_has_deleted_is_left_alone(qgis_app, monkeypatch):
     """PyQt ends the whole program if a slot raises an error in QGIS's network thread."""
-    from qgis.PyQt import sip
-    from qgis.PyQt.QtCore import QUrl
-    from qgis.PyQt.QtNetwork import QNetworkAccessManager, QNetworkRequest
-
-    from semref.processing.layers import downloads
-
     monkeypatch.setattr(downloads, "_is_for_raster", lambda request: True)
     request, manager = QNetworkRequest(QUrl("data:,tile")), QNetworkAccessManager()
     with downloads.watched_downloads() as watched:
@@ -181,18 +177,12 @@ def test_tiles_on_the_disk_that_the_user_named_are_drawn(segment, tmp_path):
 
 
 def test_a_server_that_never_ends_a_tile_is_given_up_after_a_while(segment, tiles, monkeypatch):
-    from semref.core import limits
-
     monkeypatch.setattr(limits, "DRAWING_S", 1.0)
     with pytest.raises(QgsProcessingException, match="took longer than 1 s for one tile"):
         segment(tiles(delay_s=30))
 
 
 def test_other_requests_are_not_changed_while_a_layer_is_drawn(tiles, tmp_path):
-    from qgis.core import QgsNetworkAccessManager
-
-    from semref.processing.layers.downloads import install, watched_downloads
-
     (tmp_path / "own.txt").write_text("mine")
     install()
     with watched_downloads(tiles()) as downloads:

@@ -1,7 +1,5 @@
 """semref:evaluatelocalization: outputs agree, a seed repeats them, and wrong inputs are refused."""
 
-from __future__ import annotations
-
 import json
 import threading
 from pathlib import Path
@@ -11,6 +9,8 @@ import pytest
 from made_inputs import METRIC_CRS, NAMES, NORTH, WEST, scattered_objects, write_raster
 from osgeo import ogr
 from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback
+
+from semref.core.evaluation.evaluation import Evaluation
 
 EVALUATE = "semref:evaluatelocalization"
 SIZE, STRIDE = 160, 40
@@ -171,8 +171,6 @@ def test_wrong_values_are_named(evaluate, wrong, said):
 
 
 def test_a_cancel_during_an_image_stops_before_the_image_is_done(inputs, tmp_path, monkeypatch):
-    from semref.core.evaluation.evaluation import Evaluation
-
     go_on, ended = threading.Event(), []
     monkeypatch.setattr(Evaluation, "run", lambda self, query, methods: ended.append(go_on.wait(600)))
     feedback = QgsProcessingFeedback(False)

@@ -1,7 +1,5 @@
 """Processes that SemRef starts beside QGIS end without touching others."""
 
-from __future__ import annotations
-
 import os
 import sys
 import time

@@ -1,7 +1,5 @@
 """Example calls of the guide have valid parameters and run on the sample area."""
 
-from __future__ import annotations
-
 import ast
 import importlib
 import re
@@ -11,6 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from osgeo import gdal
 from qgis.core import QgsApplication, QgsProcessingParameterDefinition
 
 pytestmark = pytest.mark.newer
@@ -72,8 +71,6 @@ def test_both_calls_have_the_same_parameters(calls):
 def test_the_examples_run_one_after_the_other_on_the_sample_area(
     calls, run_algorithm, repository, sample, tmp_path, monkeypatch
 ):
-    from osgeo import gdal
-
     monkeypatch.chdir(tmp_path)
     shutil.copy(repository / "models" / calls.MODEL, tmp_path)
     shutil.copytree(sample, tmp_path / "sample")

@@ -1,7 +1,5 @@
 """semref:exportonboard: the file localizes like the database and does not replace other files silently."""
 
-from __future__ import annotations
-
 import json
 import shutil
 import subprocess
@@ -16,6 +14,13 @@ from made_inputs import NAMES, NORTH, WEST, scattered_objects, turned_view, writ
 from made_models import metadata, painted, write_model, writer
 from osgeo import gdal
 from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsProcessingException
+
+from semref.core.errors import SemRefError
+from semref.core.labels.image_files import read_label_image
+from semref.core.onboard.read import read_onboard
+from semref.processing.layers.reference_systems import fitted_lon_lat, longitudes_latitudes
+from semref.storage.database.reader import read_database
+from semref.storage.label_images import read_label_image as read_with_gdal
 
 EXPORT, LOCALIZE = "semref:exportonboard", "semref:localizeimages"
 LABELS = scattered_objects(600, 700, 420, seed=11)
@@ -36,14 +41,10 @@ def export(run_algorithm, database, tmp_path, feedback):
 
 
 def whole(path):
-    from semref.storage.database.reader import read_database
-
     return read_database(path, with_overview=True)
 
 
 def onboard(path):
-    from semref.core.onboard.read import read_onboard
-
     return read_onboard(path)
 
 
@@ -62,9 +63,6 @@ def test_the_file_has_the_database_within_its_stated_errors(export, database, fe
 
 
 def test_a_file_is_signed_with_the_key_that_was_given(export, tmp_path):
-    from semref.core.errors import SemRefError
-    from semref.core.onboard.read import read_onboard
-
     (tmp_path / "key").write_bytes(bytes(range(32)))
     signed = export(KEY_FILE=str(tmp_path / "key"))["OUTPUT"]
     assert len(read_onboard(signed, key_file=str(tmp_path / "key")).database.references)
@@ -74,8 +72,6 @@ def test_a_file_is_signed_with_the_key_that_was_given(export, tmp_path):
 
 
 def test_longitude_and_latitude_are_proj_s(export):
-    from semref.processing.layers.reference_systems import longitudes_latitudes
-
     found = onboard(export()["OUTPUT"])
     x0, y0, x1, y1 = found.database.parameters.extent
     points = np.random.default_rng(1).uniform((x0, y0), (x1, y1), (300, 2))
@@ -97,8 +93,6 @@ def test_longitude_and_latitude_are_proj_s(export):
     ],
 )
 def test_maps_of_countries_keep_to_centimeters(qgis_app, epsg, extent, least):
-    from semref.processing.layers.reference_systems import fitted_lon_lat
-
     crs = QgsCoordinateReferenceSystem(f"EPSG:{epsg}")
     assert fitted_lon_lat(extent, crs, QgsCoordinateTransformContext()).error_m <= least
 
@@ -117,8 +111,6 @@ def test_only_the_corridor_along_a_route_is_exported(export, tmp_path, feedback)
 
 
 def test_a_polygon_in_another_crs_is_brought_to_the_map(export, tmp_path):
-    from semref.processing.layers.reference_systems import longitudes_latitudes
-
     corners = [(WEST + x, NORTH - y) for x, y in ((100, 100), (400, 100), (400, 400), (100, 400))]
     crs = QgsCoordinateReferenceSystem("EPSG:32632")
     degrees = np.column_stack(longitudes_latitudes(np.array(corners), crs, QgsCoordinateTransformContext())).tolist()
@@ -265,9 +257,6 @@ FORMATS = {
 
 @pytest.mark.parametrize("name", list(FORMATS))
 def test_paletted_images_are_read_as_gdal_reads_them(database, tmp_path, name):
-    from semref.core.labels.image_files import read_label_image
-    from semref.storage.label_images import read_label_image as read_with_gdal
-
     path = paletted(tmp_path / f"labels.{name}", LABELS, FORMATS[name][0], FORMATS[name][1])
     assert cv2.imread(path, cv2.IMREAD_UNCHANGED).ndim == 3
     table = whole(database).class_table

@@ -1,7 +1,5 @@
 """semref:exporttrainingtiles: images fit labels, training and validation are apart, the manifest is right."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 
@@ -10,6 +8,8 @@ import pytest
 from made_inputs import NAMES, NORTH, WEST, read_pixels, scattered_objects, write_raster
 from osgeo import gdal
 from qgis.core import QgsProcessingException, QgsProcessingFeedback
+
+from semref.storage.images import GdalImage
 
 EXPORT = "semref:exporttrainingtiles"
 HEIGHT, WIDTH, TILE = 320, 480, 32
@@ -150,8 +150,6 @@ def test_sixteen_bits_and_four_bands_become_geotiffs_with_all_values(export, tmp
 
 @pytest.mark.slow
 def test_the_manifest_states_how_deep_images_are_stretched(export, tmp_path):
-    from semref.storage.images import GdalImage
-
     image = photo_of(LABELS, np.uint16, bands=4)
     deep = write_raster(tmp_path / "deep.tif", image, kind=gdal.GDT_UInt16)
     _, manifest = export(image=deep, VALIDATION_FRACTION=0)

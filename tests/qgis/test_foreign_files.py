@@ -1,7 +1,5 @@
 """Outputs never destroy files of users: planted folders, links, other users' files, kills, foreign files."""
 
-from __future__ import annotations
-
 import json
 import os
 import shutil
@@ -14,7 +12,8 @@ from contextlib import closing
 from pathlib import Path
 
 import pytest
-from made_inputs import NAMES, scattered_objects, square, write_layer, write_older, write_raster, write_text
+from bad_input import WINDOWS
+from made_inputs import square, write_layer, write_older, write_text
 from osgeo import gdal
 from qgis.core import QgsProcessingContext, QgsProcessingException, QgsProject, QgsRasterLayer, QgsVectorLayer
 
@@ -22,32 +21,12 @@ from semref.core.errors import ParameterError
 from semref.storage.atomic_output import Batch
 from semref.storage.replaceable import MARK_OF_NOTE
 
-SETTINGS = {"REFERENCE_CLASSES": "1;2;3", "WINDOW_SIZE": 100, "STRIDE": 50, "MINIMUM_AREA": 30}
 LOCALIZE, RASTERIZE, BUILD = "semref:localizeimages", "semref:rasterizeannotation", "semref:builddatabase"
 
 
-@pytest.fixture(scope="module")
-def made(run_algorithm, tmp_path_factory):
-    """Return a label map, its database, and a photo."""
-    folder = tmp_path_factory.mktemp("made")
-    labels = scattered_objects(150, 200, 40, seed=2)
-    write_raster(folder / "labels.tif", labels, names=NAMES)
-    write_raster(folder / "photo.png", labels[:100, :100], transform=None)
-    run_algorithm(BUILD, {"LABELS": str(folder / "labels.tif"), **SETTINGS, "DATABASE": str(folder / "area.gpkg")})
-    return folder
-
-
 @pytest.fixture
-def qgis_project():
-    """Provide a separate project."""
+def project():
     return QgsProject()
-
-
-@pytest.fixture
-def given(made, tmp_path):
-    """Return a copy of these in a separate folder."""
-    shutil.copytree(made, tmp_path / "given")
-    return tmp_path / "given"
 
 
 def content(folder: Path) -> dict[str, bytes]:
@@ -317,7 +296,7 @@ def writers(folder: Path) -> dict[str, tuple[str, dict, str]]:
     area, labels, photo = (str(folder / name) for name in ("area.gpkg", "labels.tif", "photo.png"))
     of_class = {"INPUT": str(folder / "landcover.shp"), "CLASS_FIELD": "class"}
     return {
-        "build": (BUILD, {"LABELS": labels, **SETTINGS}, "DATABASE"),
+        "build": (BUILD, {"LABELS": labels, **WINDOWS}, "DATABASE"),
         "update": ("semref:updatedatabase", {"DATABASE": area, "LABELS": labels}, "OUTPUT"),
         "rasterize": (RASTERIZE, {**of_class, "PIXEL_SIZE": 1}, "OUTPUT"),
         "localize": (LOCALIZE, {"DATABASE": area, "IMAGES": [photo], "METHOD": 1}, "OUTPUT"),
@@ -429,15 +408,15 @@ def test_rasterizing_beside_the_annotation_leaves_its_style_and_metadata(run_alg
     assert made.isValid() and made.renderer().type() == "paletted"
 
 
-def test_a_label_map_gets_its_legend_when_loaded_though_the_style_beside_it_is_foreign(tmp_path, given, qgis_project):
+def test_a_label_map_gets_its_legend_when_loaded_though_the_style_beside_it_is_foreign(tmp_path, given, project):
     import processing
 
     layer = annotation(tmp_path)
     user_style(layer)
     context = QgsProcessingContext()
-    context.setProject(qgis_project)
+    context.setProject(project)
     target = str(tmp_path / "landcover.tif")
-    details = QgsProcessingContext.LayerDetails("labels", qgis_project, "OUTPUT")
+    details = QgsProcessingContext.LayerDetails("labels", project, "OUTPUT")
     context.addLayerToLoadOnCompletion(target, details)
     parameters = {"INPUT": str(layer), "CLASS_FIELD": "class", "PIXEL_SIZE": 1, "OUTPUT": target}
     processing.run(RASTERIZE, parameters, context=context)
@@ -538,18 +517,18 @@ def test_a_geopackage_that_another_program_writes_to_is_not_replaced(run_algorit
         assert ("edited",) in connection.execute("SELECT description FROM gpkg_contents").fetchall()
 
 
-def test_a_result_that_is_on_the_map_is_replaced(run_algorithm, given, tmp_path, qgis_project):
+def test_a_result_that_is_on_the_map_is_replaced(run_algorithm, given, tmp_path, project):
     """Users of QGIS run a tool again and again into the same file."""
     target = tmp_path / "fixes.gpkg"
     localize(run_algorithm, given, target)
     layer = QgsVectorLayer(str(target), "fixes", "ogr")
-    qgis_project.addMapLayer(layer)
+    project.addMapLayer(layer)
     assert len(list(layer.getFeatures())) == 1
     layer.saveStyleToDatabase("mine", "", False, "")
     before = target.stat().st_ino
     localize(run_algorithm, given, target)
     assert target.stat().st_ino != before
-    qgis_project.removeAllMapLayers()
+    project.removeAllMapLayers()
 
 
 def test_what_others_wrote_meanwhile_into_a_geopackage_that_gets_a_layer_is_not_lost(run_algorithm, given, monkeypatch):

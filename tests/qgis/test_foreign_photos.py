@@ -1,18 +1,17 @@
 """Images of another continent on a map of buildings only: no position and no ambiguity."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from osgeo import gdal, ogr
+
+from semref.core.localization import Method
+from semref.core.localizer.localizer import Localizer
+from semref.storage.database.reader import read_database
 
 
 @pytest.fixture(scope="module")
 def town(real_data, run_algorithm, tmp_path_factory):
     """Return a localizer on the buildings of Banepa, Nepal."""
-    from semref.core.localizer.localizer import Localizer
-    from semref.storage.database.reader import read_database
-
     folder = tmp_path_factory.mktemp("town")
     source = ogr.Open(str(real_data("banepa/banepa_buildings.gpkg")))
     buildings = source.GetLayer(0)
@@ -39,8 +38,6 @@ def town(real_data, run_algorithm, tmp_path_factory):
 @pytest.mark.slow
 @pytest.mark.parametrize("tile", [1, 2, 4, 6])
 def test_buildings_of_another_continent_are_neither_placed_nor_called_ambiguous(town, real_data, tile):
-    from semref.core.localization import Method
-
     labels = gdal.Open(str(real_data(f"dubai_aerial/tile{tile}_label.tif"))).ReadAsArray()
     crops = [
         labels[row : row + 512, column : column + 512]

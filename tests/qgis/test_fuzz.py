@@ -1,7 +1,5 @@
 """A short seeded run of tools/fuzz: each input gives a valid result or one sentence, and changes no other file."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

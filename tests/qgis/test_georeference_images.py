@@ -1,7 +1,5 @@
 """semref:georeferenceimages: images with a position are georeferenced; the others are named."""
 
-from __future__ import annotations
-
 import shutil
 import sys
 from pathlib import Path

@@ -1,7 +1,5 @@
 """A database is read completely or refused: journals, other writers, foreign triggers, impossible values."""
 
-from __future__ import annotations
-
 import contextlib
 import json
 import shutil
@@ -13,8 +11,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from made_inputs import NAMES, scattered_objects, write_raster
+from qgis.core import QgsProject
 
 from semref.core.errors import DatabaseError, SemRefError
+from semref.processing.layers.database_layers import add_database_to_map
+from semref.storage.database.reader import read_database, read_overview, stored_style
 
 LABELS = scattered_objects(500, 600, 200, seed=3)
 
@@ -49,8 +50,6 @@ def database(built, tmp_path):
 
 @pytest.fixture
 def read(qgis_app):
-    from semref.storage.database.reader import read_database
-
     return lambda path: read_database(str(path))
 
 
@@ -256,8 +255,6 @@ def test_an_impossible_value_is_refused_in_one_sentence(read, database, statemen
 
 @pytest.mark.parametrize("name", ['a"b.gpkg', "a:b.gpkg", "a'b ? #%41.gpkg"])
 def test_an_odd_path_has_its_overview(qgis_app, built, tmp_path, name):
-    from semref.storage.database.reader import read_overview
-
     np.testing.assert_array_equal(read_overview(str(shutil.copy(built, tmp_path / name))), read_overview(built))
 
 
@@ -272,8 +269,6 @@ def test_an_odd_path_can_be_updated(update, built, tmp_path, name):
 
 
 def test_a_flipped_bit_in_a_stored_number_is_refused(read, built, database):
-    from semref.storage.database.reader import read_overview
-
     data, whole = database.read_bytes(), read(built)
     with contextlib.closing(sqlite3.connect(database)) as connection:
         tile = connection.execute("SELECT tile_data FROM overview").fetchone()[0]
@@ -298,10 +293,6 @@ def test_a_database_without_checksums_still_opens(read, database):
 
 @pytest.mark.parametrize("name", ["plain.gpkg", 'a"b.gpkg', "a:b.gpkg"])
 def test_an_odd_path_comes_onto_the_map(qgis_app, built, tmp_path, name):
-    from qgis.core import QgsProject
-
-    from semref.processing.layers.database_layers import add_database_to_map
-
     project = QgsProject()
     add_database_to_map(str(shutil.copy(built, tmp_path / name)), project)
     assert sorted(layer.name() for layer in project.mapLayers().values()) == ["Landmarks", "Overview", "Windows"]
@@ -337,8 +328,6 @@ LATER = ("windows rows", "references rows", "reference_bounds rows")
 
 
 def test_a_database_with_the_checksums_of_the_version_before_opens(qgis_app, read, database):
-    from semref.storage.database.reader import stored_style
-
     with contextlib.closing(sqlite3.connect(database)) as connection, connection:
         (text,) = connection.execute("SELECT value FROM parameters WHERE key = 'checksums'").fetchone()
         kept = {name: checksum for name, checksum in json.loads(text).items() if name not in LATER}

@@ -1,13 +1,17 @@
 """Rasters are opened only by the driver of their suffix, so that untrusted files contact no server."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from listening import listening
 from made_inputs import scattered_objects, write_raster
 
 from semref.core.errors import SemRefError
+from semref.core.labels.class_table import class_table_from_values
+from semref.core.labels.image_files import read_photo
+from semref.storage.images import GdalImage
+from semref.storage.label_images import read_label_image
+from semref.storage.label_maps import GdalLabels
+from semref.storage.rasters import open_raster
 
 LABELS = scattered_objects(80, 90, 6, seed=1)
 
@@ -31,12 +35,6 @@ def host():
 
 
 def doors():
-    from semref.core.labels.class_table import class_table_from_values
-    from semref.storage.images import GdalImage
-    from semref.storage.label_images import read_label_image
-    from semref.storage.label_maps import GdalLabels
-    from semref.storage.rasters import open_raster
-
     return (
         lambda path: GdalImage(path).read(0, 0, 80, 80),
         lambda path: GdalLabels(path).read(0, 0, 80, 80),
@@ -65,8 +63,6 @@ def test_a_description_under_the_name_of_a_picture_is_refused(qgis_app, host, tm
 
 
 def test_a_description_that_the_user_named_as_such_is_read(qgis_app, tmp_path):
-    from semref.storage.label_maps import GdalLabels
-
     write_raster(tmp_path / "labels.tif", LABELS)
     (tmp_path / "named.vrt").write_text(VRT.format(source=tmp_path / "labels.tif"), encoding="utf-8")
     for name in (f"{tmp_path}/named.vrt", f"/vsisubfile/0_100000000,{tmp_path}/labels.tif"):
@@ -75,8 +71,6 @@ def test_a_description_that_the_user_named_as_such_is_read(qgis_app, tmp_path):
 
 @pytest.mark.parametrize("name", ["labels.png", "labels.jpg", "labels.JPEG"])
 def test_a_picture_under_the_name_of_another_kind_is_refused(qgis_app, tmp_path, name):
-    from semref.core.labels.image_files import read_photo
-
     write_raster(tmp_path / "labels.tif", LABELS)
     path = (tmp_path / "labels.tif").rename(tmp_path / name)
     for door in (*doors(), read_photo):
@@ -85,8 +79,6 @@ def test_a_picture_under_the_name_of_another_kind_is_refused(qgis_app, tmp_path,
 
 
 def test_a_picture_without_a_suffix_is_read(qgis_app, tmp_path):
-    from semref.storage.label_maps import GdalLabels
-
     write_raster(tmp_path / "labels.tif", LABELS)
     (tmp_path / "labels.tif").rename(tmp_path / "labels.dat")
     np.testing.assert_array_equal(GdalLabels(str(tmp_path / "labels.dat")).read(0, 0, 90, 80), LABELS)
@@ -102,8 +94,6 @@ def test_a_picture_without_a_suffix_is_read(qgis_app, tmp_path):
     ],
 )
 def test_a_georeference_that_no_map_has_is_refused(qgis_app, run_algorithm, tmp_path, transform):
-    from semref.storage.label_maps import GdalLabels
-
     path = write_raster(tmp_path / "labels.tif", LABELS, transform=transform)
     with pytest.raises(SemRefError, match="georeference"):
         GdalLabels(str(path))

@@ -1,7 +1,5 @@
 """Large tables are read in batches with the same result."""
 
-from __future__ import annotations
-
 import gzip
 import sqlite3
 import struct

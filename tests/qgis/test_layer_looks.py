@@ -1,7 +1,5 @@
 """Appearance of layers: styles, titles of columns, map tips, forms, labels, metadata."""
 
-from __future__ import annotations
-
 import contextlib
 import itertools
 import sqlite3
@@ -20,10 +18,12 @@ from qgis.core import (
     QgsGraduatedSymbolRenderer,
     QgsProject,
     QgsRasterLayer,
+    QgsRenderContext,
     QgsVectorLayer,
 )
 
 from semref.core.assessment.squares import FIELDS as CELL_FIELDS
+from semref.core.assessment.squares import VERDICTS
 from semref.core.evaluation.as_json import FIELDS as TRIAL_FIELDS
 from semref.processing.algorithms.assess_route import FIELDS as ROUTE_FIELDS
 from semref.processing.algorithms.compare_labels import FIELDS as DISAGREEMENT_FIELDS
@@ -32,10 +32,11 @@ from semref.processing.base.localized_image import ALTERNATIVE_FIELDS, FOOTPRINT
 from semref.processing.base.localized_layers import FLIGHT_FIELDS, POSITION_FIELDS, TRACK_FIELDS
 from semref.processing.base.segmented_files import FIELDS as CLASS_POLYGON_FIELDS
 from semref.processing.layers import styles
-from semref.processing.layers.assessment_styles import cells_renderer, route_renderer
+from semref.processing.layers.assessment_styles import COLORS, cells_renderer, route_renderer
 from semref.processing.layers.output_style import Look
 from semref.processing.layers.styles import STYLES
 from semref.processing.messages.annotation_messages import FIELDS as ISSUE_FIELDS
+from semref.processing.messages.columns import verdict_words
 from semref.storage.database.schema import WINDOW_FIELDS
 
 KINDS = {"text": "string", "real": "double", "integer": "int", "boolean": "bool", "datetime": "datetime"}
@@ -226,8 +227,6 @@ def test_squares_let_the_base_map_through_and_the_route_does_not(qgis_app):
 
 
 def _context():
-    from qgis.core import QgsRenderContext
-
     return QgsRenderContext()
 
 
@@ -287,8 +286,4 @@ def test_a_layer_in_memory_comes_with_its_look_as_well(annotation, run_algorithm
 
 
 def test_every_verdict_has_its_word_and_color(qgis_app):
-    from semref.core.assessment.squares import VERDICTS
-    from semref.processing.layers.assessment_styles import COLORS
-    from semref.processing.messages.columns import verdict_words
-
     assert tuple(verdict_words()) == VERDICTS and len(COLORS) == len(VERDICTS)

@@ -1,7 +1,5 @@
 """semref:localizeimages with Constellation: a position anywhere, at any heading, or a reason."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from made_inputs import NAMES, NORTH, WEST, scattered_objects, turned_view, write_raster

@@ -1,7 +1,5 @@
 """semref:localizeimages with Map correlation: areas instead of landmarks."""
 
-from __future__ import annotations
-
 import contextlib
 import shutil
 import sqlite3

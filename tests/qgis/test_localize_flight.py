@@ -1,7 +1,5 @@
 """semref:localizeflight on a made flight: rows, tracks, report, and bad input."""
 
-from __future__ import annotations
-
 import threading
 import time
 from collections.abc import Sequence

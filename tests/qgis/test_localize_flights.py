@@ -1,7 +1,5 @@
 """semref:localizeimages for images of a flight: leveled cameras, prior headings, marked jumps."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from made_inputs import NAMES, NORTH, WEST, scattered_objects, write_raster, write_text

@@ -1,7 +1,5 @@
 """semref:localizeimages: one row per image, with its position or a reason."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """semref:localizeimages with MODEL: photos are segmented, then localized; classes are matched by name."""
 
-from __future__ import annotations
-
 import json
 import shutil
 

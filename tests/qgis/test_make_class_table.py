@@ -1,7 +1,5 @@
 """semref:classtable: a class table from a layer's classes."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """File names in untrusted positions, projects, sets, routes and map tips are not followed elsewhere."""
 
-from __future__ import annotations
-
 import os
 import shutil
 from pathlib import Path
@@ -14,12 +12,17 @@ from qgis.core import (
     QgsExpression,
     QgsExpressionContext,
     QgsExpressionContextUtils,
+    QgsExpressionFunction,
+    QgsFeature,
     QgsProcessingUtils,
     QgsProject,
     QgsVectorLayer,
 )
 
 from semref.core.errors import ParameterError
+from semref.processing.layers.styles import style_document
+from semref.storage.route_files import read_waypoint_file
+from semref.ui.project_state import SCOPE, read_state
 
 COLUMNS = [("image", "text"), ("status", "text"), ("heading", "real"), ("pixel_size", "real")]
 UNC = [r"\\host\share\a.tif", "//host/share/a.tif", "file://host/share/a.tif", "/vsismb/host/a.tif"]
@@ -84,8 +87,6 @@ def test_positions_of_this_session_name_images_that_the_user_chose(georeference,
 
 @pytest.mark.parametrize("name", [*UNC, "/vsicurl/{url}/a.tif", "{url}/a.tif"])
 def test_a_map_tip_does_not_ask_whether_a_picture_elsewhere_is_there(qgis_app, host, name):
-    from semref.processing.layers.styles import style_document
-
     asked = []
     tip = style_document("footprints").documentElement().firstChildElement("mapTip").text()
     template = tip.replace("file_exists", "semref_file_exists")
@@ -105,8 +106,6 @@ def test_a_map_tip_does_not_ask_whether_a_picture_elsewhere_is_there(qgis_app, h
 
 
 def _remembering(asked):
-    from qgis.core import QgsExpressionFunction
-
     class FileExists(QgsExpressionFunction):
         def __init__(self):
             super().__init__("semref_file_exists", 1, "General", "")
@@ -128,8 +127,6 @@ _KEPT = []
 
 
 def _with_feature(layer, image):
-    from qgis.core import QgsFeature
-
     feature = QgsFeature(layer.fields())
     feature["image"] = image
     layer.dataProvider().truncate()
@@ -139,8 +136,6 @@ def _with_feature(layer, image):
 
 @pytest.mark.parametrize("name", [*UNC, "/vsicurl/http://host/a.gpkg", "http://host/a.gpkg"])
 def test_a_project_brings_no_paths_of_other_computers(qgis_app, tmp_path, name):
-    from semref.ui.project_state import SCOPE, read_state
-
     project = QgsProject()
     for key in ("/database", "/model", "/results"):
         project.writeEntry(SCOPE, key, name)
@@ -152,8 +147,6 @@ def test_a_project_brings_no_paths_of_other_computers(qgis_app, tmp_path, name):
 
 @pytest.mark.parametrize("suffix", [".gpx", ".kml", ".kmz"])
 def test_a_description_under_the_name_of_a_route_is_refused(qgis_app, host, tmp_path, suffix):
-    from semref.storage.route_files import read_waypoint_file
-
     source = f"/vsicurl/{host.url}/a.geojson"
     layer = f'<OGRVRTLayer name="a"><SrcDataSource>{source}</SrcDataSource></OGRVRTLayer>'
     text = f"<OGRVRTDataSource>{layer}</OGRVRTDataSource>"

@@ -1,14 +1,15 @@
 """Quality of labels as a preset, or measured by a comparison of label maps."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from made_inputs import NAMES, scattered_objects, write_raster
 from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingParameterDefinition
 
+from semref.core.errors import ParameterError, SemRefError
 from semref.core.simulation.label_errors import spoil_labels
 from semref.core.simulation.noise import LabelNoise
+from semref.processing.base.values import Values
+from semref.processing.reports.network_noise import network_meta
 
 AS_GIVEN, GOOD, USABLE, POOR = range(4)
 NOISE = LabelNoise(missed=0.25, jitter=1.0)
@@ -34,7 +35,6 @@ def report(run_algorithm, tmp_path_factory):
 @pytest.fixture
 def conditions(qgis_app):
     """`conditions(id, parameters)`: the simulated conditions."""
-    from semref.processing.base.values import Values
 
     def of(name: str, parameters: dict):
         algorithm = QgsApplication.processingRegistry().createAlgorithmById(name)
@@ -78,8 +78,6 @@ def test_an_assessment_assumes_what_the_comparison_found(conditions, report, nam
 
 
 def test_an_evaluation_assumes_the_same(conditions, report):
-    from semref.processing.base.values import Values
-
     algorithm = QgsApplication.processingRegistry().createAlgorithmById("semref:evaluatelocalization")
     ranges = algorithm._ranges(Values(algorithm, {"COMPARISON": report, "MISSED": "1,2"}, QgsProcessingContext()))
     noise = conditions("semref:assessdatabase", {"COMPARISON": report}).noise
@@ -113,9 +111,7 @@ def test_another_file_is_refused_in_a_sentence(qgis_app, tmp_path, content):
 
 
 def test_a_comparison_of_few_landmarks_gives_no_noise(conditions, tmp_path):
-    from semref.core.errors import ParameterError
     from semref.processing.reports import page as report
-    from semref.processing.reports.network_noise import network_meta
 
     page = tmp_path / "page.html"
     page.write_text(report.page("t", "s", meta=network_meta({"MISSED": 20.0}, 5)), encoding="utf-8")
@@ -125,7 +121,6 @@ def test_a_comparison_of_few_landmarks_gives_no_noise(conditions, tmp_path):
 
 def test_lengths_not_measured_by_the_comparison_keep_their_numbers(conditions, tmp_path):
     from semref.processing.reports import page as report
-    from semref.processing.reports.network_noise import network_meta
 
     page = tmp_path / "page.html"
     page.write_text(report.page("t", "s", meta=network_meta({"MISSED": 7.0, "RAGGED": None}, 50)), encoding="utf-8")
@@ -135,9 +130,7 @@ def test_lengths_not_measured_by_the_comparison_keep_their_numbers(conditions, t
 
 @pytest.mark.parametrize(("key", "value"), [("MISSED", 500.0), ("MISNAMED", 101.0)])
 def test_numbers_beyond_what_the_dialogs_take_are_refused(conditions, tmp_path, key, value):
-    from semref.core.errors import SemRefError
     from semref.processing.reports import page as report
-    from semref.processing.reports.network_noise import network_meta
 
     page = tmp_path / "page.html"
     page.write_text(report.page("t", "s", meta=network_meta({key: value}, 50)), encoding="utf-8")

@@ -1,7 +1,5 @@
 """Numbers are formatted by the user's locale."""
 
-from __future__ import annotations
-
 import pytest
 from qgis.PyQt.QtCore import QLocale
 

@@ -1,17 +1,20 @@
 """Unusual values of files and parameters: one sentence each, no traceback."""
 
-from __future__ import annotations
-
 import json
 import os
 from functools import partial
 
 import pytest
 from made_inputs import NAMES, scattered_objects, write_raster
-from qgis.core import QgsProcessingException
+from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingException, QgsProject
 
 from semref.core import limits
 from semref.core.errors import SemRefError
+from semref.core.flight.cameras import read_cameras
+from semref.storage.database.reader import read_database
+from semref.storage.route_files import read_waypoint_file
+from semref.storage.text_tables import read_class_table, read_rules
+from semref.ui.project_state import read_state
 
 LABELS = scattered_objects(150, 200, 40, seed=2)
 
@@ -33,8 +36,6 @@ PLANS = [
 
 @pytest.mark.parametrize("text", PLANS, ids=range(len(PLANS)))
 def test_an_odd_plan_is_refused(qgis_app, tmp_path, text):
-    from semref.storage.route_files import read_waypoint_file
-
     (tmp_path / "odd.plan").write_text(text, encoding="utf-8")
     with pytest.raises(SemRefError) as refused:
         read_waypoint_file(str(tmp_path / "odd.plan"))
@@ -43,9 +44,6 @@ def test_an_odd_plan_is_refused(qgis_app, tmp_path, text):
 
 @pytest.mark.parametrize("cell", ["x" * 140_000, '"' + "x\n" * 70_000], ids=["letters", "lines"])
 def test_a_table_with_a_huge_field_is_refused(qgis_app, tmp_path, cell):
-    from semref.core.flight.cameras import read_cameras
-    from semref.storage.text_tables import read_class_table
-
     (tmp_path / "cameras.csv").write_text(f"image,roll,pitch\na.png,{cell},0\n", encoding="utf-8")
     (tmp_path / "classes.csv").write_text(f"value,name\n1,{cell}\n", encoding="utf-8")
     for read in (lambda: read_cameras(["a.png"], str(tmp_path / "cameras.csv")),):
@@ -59,9 +57,6 @@ def test_a_table_with_a_huge_field_is_refused(qgis_app, tmp_path, cell):
 
 @pytest.mark.parametrize("kind", ["cameras", "class table", "rules"])
 def test_a_table_is_not_read_that_is_huge_or_no_file(qgis_app, tmp_path, kind):
-    from semref.core.flight.cameras import read_cameras
-    from semref.storage.text_tables import read_class_table, read_rules
-
     read = {"cameras": partial(read_cameras, ["a.png"]), "class table": read_class_table, "rules": read_rules}[kind]
     huge, pipe = tmp_path / "huge.csv", tmp_path / "pipe.csv"
     with open(huge, "wb") as file:
@@ -116,8 +111,6 @@ def test_odd_windows_and_names_are_refused(build, parameters):
 
 
 def test_a_level_that_is_given_twice_counts_once(build):
-    from semref.storage.database.reader import read_database
-
     once, thrice = len(read_database(build(LEVELS="1")).windows), read_database(build(LEVELS="1;1;1"))
     assert (len(thrice.windows), thrice.parameters.levels) == (once, (1.0,))
 
@@ -126,8 +119,6 @@ def test_a_level_that_is_given_twice_counts_once(build):
     "place", ['lat="1e308" lon="9"', 'lat="NaN" lon="9"', 'lat="91" lon="9"', 'lat="47" lon="inf"']
 )
 def test_a_route_layer_off_the_earth_is_refused(qgis_app, tmp_path, place):
-    from semref.storage.route_files import read_waypoint_file
-
     text = f'<gpx version="1.1" creator="x"><rte><rtept lat="47.1" lon="9.5"/><rtept {place}/></rte></gpx>'
     (tmp_path / "odd.gpx").write_text(text, encoding="ascii")
     with pytest.raises(SemRefError) as refused:
@@ -139,8 +130,6 @@ def test_a_route_layer_off_the_earth_is_refused(qgis_app, tmp_path, place):
 @pytest.mark.parametrize(("name", "key"), [("evaluatelocalization", "MIRRORED"), ("rasterizeannotation", "PIXEL_SIZE")])
 def test_every_algorithm_refuses_nan(qgis_app, name, key, value):
     """QGIS accepts NaN within any limits of a number."""
-    from qgis.core import QgsApplication, QgsProcessingContext
-
     algorithm = QgsApplication.processingRegistry().algorithmById(f"semref:{name}").create()
     possible, said = algorithm.checkParameterValues({key: value}, QgsProcessingContext())
     assert not possible and said
@@ -148,8 +137,6 @@ def test_every_algorithm_refuses_nan(qgis_app, name, key, value):
 
 @pytest.mark.parametrize("key", ["INPUT", "CLASS_FIELD", "EXTENT", "TARGET_CRS"])
 def test_a_value_of_any_length_does_not_make_a_sentence_of_any_length(qgis_app, key):
-    from qgis.core import QgsApplication, QgsProcessingContext
-
     algorithm = QgsApplication.processingRegistry().algorithmById("semref:rasterizeannotation").create()
     possible, said = algorithm.checkParameterValues({key: "[\n" * 50_000}, QgsProcessingContext())
     assert not possible and len(said) < 1000 and "\n" not in said
@@ -172,10 +159,6 @@ PRIORS = (["nan", "1", "2", "3", "EPSG:32632"], ["1e308", "1", "2", "3", "EPSG:3
 
 @pytest.mark.parametrize("prior", PRIORS)
 def test_a_project_keeps_no_impossible_circle(qgis_app, prior):
-    from qgis.core import QgsProject
-
-    from semref.ui.project_state import read_state
-
     project = QgsProject()
     for key, value in (("database", "a.gpkg"), ("prior", prior), ("method", 99)):
         project.writeEntry("SemRef", f"/{key}", value)
@@ -197,8 +180,6 @@ def test_a_text_with_a_character_0_is_refused(run_algorithm, tmp_path, given):
 
 
 def test_a_list_of_images_with_a_character_0_is_refused(run_algorithm, tmp_path, qgis_app):
-    from qgis.core import QgsApplication, QgsProcessingContext
-
     algorithm = QgsApplication.processingRegistry().algorithmById("semref:localizeimages").create()
     parameters = {"DATABASE": str(tmp_path / "area.gpkg"), "IMAGES": ["a.png", "b\0.png"], "OUTPUT": "memory:"}
     possible, reason = algorithm.checkParameterValues(parameters, QgsProcessingContext())
@@ -208,8 +189,6 @@ def test_a_list_of_images_with_a_character_0_is_refused(run_algorithm, tmp_path,
 @pytest.mark.parametrize("text", ["/folder/area.gpkg", "1,5", "x", "0x10", "1_000"])
 def test_a_text_that_is_no_number_is_refused_even_for_optional_numbers(qgis_app, tmp_path, text):
     """QGIS reads it as 0, which is no valid scale."""
-    from qgis.core import QgsApplication, QgsProcessingContext
-
     algorithm = QgsApplication.processingRegistry().algorithmById("semref:localizeimages").create()
     parameters = {"DATABASE": str(tmp_path / "a.gpkg"), "IMAGES": ["a.png"], "OUTPUT": "memory:", "SCALE_MINIMUM": text}
     possible, reason = algorithm.checkParameterValues(parameters, QgsProcessingContext())

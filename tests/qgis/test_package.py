@@ -1,7 +1,5 @@
 """The zip works under qgis_process, unpacked into a new profile."""
 
-from __future__ import annotations
-
 import configparser
 import json
 import os
@@ -13,6 +11,7 @@ import zipfile
 from pathlib import Path
 
 import pytest
+from osgeo import gdal, ogr, osr
 
 pytestmark = pytest.mark.slow
 
@@ -70,8 +69,6 @@ def qgis_process(package, tmp_path_factory):
 @pytest.fixture
 def annotation(tmp_path) -> Path:
     """Return a GeoPackage with a building of 20 × 20 m in a field of 100 × 100 m."""
-    from osgeo import ogr, osr
-
     path = tmp_path / "annotation.gpkg"
     crs = osr.SpatialReference()
     crs.ImportFromEPSG(32632)
@@ -136,8 +133,6 @@ def test_qgis_process_lists_the_provider_of_the_installed_zip(qgis_process):
 
 
 def test_qgis_process_runs_an_algorithm_of_the_installed_zip(qgis_process, annotation, tmp_path):
-    from osgeo import gdal
-
     target = tmp_path / "labels.tif"
     answer = qgis_process(
         "run",

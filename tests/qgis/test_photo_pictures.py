@@ -1,7 +1,5 @@
 """Photos in the dock: originals of drones are reduced to its size."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from made_inputs import write_raster

@@ -1,7 +1,5 @@
 """Positions that photos state: reported if they are far from the database's ground, and never used."""
 
-from __future__ import annotations
-
 import struct
 from pathlib import Path
 

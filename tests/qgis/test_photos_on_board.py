@@ -1,7 +1,5 @@
 """A photo gives the same labels in QGIS, with GDAL, and on board, without GDAL."""
 
-from __future__ import annotations
-
 import json
 
 import numpy as np

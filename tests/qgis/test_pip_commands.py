@@ -1,7 +1,5 @@
 """Commands of pip for missing packages, and messages about its failures."""
 
-from __future__ import annotations
-
 import os
 import sys
 

@@ -1,7 +1,5 @@
 """SemRef's outputs in gdalinfo, ogrinfo, and a QGIS without the plugin."""
 
-from __future__ import annotations
-
 import json
 import os
 import shutil

@@ -1,7 +1,5 @@
 """Planted side-car files of rasters do not make GDAL contact a server."""
 
-from __future__ import annotations
-
 import os
 import shutil
 from pathlib import Path
@@ -14,6 +12,11 @@ from osgeo import gdal
 from qgis.core import QgsProcessingException
 
 from semref.core.errors import SemRefError
+from semref.core.labels.class_table import class_table_from_values
+from semref.storage.images import GdalImage
+from semref.storage.label_images import read_label_image
+from semref.storage.label_maps import GdalLabels
+from semref.storage.rasters import open_raster, require_own_pixels
 
 LABELS = scattered_objects(80, 90, 6, seed=1)
 OVERVIEWS = '<PAMDataset><Metadata domain="OVERVIEWS"><MDI key="OVERVIEW_FILE">{name}</MDI></Metadata></PAMDataset>'
@@ -74,19 +77,11 @@ PLANTED = {
 
 
 def overviews_of(path):
-    from semref.storage.rasters import open_raster
-
     dataset = open_raster(path)
     return dataset.GetRasterBand(1).GetOverviewCount()
 
 
 def doors():
-    from semref.core.labels.class_table import class_table_from_values
-    from semref.storage.images import GdalImage
-    from semref.storage.label_images import read_label_image
-    from semref.storage.label_maps import GdalLabels
-    from semref.storage.rasters import require_own_pixels
-
     return (
         lambda path: GdalImage(path, (30, 30)).read(0, 0, 30, 30),
         lambda path: GdalLabels(path).read(0, 0, 80, 80),

@@ -1,7 +1,5 @@
 """Public names of the provider do not change, because scripts and models use them."""
 
-from __future__ import annotations
-
 import html
 
 import pytest

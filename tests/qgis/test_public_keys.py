@@ -4,8 +4,6 @@
 ``SEMREF_RECORD=1 python -m pytest tests/qgis/test_public_keys.py``; what is there already never changes.
 """
 
-from __future__ import annotations
-
 import json
 import os
 

@@ -1,7 +1,5 @@
 """Rasters on a server (/vsicurl) are read in pieces and give the same results as local files."""
 
-from __future__ import annotations
-
 import http.server
 import re
 import threading
@@ -9,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import scattered_objects, write_raster
+from made_inputs import NORTH, WEST, scattered_objects, write_raster
 from made_models import metadata, painted, write_model
 from osgeo import gdal, ogr
 from qgis.core import QgsRasterLayer
@@ -81,8 +79,6 @@ def model(tmp_path_factory):
 def test_a_part_of_an_orthophoto_on_a_server_is_segmented_without_fetching_the_rest(
     run_algorithm, model, served, tmp_path
 ):
-    from made_inputs import NORTH, WEST
-
     file = photo(tmp_path / "ortho.tif", LABELS)
     size = file.stat().st_size
     extent = f"{WEST + 500},{WEST + 660},{NORTH - 460},{NORTH - 300} [EPSG:32632]"

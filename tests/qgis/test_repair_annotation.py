@@ -1,7 +1,5 @@
 """semref:repairannotation: a clean layer with its attributes and a list of changes; a second run changes nothing."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

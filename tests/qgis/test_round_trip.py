@@ -1,7 +1,5 @@
 """From a new orthophoto to an updated database with the plugin's models, as in docs/how-to/build_and_update.md."""
 
-from __future__ import annotations
-
 import sqlite3
 from pathlib import Path
 

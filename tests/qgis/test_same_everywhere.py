@@ -1,7 +1,5 @@
 """Python, a background task, the shipped model and qgis_process give the same label map and database."""
 
-from __future__ import annotations
-
 import contextlib
 import os
 import re

@@ -1,11 +1,10 @@
 """The shipped sample area has all that a first test needs, with photos for the shipped model."""
 
-from __future__ import annotations
-
 import csv
 from datetime import datetime
 from pathlib import Path
 
+from osgeo import gdal
 from qgis.core import QgsVectorLayer
 
 PHOTO_COUNT = 12
@@ -18,8 +17,6 @@ def truth_of(sample: Path) -> dict:
 
 
 def test_it_has_annotation_class_table_orthophoto_and_photos(sample):
-    from osgeo import gdal
-
     layer = QgsVectorLayer(str(sample / "landcover.shp"), "annotation", "ogr")
     orthophoto = gdal.Open(str(sample / "orthophoto.tif"))
     photos = [gdal.Open(str(path)) for path in sorted((sample / "photos").iterdir())]

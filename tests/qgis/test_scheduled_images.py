@@ -1,7 +1,5 @@
 """SCHEDULER of Localize images: workers give QGIS's results and messages, and a cancel leaves nothing."""
 
-from __future__ import annotations
-
 import importlib.util
 
 import numpy as np

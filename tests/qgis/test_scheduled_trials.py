@@ -1,7 +1,5 @@
 """SCHEDULER of Assess reference database and Evaluate localization: workers give QGIS's results."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 from pathlib import Path
@@ -10,6 +8,8 @@ import pytest
 from made_inputs import scattered_objects, write_raster
 from osgeo import ogr
 from qgis.core import QgsProcessingException
+
+from semref.processing.base.scheduler import Workers
 
 ASSESS, EVALUATE = "semref:assessdatabase", "semref:evaluatelocalization"
 SIZE = 160
@@ -76,8 +76,6 @@ def test_workers_evaluate_what_qgis_evaluates(run_algorithm, database, label_map
 def test_a_database_that_changes_before_workers_begin_is_noticed(
     run_algorithm, build_area, database, tmp_path, monkeypatch
 ):
-    from semref.processing.base.scheduler import Workers
-
     area, wait = tmp_path / "area.gpkg", Workers.wait
     area.write_bytes(Path(database).read_bytes())
     other = Path(build_area(scattered_objects(420, 480, 280, seed=5, background=0), NAMES, SIZE, 40)).read_bytes()

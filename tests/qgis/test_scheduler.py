@@ -1,7 +1,5 @@
 """SCHEDULER: workers give the same results as QGIS; without Dask a message names the package."""
 
-from __future__ import annotations
-
 import importlib.util
 
 import numpy as np

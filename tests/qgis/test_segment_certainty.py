@@ -1,7 +1,5 @@
 """semref:segmentimage: masks, and the certainty of the network as rasters."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from made_inputs import NORTH, WEST, read_pixels, square, write_layer, write_raster

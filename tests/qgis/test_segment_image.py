@@ -1,7 +1,5 @@
 """semref:segmentimage: every kind of raster becomes the network's label map, on its own ground."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import cv2
@@ -11,6 +9,8 @@ from made_inputs import CLASSES_CSV, NORTH, WEST, read_pixels, scattered_objects
 from made_models import metadata, painted, write_model
 from osgeo import gdal
 from qgis.core import QgsProcessingException, QgsRasterLayer
+
+from semref.storage.label_maps import require_map_grid
 
 SEGMENT = "semref:segmentimage"
 LABELS = scattered_objects(170, 230, 60, seed=3, background=0)
@@ -142,8 +142,6 @@ def test_the_image_is_brought_to_the_models_resolution(segment, tmp_path, pixel_
 
 
 def test_a_resampled_label_map_has_square_pixels_as_a_database_needs_them(segment, tmp_path):
-    from semref.storage.label_maps import require_map_grid
-
     image = write_raster(tmp_path / "a.tif", PHOTO, transform=(WEST, 0.25, 0, NORTH, 0, -0.25))
     path = segment(image, RESOLUTION=37)
     require_map_grid(gdal.Open(path).GetGeoTransform(), path)

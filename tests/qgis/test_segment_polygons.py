@@ -1,7 +1,5 @@
 """Polygons of semref:segmentimage cover every labeled pixel once, share borders and have small regions merged."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import shapely

@@ -1,7 +1,5 @@
 """semref:setuparea: from a map and photos to positions in one run, and its bad inputs."""
 
-from __future__ import annotations
-
 import csv
 import errno
 import gc
@@ -14,6 +12,13 @@ from made_models import write_model
 from osgeo import gdal
 from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsRasterLayer, QgsVectorLayer
 from tile_server import tile_server
+
+from semref.core.errors import ParameterError
+from semref.processing.algorithms import set_up_area
+from semref.processing.algorithms.build_database import BuildDatabase
+from semref.processing.algorithms.train_model import TrainModel
+from semref.processing.packages import training_environment
+from semref.processing.reports.setup_report import expectation_of
 
 SETUP = "semref:setuparea"
 
@@ -101,8 +106,6 @@ def test_the_report_states_why_few_photos_can_be_expected_to_get_a_position(run_
 
 
 def test_empty_ground_does_not_count_and_reasons_of_one_kind_are_one():
-    from semref.processing.reports.setup_report import expectation_of
-
     squares = [(0.0, 0.0, "No."), (0.9, 30.0, ""), (0.3, 6.0, "Few: 6."), (0.3, 4.0, "Few: 4."), (0.0, 0.0, "No.")]
     found = expectation_of(squares)
     assert found.success == pytest.approx(0.75, abs=1e-3)
@@ -168,8 +171,6 @@ def test_lines_that_cannot_be_used_are_refused(run_algorithm, tagged, repository
     ],
 )
 def test_bad_input_is_one_sentence_and_leaves_no_file(run_algorithm, small, tmp_path, monkeypatch, change, message):
-    from semref.processing.algorithms import set_up_area
-
     monkeypatch.setattr(set_up_area, "DEFAULT_MODEL", tmp_path / "missing.onnx")
     place = {
         "GPSLongitude": "(9) (0) (0)",
@@ -212,8 +213,6 @@ def test_files_of_others_and_of_other_values_are_not_replaced(run_algorithm, sma
 
 
 def test_a_full_disk_is_one_sentence_and_the_run_goes_on(run_algorithm, small, feedback, monkeypatch):
-    from semref.processing.algorithms.build_database import BuildDatabase
-
     def full(*_):
         raise OSError(errno.ENOSPC, "No space left on device", "reference_database.gpkg")
 
@@ -227,10 +226,6 @@ def test_a_full_disk_is_one_sentence_and_the_run_goes_on(run_algorithm, small, f
 
 
 def test_map_tiles_are_drawn_on_the_ground_of_the_database(run_algorithm, small, feedback, monkeypatch):
-    from semref.core.errors import ParameterError
-    from semref.processing.algorithms.train_model import TrainModel
-    from semref.processing.packages import training_environment
-
     drawn = []
 
     def train(algorithm, values, *_):

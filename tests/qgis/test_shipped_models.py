@@ -1,7 +1,5 @@
 """Shipped models are as their maker writes them, and translated wherever QGIS shows them."""
 
-from __future__ import annotations
-
 import importlib.util
 import sys
 

@@ -6,6 +6,8 @@ from contextlib import closing
 
 import pytest
 
+from semref.storage.vector_files import copy_whole
+
 LIMIT_S = 60
 
 
@@ -20,8 +22,6 @@ def file(tmp_path):
 
 def copied(file, target):
     """Copy in a thread, so that an endless copy fails; return the error or None."""
-    from semref.storage.vector_files import copy_whole
-
     raised = []
 
     def work():

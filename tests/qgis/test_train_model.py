@@ -3,8 +3,6 @@
 A small program replaces the training, which needs torch; tests/training has the real one.
 """
 
-from __future__ import annotations
-
 import errno
 import json
 import os

@@ -1,7 +1,5 @@
 """The training environment: the selected Python, and the commands that create it, without running them."""
 
-from __future__ import annotations
-
 import os
 import sys
 

@@ -1,7 +1,5 @@
 """Undo reverts exactly one update, and a failed undo loses neither file."""
 
-from __future__ import annotations
-
 import contextlib
 import gzip
 import os

@@ -1,7 +1,5 @@
 """semref:updatedatabase: the same file as a rebuild, with rows and fids of unchanged objects."""
 
-from __future__ import annotations
-
 import contextlib
 import os
 import shutil
@@ -15,6 +13,13 @@ from full_disks import files_of_at_most
 from made_inputs import NAMES, NORTH, WEST, read_pixels, scattered_objects, square, write_layer, write_raster
 from osgeo import ogr
 from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsVectorLayer
+
+from semref.core.errors import DatabaseError
+from semref.storage.database import editor
+from semref.storage.database.connection import DatabaseChangedError
+from semref.storage.database.editor import DatabaseEditor
+from semref.storage.database.reader import read_database, read_overview
+from semref.storage.database.undo import file_before, replace_keeping, undo_update
 
 BUILD, UPDATE = "semref:builddatabase", "semref:updatedatabase"
 HEIGHT, WIDTH = 1100, 1300
@@ -198,8 +203,6 @@ def test_a_cancel_leaves_nothing(update, old, tmp_path):
 
 
 def test_what_others_wrote_meanwhile_is_not_undone(update, old, tmp_path, monkeypatch):
-    from semref.storage.database import editor
-
     area = tmp_path / "area.gpkg"
     shutil.copy(old, area)
     real = editor.DatabaseEditor.steps
@@ -216,9 +219,6 @@ def test_what_others_wrote_meanwhile_is_not_undone(update, old, tmp_path, monkey
 
 
 def test_an_overview_of_another_state_is_refused(old, rebuilt):
-    from semref.storage.database.connection import DatabaseChangedError
-    from semref.storage.database.reader import read_database, read_overview
-
     was = read_database(str(old)).parameters
     assert read_overview(str(old), was).size > 0
     with pytest.raises(DatabaseChangedError, match="changed by another program"):
@@ -236,9 +236,6 @@ def test_a_full_disk_is_not_reported_as_a_damaged_database(update, old, rebuilt,
 
 
 def test_an_update_in_place_after_a_kept_one_is_not_undone_with_it(update, old, folder, tmp_path):
-    from semref.core.errors import DatabaseError
-    from semref.storage.database.undo import file_before, replace_keeping, undo_update
-
     place = str(shutil.copy(old, tmp_path / "area.gpkg"))
     replace_keeping(place, update(DATABASE=place))
     update(DATABASE=place, LABELS=str(folder / "old.tif"), OUTPUT=place)
@@ -253,8 +250,6 @@ def test_a_database_that_another_program_locks_before_the_end_is_not_replaced(
     update, old, tmp_path, monkeypatch, short_wait, begin
 ):
     """Otherwise the other program would commit into a file that is no longer in use."""
-    from semref.storage.database.editor import DatabaseEditor
-
     place = str(shutil.copy(old, tmp_path / "area.gpkg"))
     steps = DatabaseEditor.steps
     with contextlib.closing(sqlite3.connect(place, isolation_level=None)) as other:

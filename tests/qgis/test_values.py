@@ -1,7 +1,5 @@
 """Values of parameters are read the same way from numbers, texts, lists and missing values."""
 
-from __future__ import annotations
-
 import pytest
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -18,14 +16,16 @@ from qgis.core import (
     QgsProcessingParameterString,
 )
 
+from semref.core.errors import ParameterError
+from semref.processing.base.algorithm import SemRefAlgorithm
+from semref.processing.base.parameters import with_help
+from semref.processing.base.values import Values
+from semref.processing.compat import DOUBLE, INTEGER, SOURCE_FILE
+
 
 @pytest.fixture
 def read(qgis_app):
     """`read(number=…)` returns the Values of an algorithm with one parameter of each kind."""
-    from semref.processing.base.algorithm import SemRefAlgorithm
-    from semref.processing.base.parameters import with_help
-    from semref.processing.base.values import Values
-    from semref.processing.compat import DOUBLE, INTEGER, SOURCE_FILE
 
     class Everything(SemRefAlgorithm):
         ID = GROUP = "everything"
@@ -93,8 +93,6 @@ def test_lists_are_separated_by_semicolons_without_empty_parts(read):
 
 
 def test_a_list_that_holds_no_numbers_is_refused_with_its_key(read):
-    from semref.core.errors import ParameterError
-
     with pytest.raises(ParameterError, match="“text” is “1;x”, which is not a list of numbers"):
         read(text="1;x").numbers("text")
 
@@ -116,8 +114,6 @@ def test_a_point_comes_in_the_crs_asked_for(read):
 
 
 def test_an_unreadable_source_is_refused_and_a_missing_one_is_none(read):
-    from semref.core.errors import ParameterError
-
     assert read().source("source") is None
     with pytest.raises(ParameterError):
         read(source="no/such/layer.gpkg").source("source")

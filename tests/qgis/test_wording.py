@@ -1,13 +1,15 @@
 """Sentences and words in the user's language."""
 
-from __future__ import annotations
-
 import pytest
+from made_inputs import square, write_layer
+from qgis.core import QgsProcessingFeedback, QgsVectorLayer
 
 from semref.core.errors import ModelError
-from semref.core.localization import shown_landmarks
+from semref.core.evaluation.evaluation import MAP, MIRRORED
+from semref.core.localization import Method, shown_landmarks
 from semref.core.sentences import Sentence
 from semref.processing.messages import sentences
+from semref.processing.messages.columns import column_words
 from semref.processing.messages.sentences import worded
 
 
@@ -36,9 +38,6 @@ def test_each_form_of_a_plural_is_translated_by_itself(language, count, said):
 
 
 def test_a_severity_is_called_the_same_in_legend_table_report_dock_and_log(qgis_app, run_algorithm, tmp_path):
-    from made_inputs import square, write_layer
-    from qgis.core import QgsProcessingFeedback, QgsVectorLayer
-
     path = write_layer(tmp_path / "annotation.gpkg", [(square(10, 10, 30), "a"), (square(10, 10, 30), "b")])
     feedback = QgsProcessingFeedback(False)
     issues, report = str(tmp_path / "issues.gpkg"), tmp_path / "report.html"
@@ -55,10 +54,6 @@ def test_a_severity_is_called_the_same_in_legend_table_report_dock_and_log(qgis_
 
 
 def test_kinds_and_methods_of_trials_have_labels(qgis_app):
-    from semref.core.evaluation.evaluation import MAP, MIRRORED
-    from semref.core.localization import Method
-    from semref.processing.messages.columns import column_words
-
     words = column_words(["kind", "road", "trial"])
     assert {MAP, MIRRORED} == set(words["kind"])
     assert {method.key for method in Method} == set(words["road"])

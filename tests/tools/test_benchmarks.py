@@ -1,13 +1,12 @@
 """Scenarios are readable, results are complete, and docs/benchmarks.md is generated from them."""
 
-from __future__ import annotations
-
 import importlib
 import json
 import re
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -74,8 +73,6 @@ def test_scenarios_have_rows_that_a_runner_takes(benchmarks):
 
 
 def test_the_plain_loop_gives_the_vectors_of_the_paper(benchmarks):
-    import numpy as np
-
     plain = benchmarks("plain_build")
     centers = np.array([[8.0, 5.0], [5.0, 9.0], [1.0, 5.0]])
     vector = plain.vector(centers, np.array([1, 2, 3]), (5, 5), 3)

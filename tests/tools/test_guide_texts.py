@@ -1,7 +1,5 @@
 """The tutorials and how-to pages use the exact labels and messages of the screen."""
 
-from __future__ import annotations
-
 import re
 import sys
 from pathlib import Path

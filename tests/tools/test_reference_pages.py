@@ -1,7 +1,5 @@
 """The generated reference pages have every message, command and setting; tests/qgis checks the algorithms."""
 
-from __future__ import annotations
-
 import re
 import sys
 from dataclasses import fields

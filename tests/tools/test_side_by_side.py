@@ -1,7 +1,5 @@
 """The parts of .ci/run: two at a time, printed in order, with a failing exit status."""
 
-from __future__ import annotations
-
 import subprocess
 from pathlib import Path
 

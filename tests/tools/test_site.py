@@ -1,7 +1,5 @@
 """The built site: every link works, the search has every page, and no page loads anything from the web."""
 
-from __future__ import annotations
-
 import json
 import re
 import sys

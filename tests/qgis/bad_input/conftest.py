@@ -1,42 +1,11 @@
 """One valid input of each kind, and runs that must be refused."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
-import numpy as np
 import pytest
-from bad_input import (
-    BUILD,
-    COMPARE,
-    DECODE,
-    DESCRIBE,
-    LABELS,
-    LOCALIZE,
-    OUTPUT_NAMES,
-    RASTERIZE,
-    SEGMENT,
-    WINDOWS,
-    sentence_of,
-)
-from made_inputs import CLASSES_CSV, NAMES, square, write_layer, write_older, write_raster, write_text
-from made_models import write_model
+from bad_input import BUILD, COMPARE, DECODE, DESCRIBE, LOCALIZE, OUTPUT_NAMES, RASTERIZE, SEGMENT, WINDOWS, sentence_of
+from made_inputs import write_older
 from qgis.core import QgsProcessingException
-
-
-@pytest.fixture(scope="session")
-def good(run_algorithm, tmp_path_factory):
-    """Return a folder with one valid input of each kind."""
-    folder = tmp_path_factory.mktemp("good")
-    features = [(square(0, 0, 100), "field", 1), (square(10, 10, 20), "building", 2)]
-    write_layer(folder / "annotation.gpkg", features, [("class", "text"), ("zorder", "integer")])
-    write_text(folder / "classes.csv", CLASSES_CSV)
-    write_raster(folder / "labels.tif", LABELS, names=NAMES)
-    write_raster(folder / "photo.png", LABELS[:100, :100], transform=None)
-    write_raster(folder / "color.png", np.zeros((3, 20, 20), np.uint8), transform=None)
-    write_model(folder / "colors.onnx")
-    run_algorithm(BUILD, {"LABELS": str(folder / "labels.tif"), **WINDOWS, "DATABASE": str(folder / "area.gpkg")})
-    return folder
 
 
 @pytest.fixture

@@ -1,7 +1,5 @@
 """A land-cover layer that can’t be rasterized is refused in one sentence with the value."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,23 +1,20 @@
 """Files that are no database, and truncated or edited databases, are refused."""
 
-from __future__ import annotations
-
 import shutil
 
 import pytest
 from bad_input import DESCRIBE, LOCALIZE
 from edited_database import edit
+from qgis.core import QgsProject
+
+from semref.core.errors import DatabaseError
+from semref.processing.layers.database_layers import add_database_to_map
+from semref.processing.messages.sentences import worded
+from semref.storage.database.reader import read_database
 
 
 @pytest.mark.parametrize("path", ["", " "])
 def test_where_no_database_is_named_the_sentence_has_no_hole_in_it(qgis_app, path):
-    from qgis.core import QgsProject
-
-    from semref.core.errors import DatabaseError
-    from semref.processing.layers.database_layers import add_database_to_map
-    from semref.processing.messages.sentences import worded
-    from semref.storage.database.reader import read_database
-
     for reads in (read_database, lambda path: add_database_to_map(path, QgsProject.instance())):
         with pytest.raises(DatabaseError) as caught:
             reads(path)

@@ -1,7 +1,5 @@
 """A bad image is reported in its row, or refused if it is the only one."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Unusable label maps and values are refused by name."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from bad_input import BUILD, LABELS

@@ -1,7 +1,5 @@
 """Bad models, photos that a model can’t read, and missing packages are reported in one sentence."""
 
-from __future__ import annotations
-
 import importlib.util
 import re
 

@@ -1,7 +1,5 @@
 """An output that can’t be written is refused; older outputs do not change."""
 
-from __future__ import annotations
-
 import gc
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """One map and its database."""
 
-from __future__ import annotations
-
 import contextlib
 import sqlite3
 from pathlib import Path

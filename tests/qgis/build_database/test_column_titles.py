@@ -1,7 +1,5 @@
 """Columns of a database have titles: translated in QGIS, and in the file for other programs."""
 
-from __future__ import annotations
-
 import contextlib
 import sqlite3
 
@@ -9,6 +7,7 @@ import pytest
 from osgeo import gdal, ogr
 from qgis.core import QgsProject, QgsVectorLayer
 
+from semref.processing.layers import styles
 from semref.processing.layers.database_layers import add_database_to_map
 
 COLUMNS = {
@@ -30,8 +29,6 @@ def test_a_layer_that_is_dropped_on_the_canvas_shows_titles_of_all_columns(datab
 
 
 def test_on_the_map_titles_are_in_the_user_s_language(database, monkeypatch):
-    from semref.processing.layers import styles
-
     monkeypatch.setattr(styles, "tr", lambda text: f"[{text}]")
     project = QgsProject()
     group = add_database_to_map(database, project)

@@ -1,7 +1,5 @@
 """Landmarks, overview, classes and parameters of a database."""
 
-from __future__ import annotations
-
 import json
 
 import numpy as np
@@ -10,10 +8,11 @@ from built_database import HEIGHT, MINIMUM_AREA, SIZE, STRIDE, WIDTH, map_labels
 from made_inputs import METRIC_CRS, NAMES, NORTH, WEST, spatial_reference
 from osgeo import gdal, ogr, osr
 
+from semref.core.landmarks.landmarks import extract_landmarks
+from semref.storage.database import overview_file
+
 
 def test_the_references_are_the_objects_of_the_whole_map(built, database):
-    from semref.core.landmarks.landmarks import extract_landmarks
-
     objects = extract_landmarks(map_labels(), (1, 2, 3), MINIMUM_AREA)
     source = ogr.Open(database)
     layer = source.GetLayerByName("references")
@@ -52,8 +51,6 @@ def test_the_parameters_show_how_it_was_built(query):
 
 
 def test_an_overview_too_large_for_memory_uses_a_temporary_file(build, label_map, tmp_path, monkeypatch):
-    from semref.storage.database import overview_file
-
     monkeypatch.setattr(overview_file, "HELD_PIXELS", 0)
     caches, before = [], gdal.GetCacheMax()
     put = overview_file.OverviewFile.put

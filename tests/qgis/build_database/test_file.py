@@ -1,7 +1,5 @@
 """The database in other programs and on a canvas."""
 
-from __future__ import annotations
-
 import contextlib
 import sqlite3
 import sys

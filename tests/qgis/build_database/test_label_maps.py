@@ -1,13 +1,12 @@
 """Label maps of other programs give the same database, and unusual ones get a note."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from built_database import BUILD, LONGITUDE, MINIMUM_AREA, SIZE, STRIDE, content, map_labels, most_frequent
 from made_inputs import CLASSES_CSV, NAMES, write_raster
 from osgeo import gdal
 from qgis.core import QgsPalettedRasterRenderer, QgsRasterLayer
+from qgis.PyQt.QtGui import QColor
 
 
 @pytest.mark.slow
@@ -40,8 +39,6 @@ def test_classes_of_a_map_without_names_are_named_by_their_values(build, tmp_pat
 
 
 def test_classes_come_from_a_paletted_style(build, tmp_path):
-    from qgis.PyQt.QtGui import QColor
-
     layer = QgsRasterLayer(str(write_raster(tmp_path / "labels.tif", map_labels())), "labels")
     classes = [
         QgsPalettedRasterRenderer.Class(value, QColor(color), label)

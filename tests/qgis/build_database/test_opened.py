@@ -1,7 +1,5 @@
 """A new database is opened by QGIS's own loading of outputs, and only if requested."""
 
-from __future__ import annotations
-
 import shutil
 
 import pytest
@@ -16,6 +14,8 @@ from qgis.core import (
     QgsProject,
     QgsRasterLayer,
 )
+
+from semref.processing.layers.database_layers import OPENED
 
 
 @pytest.fixture
@@ -61,8 +61,6 @@ def groups(project) -> list:
 
 
 def test_a_database_is_opened_as_a_styled_group(run_as_dialog, project, label_map, tmp_path):
-    from semref.processing.layers.database_layers import OPENED
-
     told = []
     OPENED.database.connect(told.append)
     run_as_dialog(BUILD, build_parameters(label_map, tmp_path / "area.gpkg", OPEN_OUTPUT=True))

@@ -1,7 +1,5 @@
 """Windows of a database and their columns."""
 
-from __future__ import annotations
-
 import pytest
 from built_database import SIZE
 from made_inputs import METRIC_CRS, NORTH, WEST, spatial_reference

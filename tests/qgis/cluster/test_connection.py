@@ -1,7 +1,5 @@
 """Addresses that are no scheduler are refused soon, in one sentence, whatever listens there."""
 
-from __future__ import annotations
-
 import socket
 import threading
 import time

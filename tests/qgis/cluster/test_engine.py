@@ -1,7 +1,5 @@
 """Tasks are submitted ahead, while workers come and go."""
 
-from __future__ import annotations
-
 import pytest
 
 TASKS = 30

@@ -1,7 +1,5 @@
 """Worker processes on this machine accept only the run that started them."""
 
-from __future__ import annotations
-
 import contextlib
 import os
 import socket

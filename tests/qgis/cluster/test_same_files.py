@@ -1,7 +1,5 @@
 """SCHEDULER gives the files of a run in QGIS, even if a worker is killed or runs elsewhere."""
 
-from __future__ import annotations
-
 import json
 import signal
 import subprocess

@@ -1,7 +1,5 @@
 """Serialized values are restored unchanged, and only core's own classes are restored."""
 
-from __future__ import annotations
-
 import json
 import math
 

@@ -1,7 +1,5 @@
 """Run semref:rasterizeannotation."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Class values come from a table, a style or the field itself, in any encoding."""
 
-from __future__ import annotations
-
 from dataclasses import fields
 from pathlib import Path
 
@@ -9,13 +7,22 @@ import numpy as np
 import pytest
 from made_inputs import read_pixels, square, write_layer, write_text
 from osgeo import ogr
+from qgis.core import (
+    QgsApplication,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingOutputLayerDefinition,
+    QgsProcessingUtils,
+    QgsProject,
+    QgsRasterLayer,
+)
+from qgis.PyQt.QtGui import QColor
 from rasterized import category_names, stored_table, styled_layer
+
+from semref.processing.layers import annotation
 
 
 def test_ground_without_a_polygon_is_transparent_in_any_program(rasterize, tmp_path, classes_csv):
-    from qgis.core import QgsRasterLayer
-    from qgis.PyQt.QtGui import QColor
-
     layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "building"), (square(12, 0, 4), "water")])
     made = QgsRasterLayer(rasterize(layer, CLASS_TABLE=classes_csv)["OUTPUT"], "map")
     drawn = made.renderer().block(1, made.extent(), made.width(), made.height())
@@ -24,15 +31,6 @@ def test_ground_without_a_polygon_is_transparent_in_any_program(rasterize, tmp_p
 
 
 def test_the_map_that_qgis_loads_lists_only_its_own_classes(qgis_app, tmp_path, classes_csv):
-    from qgis.core import (
-        QgsApplication,
-        QgsProcessingContext,
-        QgsProcessingFeedback,
-        QgsProcessingOutputLayerDefinition,
-        QgsProcessingUtils,
-        QgsProject,
-    )
-
     layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "building"), (square(12, 0, 4), "water")])
     context, project, feedback = QgsProcessingContext(), QgsProject(), QgsProcessingFeedback(False)
     context.setProject(project)
@@ -161,8 +159,6 @@ def test_ground_around_a_single_class_becomes_other_without_being_asked(rasteriz
 
 
 def test_changes_of_features_are_in_the_users_language(qgis_app, monkeypatch):
-    from semref.processing.layers import annotation
-
     monkeypatch.setattr(annotation, "tr", lambda text: f"«{text}»")
     numbers = {field.name: 2 for field in fields(annotation.AnnotationCounts) if field.type == "int"}
     said = annotation.AnnotationCounts(**numbers).sentences()

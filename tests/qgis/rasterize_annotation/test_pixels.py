@@ -1,11 +1,11 @@
 """Which pixels polygons burn, in which order, and what happens to messy geometry."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from made_inputs import NORTH, WEST, polygon, ring, square, write_layer
 from osgeo import gdal, ogr
+
+from semref.storage import rasterize
 
 
 def random_polygons(seed: int, count: int, size: float):
@@ -36,8 +36,6 @@ def test_valid_polygons_burn_as_gdal_burns_them_on_the_tap_grid(labels, tmp_path
 
 
 def test_a_map_of_several_strips_equals_one_burnt_at_once(labels, tmp_path, monkeypatch):
-    from semref.storage import rasterize
-
     features = [(polygon(corners), n % 5 + 1) for n, corners in enumerate(random_polygons(2, 60, 700))]
     layer = write_layer(tmp_path / "annotation.gpkg", features, [("class", "integer")])
     at_once = labels(layer)

@@ -1,7 +1,5 @@
 """Extent, CRS and file format of the label map."""
 
-from __future__ import annotations
-
 import pytest
 from made_inputs import NORTH, WEST, read_pixels, rectangle, square, write_layer
 from osgeo import gdal, ogr

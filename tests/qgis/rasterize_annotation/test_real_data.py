@@ -1,7 +1,5 @@
 """Real land-cover layers become label maps."""
 
-from __future__ import annotations
-
 import re
 
 import pytest

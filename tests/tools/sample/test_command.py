@@ -1,7 +1,5 @@
 """The command that makes the sample area replaces only its own files and repeats no work."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 
