@@ -3,6 +3,7 @@
 import os
 import shutil
 import subprocess
+import sysconfig
 from pathlib import Path
 
 import numpy as np
@@ -88,3 +89,44 @@ def small_disk(tmp_path):
     yield mount
     for folder in mounted:
         subprocess.run(["umount", "-l", str(folder)], check=False)
+
+
+@pytest.fixture(scope="session")
+def start_qgis_process(tmp_path_factory):
+    """`start_qgis_process(install)` has the plugin put into a folder of plugins, and returns a function.
+
+    It takes the arguments of qgis_process, runs it in a new profile and returns its output.
+    """
+    # Debian 12's wrapper qgis_process passes on an option that its own qgis_process.bin does not support.
+    program = shutil.which("qgis_process.bin") or shutil.which("qgis_process")
+    if program is None:
+        pytest.skip("qgis_process is not installed")
+
+    def start(install):
+        home = tmp_path_factory.mktemp("home")
+        plugins = home / ".local" / "share" / "QGIS" / "QGIS3" / "profiles" / "default" / "python" / "plugins"
+        plugins.mkdir(parents=True)
+        install(plugins)
+        environment = {
+            "PATH": os.environ["PATH"],
+            "LANG": "C.UTF-8",
+            "HOME": str(home),
+            "XDG_RUNTIME_DIR": str(tmp_path_factory.mktemp("runtime")),
+            "QT_QPA_PLATFORM": "offscreen",
+            "PYTHONDONTWRITEBYTECODE": "1",
+            # OpenCV of a virtual environment, if there is one: qgis_process runs the system's Python.
+            "PYTHONPATH": sysconfig.get_path("purelib"),
+        }
+
+        def call(*arguments: str) -> str:
+            command, options = [program, *arguments], {"env": environment, "cwd": home, "timeout": 600}
+            done = subprocess.run(command, capture_output=True, text=True, check=False, **options)
+            assert done.returncode == 0, f"{command} exits {done.returncode}:\n{done.stdout}\n{done.stderr}"
+            assert "Traceback" not in done.stderr, done.stderr
+            return done.stdout
+
+        call("plugins", "enable", "processing")
+        call("plugins", "enable", "semref")
+        return call
+
+    return start

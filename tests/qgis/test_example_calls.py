@@ -85,16 +85,3 @@ def test_the_examples_run_one_after_the_other_on_the_sample_area(
             assert key not in results or not is_file or Path(value).stat().st_size > 100, f"{name}: {value}"
         if name == "localizeimages":
             assert results["FIX_COUNT"] == 12
-
-
-@pytest.mark.slow
-def test_the_first_examples_lead_from_polygons_to_photos_on_the_map(
-    calls, run_algorithm, repository, sample, tmp_path, monkeypatch
-):
-    monkeypatch.chdir(tmp_path)
-    shutil.copy(repository / "models" / calls.MODEL, tmp_path)
-    shutil.copytree(sample, tmp_path / "sample")
-    steps = ("classtable", "rasterizeannotation", "builddatabase", "exportonboard", "localizeimages")
-    results = [run_algorithm(f"semref:{name}", calls.EXAMPLES[name]) for name in steps]
-    assert (tmp_path / "onboard.npz").stat().st_size > 1000
-    assert results[-1]["FIX_COUNT"] == 12

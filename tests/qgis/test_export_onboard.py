@@ -142,17 +142,6 @@ def test_an_older_onboard_file_is_replaced_with_a_note(export, feedback):
     assert [entry.name for entry in path.parent.iterdir()] == [path.name]
 
 
-@pytest.mark.parametrize(
-    ("content", "reason"),
-    [(b"measurements", "is another kind of file"), (b"PK\x03\x04 somebody's archive", "is not an onboard file")],
-)
-def test_any_other_file_is_not_replaced(export, tmp_path, content, reason):
-    (tmp_path / "area.npz").write_bytes(content)
-    with pytest.raises(QgsProcessingException, match=reason):
-        export()
-    assert (tmp_path / "area.npz").read_bytes() == content
-
-
 # --- the same answers without QGIS ---
 
 
@@ -223,15 +212,6 @@ def test_photos_have_the_same_fixes_with_and_without_qgis(export, run_algorithm,
     assert (found["x"], found["y"]) == pytest.approx((WEST + 350.3, NORTH - 280.6), abs=1)
 
 
-def test_a_model_of_other_classes_is_refused_without_qgis_too(export, repository, tmp_path):
-    model = str(write_model(tmp_path / "other.onnx", metadata=metadata(class_names=["roof", "lake", "sand"])))
-    file = export()["OUTPUT"]
-    command = [sys.executable, "-m", "core", "localize", "photo.png", "--database", file, "--model", model]
-    done = subprocess.run(command, cwd=repository, capture_output=True, text=True, check=False)
-    assert done.returncode == 3
-    assert "was not trained on the database's class building" in done.stderr
-
-
 # --- label images without GDAL ---
 
 
@@ -262,6 +242,3 @@ def test_paletted_images_are_read_as_gdal_reads_them(database, tmp_path, name):
     table = whole(database).class_table
     np.testing.assert_array_equal(read_label_image(path, table), LABELS)
     np.testing.assert_array_equal(read_with_gdal(path, table), LABELS)
-
-
-# --- invalid GeoPackages ---

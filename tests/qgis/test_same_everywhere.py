@@ -1,12 +1,8 @@
 """Python, a background task, the shipped model and qgis_process give the same label map and database."""
 
 import contextlib
-import os
 import re
-import shutil
 import sqlite3
-import subprocess
-import sysconfig
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -171,37 +167,8 @@ def test_the_shipped_model_gives_the_same_database(qgis_app, repository, setting
 
 
 @pytest.fixture(scope="module")
-def qgis_process(repository, tmp_path_factory):
-    """`qgis_process(algorithm id, parameters)` runs it as a process in a new profile."""
-    # Debian 12's wrapper qgis_process passes on an option that its own qgis_process.bin does not support.
-    program = shutil.which("qgis_process.bin") or shutil.which("qgis_process")
-    if program is None:
-        pytest.skip("qgis_process is not installed")
-    home = tmp_path_factory.mktemp("home")
-    plugins = home / ".local" / "share" / "QGIS" / "QGIS3" / "profiles" / "default" / "python" / "plugins"
-    plugins.mkdir(parents=True)
-    (plugins / "semref").symlink_to(repository)
-    environment = {
-        "PATH": os.environ["PATH"],
-        "LANG": "C.UTF-8",
-        "HOME": str(home),
-        "XDG_RUNTIME_DIR": str(tmp_path_factory.mktemp("runtime")),
-        "QT_QPA_PLATFORM": "offscreen",
-        "PYTHONDONTWRITEBYTECODE": "1",
-        "PYTHONPATH": sysconfig.get_path("purelib"),
-    }
-
-    def call(*arguments: str) -> str:
-        command = [program, *arguments]
-        answer = subprocess.run(
-            command, env=environment, cwd=home, capture_output=True, text=True, timeout=TIMEOUT_S, check=False
-        )
-        assert answer.returncode == 0, f"{command} exits {answer.returncode}:\n{answer.stdout}\n{answer.stderr}"
-        return answer.stdout
-
-    call("plugins", "enable", "processing")
-    call("plugins", "enable", "semref")
-    return call
+def qgis_process(repository, start_qgis_process):
+    return start_qgis_process(lambda plugins: (plugins / "semref").symlink_to(repository))
 
 
 def test_qgis_process_gives_the_same(qgis_process, inputs, settings, expected, tmp_path):

@@ -14,12 +14,10 @@ from made_inputs import NAMES, NORTH, WEST, read_pixels, scattered_objects, squa
 from osgeo import ogr
 from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsVectorLayer
 
-from semref.core.errors import DatabaseError
 from semref.storage.database import editor
 from semref.storage.database.connection import DatabaseChangedError
 from semref.storage.database.editor import DatabaseEditor
 from semref.storage.database.reader import read_database, read_overview
-from semref.storage.database.undo import file_before, replace_keeping, undo_update
 
 BUILD, UPDATE = "semref:builddatabase", "semref:updatedatabase"
 HEIGHT, WIDTH = 1100, 1300
@@ -233,16 +231,6 @@ def test_a_full_disk_is_not_reported_as_a_damaged_database(update, old, rebuilt,
         update()
     assert "written" in str(caught.value) and "damaged" not in str(caught.value)
     assert list(tmp_path.iterdir()) == []
-
-
-def test_an_update_in_place_after_a_kept_one_is_not_undone_with_it(update, old, folder, tmp_path):
-    place = str(shutil.copy(old, tmp_path / "area.gpkg"))
-    replace_keeping(place, update(DATABASE=place))
-    update(DATABASE=place, LABELS=str(folder / "old.tif"), OUTPUT=place)
-    before = [Path(path).read_bytes() for path in (place, file_before(place))]
-    with pytest.raises(DatabaseError, match="can't be undone"):
-        undo_update(place)
-    assert [Path(path).read_bytes() for path in (place, file_before(place))] == before
 
 
 @pytest.mark.parametrize("begin", ["BEGIN IMMEDIATE", pytest.param("BEGIN EXCLUSIVE", marks=pytest.mark.slow)])

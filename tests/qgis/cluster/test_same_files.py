@@ -12,8 +12,9 @@ from built_database import BUILD, content
 from made_inputs import NAMES, NORTH, WEST, read_pixels, scattered_objects, write_layer, write_raster, write_text
 from made_models import painted, write_model
 from osgeo import gdal, ogr
+from qgis.core import QgsVectorLayer
 
-pytestmark = pytest.mark.slow  # tests/qgis/test_scheduler.py has quick tests.
+pytestmark = pytest.mark.slow
 
 pytest.importorskip("distributed", reason="Dask is not here (tools/requirements-dev.txt)")
 psutil = pytest.importorskip("psutil")
@@ -75,6 +76,8 @@ def test_two_workers_of_which_one_is_killed_build_the_same_database(run_algorith
     run_algorithm(BUILD, {**asked, "SCHEDULER": "local:2", "DATABASE": target}, feedback)
     assert killed
     require_same_database(target, built)
+    (line,) = QgsVectorLayer(f"{target}|layername=windows", "windows", "ogr").metadata().history()
+    assert "processing.run" in line and feedback.progress() == 100
 
 
 def test_a_scheduler_and_workers_that_have_nothing_of_semref_build_it_too(run_algorithm, asked, built, tmp_path):
