@@ -1,14 +1,12 @@
 """A project that an earlier version saved opens forever; tests/data/kept never changes."""
 
-import gzip
 import zipfile
 from pathlib import Path
 
 import pytest
 from dock_area import messages, results_of, settle, shown_outline, wait_until
+from edited_database import KEPT, kept_database
 from qgis.core import QgsProject
-
-KEPT = Path(__file__).resolve().parents[1] / "data" / "kept" / "v1"
 
 
 @pytest.fixture
@@ -16,7 +14,7 @@ def kept(tmp_path):
     """The project's folder, moved to another place and perhaps another machine."""
     with zipfile.ZipFile(KEPT / "project.zip") as packed:
         packed.extractall(tmp_path)
-    (tmp_path / "database.gpkg").write_bytes(gzip.decompress((KEPT / "database.gpkg.gz").read_bytes()))
+    kept_database(tmp_path / "database.gpkg")
     return tmp_path
 
 

@@ -1,6 +1,5 @@
 """Cached columns of a large database equal its rows bit for bit, or they are not used."""
 
-import gzip
 import os
 import shutil
 import sqlite3
@@ -9,13 +8,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from edited_database import edit, kept_database
 
 from semref.core.errors import DatabaseError
 from semref.core.localizer.localizer import Localizer
 from semref.storage.database import cached_columns, reader
 from semref.storage.database.reader import read_database, read_stored_database, store_checksums
-
-KEPT = Path(__file__).resolve().parents[1] / "data" / "kept" / "v1"
 
 
 @pytest.fixture(autouse=True)
@@ -26,24 +24,16 @@ def own_cache(monkeypatch, tmp_path):
 
 @pytest.fixture
 def path(tmp_path):
-    folder = tmp_path / "maps"
-    folder.mkdir()
-    path = folder / "area.gpkg"
-    path.write_bytes(gzip.decompress((KEPT / "database.gpkg.gz").read_bytes()))
-    store_checksums(str(path))
-    return str(path)
+    path = kept_database(tmp_path / "maps" / "area.gpkg")
+    store_checksums(path)
+    return path
 
 
 @pytest.fixture
 def times_read(monkeypatch):
     """Return a list that grows each time rows are read."""
     read, times = reader.read_references, []
-
-    def counted(connection):
-        times.append(1)
-        return read(connection)
-
-    monkeypatch.setattr(reader, "read_references", counted)
+    monkeypatch.setattr(reader, "read_references", lambda connection: times.append(1) or read(connection))
     return times
 
 
@@ -55,27 +45,12 @@ def assert_same(found, expected):
     for part in ("windows", "references"):
         of_found, of_expected = getattr(found, part), getattr(expected, part)
         for field in fields(of_expected):
-            if field.name == "bounds_px":
-                # They are read separately when they are needed.
-                continue
-            value, wanted = getattr(of_found, field.name), getattr(of_expected, field.name)
-            if wanted is None:
-                assert value is None, field.name
-                continue
-            assert (value.dtype, value.shape) == (wanted.dtype, wanted.shape), field.name
-            np.testing.assert_array_equal(value, wanted, err_msg=field.name)
+            # Bounds are read separately when they are needed.
+            if field.name != "bounds_px":
+                value, wanted = getattr(of_found, field.name), getattr(of_expected, field.name)
+                assert getattr(value, "dtype", None) == getattr(wanted, "dtype", None), field.name
+                np.testing.assert_array_equal(value, wanted, err_msg=field.name)
     assert found.class_table == expected.class_table and found.parameters == expected.parameters
-
-
-def edit(path, *statements):
-    """Edit it like another program: the checksums do not change."""
-    connection = sqlite3.connect(path)
-    for (name,) in connection.execute("SELECT name FROM sqlite_master WHERE type = 'trigger'").fetchall():
-        connection.execute(f'DROP TRIGGER "{name}"')
-    for statement in statements:
-        connection.execute(statement)
-    connection.commit()
-    connection.close()
 
 
 def test_rows_are_read_once_and_nothing_is_written_beside_the_database(path, times_read):

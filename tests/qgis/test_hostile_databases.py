@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from edited_database import edit
 from made_inputs import NAMES, scattered_objects, write_raster
 from qgis.core import QgsProject
 
@@ -139,11 +140,9 @@ def update(run_algorithm, tmp_path):
         labels = LABELS.copy()
         labels[200:260, 200:260] = 4
         labels[210:240, 210:230] = 1
-        write_raster(tmp_path / "new.tif", labels, names=NAMES)
-        parameters = {"DATABASE": str(database), "LABELS": str(tmp_path / "new.tif")}
-        return run_algorithm("semref:updatedatabase", {**parameters, "OUTPUT": str(tmp_path / "updated.gpkg")})[
-            "OUTPUT"
-        ]
+        new = write_raster(tmp_path / "new.tif", labels, names=NAMES)
+        asked = {"DATABASE": str(database), "LABELS": str(new), "OUTPUT": str(tmp_path / "updated.gpkg")}
+        return run_algorithm("semref:updatedatabase", asked)["OUTPUT"]
 
     return run
 
@@ -238,6 +237,7 @@ BAD_VALUES = [
     "UPDATE parameters SET value = '1e400' WHERE key = 'minimum_area'",
     "UPDATE parameters SET value = replace(hex(zeroblob(5000)), '0', '1') WHERE key = 'map_width_px'",
     "UPDATE parameters SET value = '2000000000' WHERE key = 'references_per_vector'",
+    "UPDATE parameters SET value = '11' WHERE key = 'references_per_vector'",
     "UPDATE parameters SET value = '{}' WHERE key = 'crs'",
     "UPDATE parameters SET key = x'ff'",
 ]
@@ -309,18 +309,9 @@ CHANGED_CELLS = [
 ]
 
 
-def change(path, statement) -> None:
-    """Change a database without its checksums."""
-    with contextlib.closing(sqlite3.connect(path)) as connection, connection:
-        names = connection.execute("SELECT name FROM sqlite_master WHERE type = 'trigger'").fetchall()
-        for (name,) in names:
-            connection.execute(f'DROP TRIGGER "{name}"')
-        assert connection.execute(statement).rowcount
-
-
 @pytest.mark.parametrize("statement", CHANGED_CELLS)
 def test_what_only_the_map_shows_is_under_the_checksums_too(read, database, statement):
-    change(database, statement)
+    edit(database, statement)
     assert "is not what its checksum says" in refusal(read, database)
 
 
@@ -333,11 +324,11 @@ def test_a_database_with_the_checksums_of_the_version_before_opens(qgis_app, rea
         kept = {name: checksum for name, checksum in json.loads(text).items() if name not in LATER}
         connection.execute("UPDATE parameters SET value = ? WHERE key = 'checksums'", (json.dumps(kept),))
     assert len(read(database).references) and stored_style(str(database), "windows")
-    change(database, "UPDATE windows SET name = '1_1' WHERE fid = 3")
+    edit(database, "UPDATE windows SET name = '1_1' WHERE fid = 3")
     assert len(read(database).references)
 
 
 @pytest.mark.parametrize("name", LATER)
 def test_a_checksum_that_is_missing_among_the_others_is_no_way_around_it(read, database, name):
-    change(database, f"UPDATE parameters SET value = replace(value, '{name}', 'other') WHERE key = 'checksums'")
+    edit(database, f"UPDATE parameters SET value = replace(value, '{name}', 'other') WHERE key = 'checksums'")
     refusal(read, database)

@@ -1,18 +1,13 @@
 """Files of earlier versions open in every later version; tests/data/kept is never written again."""
 
-import gzip
-from pathlib import Path
-
 import numpy as np
-from onboard_area import HERE
+from edited_database import KEPT, kept_database
+from onboard_area import CENTER, HERE
 
 from semref.core.localization import Method
 from semref.core.localizer.localizer import Localizer
 from semref.core.onboard.read import read_onboard
 from semref.storage.database.reader import read_database
-
-KEPT = Path(__file__).resolve().parents[1] / "data" / "kept" / "v1"
-CENTER = (600250.0, 5199600.0)
 
 
 def check(database):
@@ -23,9 +18,7 @@ def check(database):
 
 
 def test_a_database_of_format_1_opens_and_localizes(tmp_path):
-    path = tmp_path / "database.gpkg"
-    path.write_bytes(gzip.decompress((KEPT / "database.gpkg.gz").read_bytes()))
-    check(read_database(str(path), with_overview=True))
+    check(read_database(kept_database(tmp_path / "database.gpkg"), with_overview=True))
 
 
 def test_an_onboard_file_of_format_1_opens_and_localizes():

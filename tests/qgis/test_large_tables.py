@@ -1,28 +1,24 @@
 """Large tables are read in batches with the same result."""
 
-import gzip
 import sqlite3
 import struct
 from dataclasses import fields
-from pathlib import Path
 
 import numpy as np
 import pytest
+from edited_database import edit, kept_database
 
 from semref.core.errors import DatabaseError
 from semref.storage.database import rows
 from semref.storage.database.reader import read_database, read_stored_database
 from semref.storage.database.rows import columns_of, points_of
 
-KEPT = Path(__file__).resolve().parents[1] / "data" / "kept" / "v1"
 POINTS = np.array([(600000.25, 5200000.5), (-1.0, 2.0), (0.0, 1e9)])
 
 
 @pytest.fixture
 def path(tmp_path):
-    path = tmp_path / "database.gpkg"
-    path.write_bytes(gzip.decompress((KEPT / "database.gpkg.gz").read_bytes()))
-    return str(path)
+    return kept_database(tmp_path / "database.gpkg")
 
 
 def assert_same(found, expected):
@@ -45,12 +41,7 @@ def test_a_database_read_in_small_batches_is_the_same(path, monkeypatch, batch):
 
 def test_a_landmark_with_an_impossible_class_is_found_in_any_batch(path, monkeypatch):
     """The landmark is in the last row of the last batch."""
-    connection = sqlite3.connect(path)
-    for (name,) in connection.execute("SELECT name FROM sqlite_master WHERE type = 'trigger'").fetchall():
-        connection.execute(f'DROP TRIGGER "{name}"')
-    connection.execute('UPDATE "references" SET class = 900 WHERE fid = (SELECT max(fid) FROM "references")')
-    connection.commit()
-    connection.close()
+    edit(path, 'UPDATE "references" SET class = 900 WHERE fid = (SELECT max(fid) FROM "references")')
     monkeypatch.setattr(rows, "BATCH", 100)
     with pytest.raises(DatabaseError, match="class that is not a reference class"):
         read_database(path)

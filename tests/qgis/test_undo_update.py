@@ -1,7 +1,6 @@
 """Undo reverts exactly one update, and a failed undo loses neither file."""
 
 import contextlib
-import gzip
 import os
 import shutil
 import sqlite3
@@ -9,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from edited_database import edit, kept_database
 from full_disks import files_of_at_most
 
 from semref.core.errors import SemRefError
@@ -16,25 +16,12 @@ from semref.storage.database import undo
 from semref.storage.database.reader import read_database, store_checksums
 from semref.storage.database.undo import can_undo, file_before, replace_keeping, stated_checksums, undo_update
 
-KEPT = Path(__file__).resolve().parents[1] / "data" / "kept" / "v1" / "database.gpkg.gz"
-
 
 @pytest.fixture
 def path(tmp_path):
-    """Return a database in a new folder."""
-    (tmp_path / "maps").mkdir()
-    path = tmp_path / "maps" / "area.gpkg"
-    path.write_bytes(gzip.decompress(KEPT.read_bytes()))
-    store_checksums(str(path))
-    return str(path)
-
-
-def edit(path, statement):
-    with contextlib.closing(sqlite3.connect(path)) as connection, connection:
-        # QGIS's triggers need its functions.
-        for (name,) in connection.execute("SELECT name FROM sqlite_master WHERE type = 'trigger'").fetchall():
-            connection.execute(f'DROP TRIGGER "{name}"')
-        connection.execute(statement)
+    path = kept_database(tmp_path / "maps" / "area.gpkg")
+    store_checksums(path)
+    return path
 
 
 def larger(path, tmp_path, square_meters):
@@ -53,16 +40,18 @@ def content(path):
     return {file.name: file.read_bytes() for file in Path(path).parent.iterdir()}
 
 
-def test_undo_gives_back_what_was_there_before_the_update(path, tmp_path):
+def dump(path):
     with contextlib.closing(sqlite3.connect(path)) as connection:
-        before = list(connection.iterdump())
-    was = areas(path)
+        return list(connection.iterdump())
+
+
+def test_undo_gives_back_what_was_there_before_the_update(path, tmp_path):
+    before, was = dump(path), areas(path)
     replace_keeping(path, larger(path, tmp_path, 5))
     np.testing.assert_allclose(areas(path), was + 5)
     np.testing.assert_array_equal(areas(file_before(path)), was)
     undo_update(path)
-    with contextlib.closing(sqlite3.connect(path)) as connection:
-        assert list(connection.iterdump()) == before
+    assert dump(path) == before
     assert os.listdir(tmp_path / "maps") == ["area.gpkg"] and not can_undo(path)
 
 
@@ -111,21 +100,39 @@ def test_a_copy_is_kept_where_the_old_file_can_t_be(path, tmp_path, monkeypatch,
     np.testing.assert_array_equal(areas(path), was)
 
 
-def test_an_update_that_can_t_be_put_in_place_leaves_the_database_and_no_trace_in_it(path, tmp_path, monkeypatch):
-    updated, was, replace = larger(path, tmp_path, 5), areas(path), os.replace
+@pytest.fixture
+def break_replacing(monkeypatch):
+    """`break_replacing(name)` refuses to replace the file of that name."""
+    replace = os.replace
 
-    def broken(source, target):
-        if str(target).endswith("area_before_update.gpkg"):
-            raise PermissionError(13, "Permission denied")
-        replace(source, target)
+    def broken(name):
+        def run(source, target):
+            if os.path.basename(target) == name:
+                raise PermissionError(13, "Permission denied")
+            replace(source, target)
 
-    monkeypatch.setattr(os, "replace", broken)
+        monkeypatch.setattr(os, "replace", run)
+
+    return broken
+
+
+def test_an_update_that_can_t_be_put_in_place_leaves_the_database_and_no_trace_in_it(path, tmp_path, break_replacing):
+    updated, was = larger(path, tmp_path, 5), areas(path)
+    break_replacing("area_before_update.gpkg")
     with pytest.raises(SemRefError, match="can't be replaced"):
         replace_keeping(path, updated)
     np.testing.assert_array_equal(areas(path), was)
     assert os.listdir(tmp_path / "maps") == ["area.gpkg"]
-    with contextlib.closing(sqlite3.connect(path)) as connection:
-        assert not connection.execute("SELECT * FROM sqlite_master WHERE name = 'semref_undo'").fetchall()
+    assert not any("semref_undo" in line for line in dump(path))
+
+
+def test_an_undo_that_ends_before_the_last_step_leaves_both_files(path, tmp_path, break_replacing):
+    replace_keeping(path, larger(path, tmp_path, 5))
+    before = content(path)
+    break_replacing("area.gpkg")
+    with pytest.raises(SemRefError):
+        undo_update(path)
+    assert content(path) == before
 
 
 def test_a_copy_of_the_user_s_own_under_the_name_of_the_kept_file_is_not_replaced(path, tmp_path):
@@ -194,22 +201,6 @@ def test_a_full_disk_leaves_both_files(path, tmp_path):
     replace_keeping(path, larger(path, tmp_path, 5))
     before = content(path)
     with files_of_at_most(os.path.getsize(path) // 2), pytest.raises(SemRefError, match="can't be written"):
-        undo_update(path)
-    assert content(path) == before
-
-
-def test_an_undo_that_ends_before_the_last_step_leaves_both_files(path, tmp_path, monkeypatch):
-    replace_keeping(path, larger(path, tmp_path, 5))
-    before = content(path)
-    replace = os.replace
-
-    def broken(source, target):
-        if str(target) == path:
-            raise PermissionError(13, "Permission denied")
-        replace(source, target)
-
-    monkeypatch.setattr(os, "replace", broken)
-    with pytest.raises(SemRefError):
         undo_update(path)
     assert content(path) == before
 
