@@ -9,8 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from bad_input import BUILD, LABELS, WINDOWS
+from listening import listening
 from made_inputs import CLASSES_CSV, NAMES, square, write_layer, write_raster, write_text
 from made_models import write_model
+from qgis.core import QgsApplication
 
 
 @pytest.fixture(scope="session")
@@ -89,6 +91,19 @@ def small_disk(tmp_path):
     yield mount
     for folder in mounted:
         subprocess.run(["umount", "-l", str(folder)], check=False)
+
+
+@pytest.fixture
+def host():
+    """Return a web server that records requests; ``name()`` is a new raster on it."""
+    with listening() as server:
+        yield server
+
+
+@pytest.fixture
+def create(qgis_app):
+    # Keep the algorithm: its parameters and outputs are deleted with it.
+    return lambda name: QgsApplication.processingRegistry().createAlgorithmById(f"semref:{name}")
 
 
 @pytest.fixture(scope="session")

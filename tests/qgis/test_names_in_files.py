@@ -5,7 +5,6 @@ import shutil
 from pathlib import Path
 
 import pytest
-from listening import listening
 from made_inputs import NORTH, WEST, scattered_objects, write_layer, write_raster, write_text
 from osgeo import gdal
 from qgis.core import (
@@ -26,12 +25,6 @@ from semref.ui.project_state import SCOPE, read_state
 
 COLUMNS = [("image", "text"), ("status", "text"), ("heading", "real"), ("pixel_size", "real")]
 UNC = [r"\\host\share\a.tif", "//host/share/a.tif", "file://host/share/a.tif", "/vsismb/host/a.tif"]
-
-
-@pytest.fixture
-def host():
-    with listening() as server:
-        yield server
 
 
 @pytest.fixture
