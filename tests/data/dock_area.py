@@ -1,10 +1,18 @@
 """A small database of rectangles, and user actions in the dock, for tests of the dock."""
 
+import contextlib
 import time
 from pathlib import Path
 
 import numpy as np
 import pytest
+from osgeo import gdal, osr
+from qgis.core import QgsApplication, QgsLayerTreeModel, QgsProject, QgsRasterLayer, QgsRectangle
+from qgis.gui import QgsRubberBand, QgsVertexMarker
+from qgis.PyQt.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
+from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent
+
+from semref.ui.findings import status_text
 
 PIXELS = 600
 WINDOW = 200
@@ -30,8 +38,6 @@ def label_map() -> np.ndarray:
 
 
 def write_raster(path: Path, labels: np.ndarray, georeferenced: bool) -> str:
-    from osgeo import gdal, osr
-
     height, width = labels.shape
     raster = gdal.GetDriverByName("GTiff").Create(str(path), width, height, 1, gdal.GDT_Byte)
     if georeferenced:
@@ -66,16 +72,12 @@ class Area:
 
 def settle() -> None:
     """Process queued signals and deleteLater."""
-    from qgis.PyQt.QtCore import QCoreApplication, QEvent
-
     for _ in range(5):
         QCoreApplication.processEvents()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 
 def wait_until(condition, what: str) -> None:
-    from qgis.PyQt.QtCore import QCoreApplication
-
     deadline = time.monotonic() + DEADLINE_S
     while not condition():
         if time.monotonic() > deadline:
@@ -104,8 +106,6 @@ def localize(dock, database: str, images: list[str]) -> None:
 
 def results_of(dock) -> list[tuple[str, str]]:
     """Return image and status of each result."""
-    from semref.ui.findings import status_text
-
     return [(finding.name, status_text(finding)) for finding in dock.content.localize.results.list.findings]
 
 
@@ -113,10 +113,22 @@ def messages(iface) -> list[str]:
     return [item.text() for item in iface.bar.items()]
 
 
+@contextlib.contextmanager
+def logged():
+    """Yield the messages of SemRef that QGIS logs meanwhile."""
+    texts, log = [], QgsApplication.messageLog()
+
+    def note(text, tag, *_level):
+        if tag == "SemRef":
+            texts.append(text)
+
+    log.messageReceived[str, str, "Qgis::MessageLevel"].connect(note)
+    yield texts
+    log.messageReceived[str, str, "Qgis::MessageLevel"].disconnect(note)
+
+
 def shown_outline(iface):
     """Return the extent of the outline in the canvas's CRS, or None."""
-    from qgis.gui import QgsRubberBand
-
     bands = [item for item in iface.canvas.scene().items() if isinstance(item, QgsRubberBand)]
     extents = [band.asGeometry().boundingBox() for band in bands if band.numberOfVertices()]
     # The heading's arrow and the error's circle are inside the outline.
@@ -124,16 +136,12 @@ def shown_outline(iface):
 
 
 def shown_center(iface):
-    from qgis.gui import QgsVertexMarker
-
     markers = [item for item in iface.canvas.scene().items() if isinstance(item, QgsVertexMarker) and item.isVisible()]
     return markers[0].center() if markers else None
 
 
 def cut_extent():
     """Return the place of the window on the map."""
-    from qgis.core import QgsRectangle
-
     left, top = ORIGIN[0] + CUT[0], ORIGIN[1] - CUT[1]
     return QgsRectangle(left, top - WINDOW, left + WINDOW, top)
 
@@ -144,16 +152,12 @@ def corners(extent):
 
 def rubber_bands(iface, geometry_type: str) -> list:
     """Return the geometries of rubber bands, 'Polygon' or 'Line'."""
-    from qgis.gui import QgsRubberBand
-
     bands = [item for item in iface.canvas.scene().items() if isinstance(item, QgsRubberBand)]
     found = [band.asGeometry() for band in bands if band.numberOfVertices()]
     return [geometry for geometry in found if geometry_type in type(geometry.constGet()).__name__]
 
 
 def add_raster_layer(path: str, name: str):
-    from qgis.core import QgsProject, QgsRasterLayer
-
     layer = QgsRasterLayer(path, name, "gdal")
     QgsProject.instance().addMapLayer(layer)
     return layer
@@ -161,9 +165,6 @@ def add_raster_layer(path: str, name: str):
 
 def dropped(widget, data) -> bool:
     """Drag `data` over a widget and drop it; return whether it was accepted."""
-    from qgis.PyQt.QtCore import QPoint, QPointF, Qt
-    from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent
-
     how = Qt.DropAction.CopyAction, data, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
     entering = QDragEnterEvent(QPoint(5, 5), *how)
     widget.dragEnterEvent(entering)
@@ -173,8 +174,6 @@ def dropped(widget, data) -> bool:
 
 
 def from_the_layer_tree(*layers):
-    from qgis.core import QgsLayerTreeModel, QgsProject
-
     root = QgsProject.instance().layerTreeRoot()
     model = QgsLayerTreeModel(root)
     return model.mimeData([model.node2index(root.findLayer(layer.id())) for layer in layers])

@@ -5,6 +5,25 @@ import sys
 import time
 
 import pytest
+from dock_area import CRS, ORIGIN, TOPOLOGY_VECTOR, Area, choose_method, settle
+from qgis.core import (
+    QgsApplication,
+    QgsCoordinateReferenceSystem,
+    QgsFeature,
+    QgsGeometry,
+    QgsProject,
+    QgsRectangle,
+    QgsSettings,
+    QgsVectorLayer,
+)
+from qgis.gui import QgsBrowserGuiModel
+from qgis.PyQt.QtGui import QClipboard
+from qgis.PyQt.QtWidgets import QApplication
+
+from semref.plugin import SemRefPlugin
+from semref.processing.algorithms import localize_images
+from semref.storage import rasters
+from semref.ui.running import algorithm_run
 
 
 @pytest.fixture(scope="session")
@@ -29,9 +48,6 @@ def clipboard_left_empty():
     their owner is busy, as pytest is while it waits for a QGIS that it started.
     """
     yield
-    from qgis.PyQt.QtGui import QClipboard
-    from qgis.PyQt.QtWidgets import QApplication
-
     if QApplication.instance() is not None:
         for mode in (QClipboard.Mode.Clipboard, QClipboard.Mode.Selection):
             QApplication.clipboard().clear(mode)
@@ -49,7 +65,6 @@ def filled_at_once(qgis_app, monkeypatch):
 @pytest.fixture
 def iface(qgis_app, filled_at_once):
     """Stand-in of QGIS's interface that records what the plugin adds, so that a test sees what remains."""
-    # Imported here: without a display these tests skip instead of failing.
     from stand_in_interface import InterfaceStandIn
 
     stand_in = InterfaceStandIn()
@@ -61,18 +76,11 @@ def iface(qgis_app, filled_at_once):
 
 @pytest.fixture(scope="session")
 def area(run_algorithm, tmp_path_factory):
-    from dock_area import Area
-
     return Area(tmp_path_factory.mktemp("area"), run_algorithm)
 
 
 @pytest.fixture
 def plugin(area, iface, without_provider):
-    from dock_area import CRS, settle
-    from qgis.core import QgsCoordinateReferenceSystem, QgsProject, QgsSettings
-
-    from semref.plugin import SemRefPlugin
-
     QgsSettings().remove("semref")
     iface.canvas.setDestinationCrs(QgsCoordinateReferenceSystem(CRS))
     loaded = SemRefPlugin(iface)
@@ -85,8 +93,6 @@ def plugin(area, iface, without_provider):
 
 @pytest.fixture
 def dock(plugin, iface):
-    from dock_area import TOPOLOGY_VECTOR, choose_method
-
     iface.tool_bar_actions[0].trigger()
     dock = iface.docks[0]
     # The published method names the window, so the truth is exact.
@@ -97,9 +103,6 @@ def dock(plugin, iface):
 @pytest.fixture
 def slow(monkeypatch, area):
     """Make a run as long as a thousand images; a cancel takes effect between two images."""
-    from semref.processing.algorithms import localize_images
-    from semref.storage import rasters
-
     localize = localize_images.localize_image
 
     def localize_slowly(*arguments):
@@ -129,10 +132,6 @@ class LosingManager:
 @pytest.fixture
 def first_task_lost(qgis_app, monkeypatch):
     """Make QGIS never start its first task; a list with the lost task."""
-    from qgis.core import QgsApplication
-
-    from semref.ui.running import algorithm_run
-
     manager = LosingManager(QgsApplication.taskManager())
     monkeypatch.setattr(QgsApplication, "taskManager", lambda: manager)
     monkeypatch.setattr(algorithm_run, "BEGINS_WITHIN_MS", 50)
@@ -142,9 +141,6 @@ def first_task_lost(qgis_app, monkeypatch):
 @pytest.fixture
 def issues(qgis_app, dock):
     """A layer of three issues in a row, 100 m apart, as “Check land-cover layer” creates it."""
-    from dock_area import CRS, ORIGIN
-    from qgis.core import QgsFeature, QgsGeometry, QgsProject, QgsRectangle, QgsVectorLayer
-
     fields = "field=kind:string&field=severity:string&field=message:string&field=area:double"
     layer = QgsVectorLayer(f"Polygon?crs={CRS}&{fields}", "issues", "memory")
     for number, kind in enumerate(("overlap", "gap", "sliver")):
@@ -169,9 +165,7 @@ def tab(dock):
 def open_dialog(plugin, iface, monkeypatch):
     """`open_dialog(id, parameters)` opens and returns QGIS's dialog of one of SemRef's algorithms."""
     import processing
-    from dock_area import settle
     from processing.gui import AlgorithmDialog
-    from qgis.gui import QgsBrowserGuiModel
 
     assert AlgorithmDialog
     browser = QgsBrowserGuiModel()

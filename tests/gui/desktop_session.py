@@ -1,9 +1,7 @@
-"""Runs inside desktop QGIS (--code): loads and unloads the plugin, and writes what it saw as JSON."""
+"""Runs inside desktop QGIS (--code): loads and unloads the plugin, and returns what it saw."""
 
-import json
 import os
 import time
-import traceback
 from collections import Counter
 
 import qgis.utils
@@ -16,23 +14,17 @@ from qgis.core import (
     QgsProject,
     QgsVectorLayer,
 )
-from qgis.PyQt.QtCore import QCoreApplication, QEvent, QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
+from qgis.PyQt.QtCore import QCoreApplication, QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
 from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent
 from qgis.PyQt.QtWidgets import QApplication, QDockWidget, QToolBar
+from walking import settle, start
 
 ROUNDS = 5
 DROP_S = 3
 PLUGIN = "semref"
 BOW_TIE = "POLYGON((0 0, 20 20, 20 0, 0 20, 0 0))"
+logged = []
 SQUARE = "POLYGON((100 0, 120 0, 120 20, 100 20, 100 0))"
-messages = []
-
-
-def settle() -> None:
-    """Let deleteLater and queued signals happen."""
-    for _ in range(5):
-        QCoreApplication.processEvents()
-        QCoreApplication.sendPostedEvents(None, int(QEvent.Type.DeferredDelete))
 
 
 def window_parts() -> Counter:
@@ -124,6 +116,9 @@ def dropped(path: str) -> dict:
 
 
 def session() -> dict:
+    QgsApplication.messageLog().messageReceived[str, str, "Qgis::MessageLevel"].connect(
+        lambda text, tag, level: logged.append(text)
+    )
     qgis.utils.updateAvailablePlugins()
     rounds = [one_round() for _ in range(ROUNDS)]
     # The plugin stays loaded while QGIS quits, as it does for a user.
@@ -131,28 +126,7 @@ def session() -> dict:
     settle()
     database, other = os.environ["SEMREF_DATABASE"], os.environ["SEMREF_OTHER"]
     drops = {"database": dropped(database), "other": dropped(other)}
-    return {"rounds": rounds, "stays": stays, "check": check_annotation(), "drops": drops}
+    return {"logged": logged, "rounds": rounds, "stays": stays, "check": check_annotation(), "drops": drops}
 
 
-def run() -> None:
-    try:
-        result = session()
-    except Exception:
-        result = {"error": traceback.format_exc()}
-    result["messages"] = messages
-    with open(os.environ["SEMREF_DESKTOP_RESULT"], "w", encoding="utf-8") as file:
-        json.dump(result, file, indent=1)
-    qgis.utils.iface.actionExit().trigger()
-
-
-def note_exception(kind, value, trace, text, *arguments, **options) -> None:
-    """In place of QGIS's dialog, which would wait for a click."""
-    messages.append({"text": "".join(traceback.format_exception(kind, value, trace)), "tag": text or "", "level": 2})
-
-
-qgis.utils.showException = note_exception
-QgsApplication.messageLog().messageReceived[str, str, "Qgis::MessageLevel"].connect(
-    lambda text, tag, level: messages.append({"text": text, "tag": tag, "level": int(level)})
-)
-# The window is complete only when its event loop runs.
-QTimer.singleShot(2000, run)
+start(session)

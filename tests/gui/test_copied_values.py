@@ -6,7 +6,7 @@ import shlex
 
 import pytest
 from dock_area import label_map, write_raster
-from qgis.core import Qgis, QgsProcessingFeedback, QgsProject, QgsVectorLayer
+from qgis.core import Qgis, QgsProcessingFeedback
 from qgis.PyQt.QtWidgets import QApplication, QMenu
 
 WAYS = {"python": "Copy as Python Command", "json": "Copy as JSON", "terminal": "Copy as qgis_process Command"}
@@ -46,27 +46,21 @@ def as_a_word(value) -> str:
 @pytest.fixture
 def given(area, tmp_path):
     """`given[id]`: values of a dialog with SemRef's own widgets, all of them files that exist."""
-    (tmp_path / "own.onnx").write_bytes(b"a model")
-    (tmp_path / "classes.csv").write_text("value,name,color,role\n1,building,#ff0000,reference\n")
+    model, table = tmp_path / "own.onnx", tmp_path / "classes.csv"
+    model.write_bytes(b"a model")
+    table.write_text("value,name,color,role\n1,building,#ff0000,reference\n")
     labels = write_raster(tmp_path / "labels.tif", label_map(), True)
+    outputs = {name: str(tmp_path / name) for name in ("positions.gpkg", "built.gpkg", "decoded.tif")}
+    images = {"DATABASE": area.database, "IMAGES": [labels], "MODEL": str(model)}
+    built = {"LABELS": labels, "WINDOW_SIZE": 200.0, "OPEN_OUTPUT": False}
     return {
-        "localizeimages": {
-            "DATABASE": area.database,
-            "IMAGES": [labels],
-            "MODEL": str(tmp_path / "own.onnx"),
-            "OUTPUT": str(tmp_path / "positions.gpkg"),
-        },
-        "builddatabase": {
-            "LABELS": labels,
-            "WINDOW_SIZE": 200.0,
-            "OPEN_OUTPUT": False,
-            "DATABASE": str(tmp_path / "built.gpkg"),
-        },
+        "localizeimages": {**images, "OUTPUT": outputs["positions.gpkg"]},
+        "builddatabase": {**built, "DATABASE": outputs["built.gpkg"]},
         "decodecolorlabels": {
             "INPUT": labels,
-            "CLASS_TABLE": str(tmp_path / "classes.csv"),
+            "CLASS_TABLE": str(table),
             "METHOD": 1,
-            "OUTPUT": str(tmp_path / "decoded.tif"),
+            "OUTPUT": outputs["decoded.tif"],
         },
     }
 
@@ -88,23 +82,9 @@ def test_a_dialog_that_is_opened_again_from_the_history_has_the_same_values(open
     assert copied(open_dialog(name, first["python"])) == first
 
 
-def test_the_docks_database_is_copied_where_nobody_chose_another(open_dialog, dock, area):
-    dock.content.database.file.setFilePath(area.database)
-    assert copied(open_dialog("assessdatabase", {}))["python"]["DATABASE"] == area.database
-
-
 def test_an_empty_optional_file_is_copied_as_nothing(open_dialog, given):
     left_out = {key: value for key, value in given["localizeimages"].items() if key != "MODEL"}
     found = copied(open_dialog("localizeimages", left_out))
     assert found["python"].get("MODEL") in ("", None)
     if "json" in found:
         assert found["json"].get("MODEL") in ("", None)
-
-
-def test_a_class_field_is_copied_with_its_layer(open_dialog, plugin):
-    layer = QgsVectorLayer("Polygon?crs=epsg:2056&field=name:string&field=class:string", "cover", "memory")
-    QgsProject.instance().addMapLayer(layer)
-    found = copied(open_dialog("rasterizeannotation", {"INPUT": layer.id()}))
-    assert found["python"]["CLASS_FIELD"] == "class"
-    given_again = copied(open_dialog("rasterizeannotation", {**found["python"], "CLASS_FIELD": "name"}))
-    assert given_again["python"]["CLASS_FIELD"] == "name"

@@ -12,6 +12,7 @@ from dock_area import (
     dropped,
     from_the_layer_tree,
     localize,
+    logged,
     messages,
     results_of,
     settle,
@@ -49,20 +50,12 @@ def test_a_bug_gives_one_sentence_and_is_logged_whole(dock, iface, area, monkeyp
     def break_down(*_arguments):
         raise ZeroDivisionError("a made mistake")
 
-    logged = []
     monkeypatch.setattr(localize_images, "localize_image", break_down)
-    log = QgsApplication.messageLog()
-
-    def note(*entry):
-        logged.append(entry)
-
-    log.messageReceived[str, str, "Qgis::MessageLevel"].connect(note)
-    localize(dock, area.database, [area.image])
-    log.messageReceived[str, str, "Qgis::MessageLevel"].disconnect(note)
-    (report,) = [text for text, tag, *_level in logged if tag == "SemRef"]
+    with logged() as reports:
+        localize(dock, area.database, [area.image])
+    (report,) = reports
     assert "break_down" in report and "a made mistake" in report
-    assert len(messages(iface)) == 1
-    assert "Traceback" not in messages(iface)[0]
+    assert len(messages(iface)) == 1 and "Traceback" not in messages(iface)[0]
 
 
 @pytest.mark.slow

@@ -1,6 +1,5 @@
 """The tab Localize in a real window, with a small database that the algorithms build."""
 
-from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -19,6 +18,7 @@ from dock_area import (
     cut_extent,
     label_map,
     localize,
+    logged,
     messages,
     results_of,
     rubber_bands,
@@ -28,14 +28,7 @@ from dock_area import (
     wait_until,
     write_raster,
 )
-from qgis.core import (
-    QgsApplication,
-    QgsCoordinateReferenceSystem,
-    QgsCoordinateTransform,
-    QgsGeometry,
-    QgsPointXY,
-    QgsProject,
-)
+from qgis.core import QgsApplication, QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsPointXY, QgsProject
 from qgis.gui import QgsRubberBand
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtTest import QTest
@@ -59,17 +52,6 @@ def test_an_empty_dock_shows_what_to_do(dock, area, tab):
     tab.images.list.add([area.image])
     assert tab.state.text() == "Ready to localize."
     assert tab.localize_button.isEnabled()
-
-
-def test_photos_without_a_model_are_not_ready(dock, area, tab, tmp_path):
-    photo = tmp_path / "DJI_0018.JPG"
-    photo.write_bytes(b"")
-    dock.content.database.file.setFilePath(area.database)
-    tab.images.list.add([str(photo)])
-    tab.images.model.setFilePath("")
-    assert tab.state.text_shown == "These are photos: choose a model. Otherwise SemRef reads colors as classes."
-    tab.images.model.setFilePath(str(tmp_path / "model.onnx"))
-    assert tab.state.text_shown == "Ready to localize."
 
 
 def test_an_image_cut_from_a_window_is_found_there(dock, area, tab):
@@ -305,36 +287,10 @@ def test_a_key_goes_from_image_to_image(dock, iface, area, tab):
     assert tab.results.list.selected().name == "on_window.tif"
 
 
-@pytest.mark.slow
-def test_a_leveled_image_is_laid_on_the_map_as_the_trapezoid_it_shows(dock, area, tab):
-    localize(dock, area.database, [area.image])
-    left, bottom, right, top = corners(cut_extent())
-    trapezoid = [(left, top), (right, top), (right - 40, bottom), (left + 40, bottom)]
-    outline = QgsGeometry.fromPolygonXY([[QgsPointXY(*corner) for corner in trapezoid]])
-    finding = tab.results.list.selected()
-    tab.hit.drape(replace(finding, method="constellation", heading=0.0, pixel_size=1.0, outline=outline))
-    wait_until(QgsProject.instance().mapLayers, "the layer")
-    (layer,) = QgsProject.instance().mapLayers().values()
-    known = {True: 0, False: 0}
-    for x, y in ((left + 20, bottom + 5), (right - 20, bottom + 5), (left + 45, bottom + 5), (left + 2, top - 2)):
-        value, valid = layer.dataProvider().sample(QgsPointXY(x, y), 1)
-        inside = outline.contains(QgsPointXY(x, y))
-        known[inside] += 1
-        assert inside or not valid or value == 0
-    assert known == {True: 2, False: 2}
-
-
 def test_messages_of_a_run_are_in_the_log_panel_and_a_hidden_dock_reports_the_result(dock, iface, area, tab):
-    logged = []
-    log = QgsApplication.messageLog()
-
-    def note(*entry):
-        logged.append(entry)
-
-    log.messageReceived[str, str, "Qgis::MessageLevel"].connect(note)
-    start(dock, area.database, [area.image])
-    dock.close()
-    wait_until(lambda: not tab.run.running, "the end of the run")
-    log.messageReceived[str, str, "Qgis::MessageLevel"].disconnect(note)
-    assert any("on_window.tif: 400250.0" in text for text, tag, *_ in logged if tag == "SemRef")
+    with logged() as texts:
+        start(dock, area.database, [area.image])
+        dock.close()
+        wait_until(lambda: not tab.run.running, "the end of the run")
+    assert any("on_window.tif: 400250.0" in text for text in texts)
     assert messages(iface) == ["1 of 1 images have a position."]

@@ -57,16 +57,6 @@ def test_of_several_layers_the_one_with_classes_is_taken(add, project):
     assert annotation_at_hand(project) == {"INPUT": layer.id(), "CLASS_FIELD": "class"}
 
 
-def test_the_only_text_field_is_the_class_field_and_number_fields_are_not(add, project):
-    layer = add("cover", [("number", "integer"), ("kind", "text")])
-    assert annotation_at_hand(project) == {"INPUT": layer.id(), "CLASS_FIELD": "kind"}
-
-
-def test_buildings_without_a_class_field_are_all_of_one_class(add, project):
-    layer = add("buildings", [("osm_id", "integer"), ("building", "text")])
-    assert annotation_at_hand(project) == {"INPUT": layer.id(), "CLASS": "building"}
-
-
 @pytest.fixture
 def models(tmp_path, qgis_app):
     """`models(name, **metadata)` puts a model that SemRef trained into the folder of models; gives its path."""

@@ -8,7 +8,6 @@ from dock_area import AUTOMATIC, CONSTELLATION, choose_method, localize, results
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QLocale, Qt
 from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import QScrollArea
 
 from semref.ui.tabs.localize.results_list import _ICON_AND_MARGINS_PX, fit_name
 
@@ -117,13 +116,6 @@ def test_the_image_gets_the_most_room_and_what_was_chosen_is_folded_away(dock, i
     assert not found.images.isCollapsed() and found.images.title() == "Images" and found.method.isVisibleTo(dock)
     dock.content.database.file.setFilePath("")
     assert not dock.content.database.isCollapsed() and dock.content.database.title() == "Reference database"
-
-
-def test_nothing_of_the_dock_is_cut_off_where_it_is_as_narrow_as_it_gets(dock, iface, found):
-    as_wide_as(dock, iface, 100)
-    for area in dock.content.tabs.findChildren(QScrollArea):
-        if area.isVisible():
-            assert area.horizontalScrollBar().maximum() == 0
 
 
 def test_the_details_have_one_decimal_sign(found):
