@@ -62,7 +62,6 @@ def load_or_build(kind: str, key: str, build: Callable[[], Arrays]) -> Arrays:
     Args:
         kind: Kind of the arrays: the first part of the file name.
         key: ``digest`` of everything that the arrays are built from, and of the version of the code that builds them.
-        build: Builds the arrays.
     """
     name = f"{kind}-{key}{_SUFFIX}"
     secret = user_secret()

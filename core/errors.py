@@ -12,9 +12,6 @@ class SemRefError(Exception):
 
     >>> str(LabelMapError("{path} has no pixels.", path="a.tif"))
     'a.tif has no pixels.'
-
-    Attributes:
-        sentence: The message.
     """
 
     def __init__(self, message: str | Sentence, /, **values: object) -> None:

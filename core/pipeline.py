@@ -40,8 +40,6 @@ class ImageResult:
         labels_hw: (H, W) uint8 labels of the image as taken.
         seen: Labels and their properties after leveling.
         leveling: How the image was leveled; None for an image used as taken.
-        prior: Prior of the leveled image.
-        level: Localization of the leveled image.
     """
 
     labels_hw: np.ndarray

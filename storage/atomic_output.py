@@ -34,7 +34,6 @@ class _Staged:
     """An output that is not renamed yet.
 
     Attributes:
-        final: Target path.
         workplace: Private folder beside the target for writing.
         require_free: Function that raises ParameterError if the target may not be replaced.
         is_folder: Whether the output is a folder.

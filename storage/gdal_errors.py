@@ -36,9 +36,6 @@ def read_by_gdal(
     Args:
         kind: Class of the error to raise.
         path: File name for the error.
-        read: The method.
-        arguments: Arguments of ``read``.
-        keywords: Keyword arguments of ``read``.
 
     Raises:
         kind: GDAL raises an error or returns None.

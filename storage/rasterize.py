@@ -29,7 +29,6 @@ class BurnPolygon:
 
     Attributes:
         wkb: Outline in the target CRS.
-        value: Class value.
         priority: Polygons of higher priority cover others.
         bounds: (x_min, y_min, x_max, y_max) in the target CRS.
     """

@@ -51,7 +51,6 @@ def prepare_image(image: RasterFile, wanted: WantedGround, folder: Path) -> Rast
     Args:
         image: The image; without a georeference it is returned unchanged.
         wanted: CRS, pixel size and bounds.
-        folder: Folder for the VRT.
 
     Raises:
         LabelMapError: The image can't be read, or has no pixel within the bounds.

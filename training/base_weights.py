@@ -34,7 +34,6 @@ class Base:
     Attributes:
         network: The network with its weights and its old classes.
         architecture: Encoder and depth.
-        class_names: Names of its channels.
         mean: (3,) mean for standardizing photos.
         deviation: (3,) standard deviation for standardizing photos.
         is_merged: Whether its normalizations must be restored.

@@ -66,7 +66,6 @@ class Job:
         overlap: Percent of a tile, for the metadata.
         workers: Number of processes that read tiles.
         threads: CPU threads of torch; 0 for its default.
-        seed: Random seed.
         resume: Whether to continue a run in the folder.
         ground: Metadata of the training ground: sources, CRS, extent.
         complete: By folder of tiles, names of the classes that were drawn completely. Value 0 then excludes these

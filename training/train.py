@@ -54,9 +54,6 @@ class TileData:
     """The tiles of a training.
 
     Attributes:
-        classes: Classes by channel.
-        training: Reader of the training tiles.
-        validation: Reader of the validation tiles.
         pixels: (L,) pixels of each label.
         allowed: (L, K) bool of the classes that each label allows (partial.py).
         tile_size: Edge in pixels.

@@ -35,7 +35,6 @@ class DockState:
         model: Path of the model for photos.
         method: METHOD of semref:localizeimages.
         images: Files and folders.
-        results: GeoPackage of the results.
         prior: Search circle; None for the whole database.
         is_flight: Whether the images are one flight.
     """

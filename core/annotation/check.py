@@ -41,7 +41,6 @@ class DrawnRegion:
         wkb: WKB of its polygon, coordinates in meters.
         bounds: (left, bottom, right, top), meters.
         feature_id: Id of the feature that covers most of it.
-        area: m².
     """
 
     wkb: bytes

@@ -53,7 +53,6 @@ def merge_gaps_and_slivers(
     Args:
         partition: F faces.
         face_classes: (F,) visible class values.
-        settings: Limits of gaps and slivers.
 
     Returns:
         (F,) class values afterwards, and the merges in their order.
@@ -84,7 +83,6 @@ def merge_finding(
     """Return a gap or sliver as a finding, with the feature that is visible on most of it.
 
     Args:
-        polygons: N polygons.
         partition: Their F faces.
         top: (F,) int64 visible polygon on each face, or −1.
 

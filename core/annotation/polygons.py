@@ -26,7 +26,6 @@ class AnnotatedFeature:
     """A feature of a land-cover layer.
 
     Attributes:
-        feature_id: Id in the layer.
         wkb: WKB of a (multi)polygon, coordinates in meters; None for a feature without one.
         class_value: NOTHING for a feature without a usable class.
         priority: Higher ones are on top.

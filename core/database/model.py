@@ -110,8 +110,6 @@ class ReferenceDatabase:
     """Windows, landmarks, class table and build parameters of one area.
 
     Attributes:
-        references: The landmarks of the whole map.
-        parameters: Parameters of the build.
         source: The file it was read from; None without one.
         overview: (h, w) uint8, the reduced label map, which map correlation searches; None if not read.
     """

@@ -42,8 +42,6 @@ class BuildParameters:
         references_per_vector: Largest number of landmarks in a vector.
         minimum_area: Of a landmark, m².
         overview_factor: Edge of an overview pixel, pixels of the label map.
-        map_hash: Hash of the label map.
-        class_table_hash: Hash of the class table.
         plugin_version: Version of the plugin that built or updated it last.
         block_hashes: One for each block of the label map (``map_hash``), row by row; empty on board and in databases
             of versions that did not store them.

@@ -96,7 +96,6 @@ class RoadSummary:
     """Stated accuracy of the fixes of one method against the ground truth. None if unknown.
 
     Attributes:
-        road: Method of the fixes.
         right: Fixes at the right place, of all fixes.
         told: Mean confidence.
         calibration_error: Mean difference of confidence and rate of right fixes, over bins.

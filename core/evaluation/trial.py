@@ -58,7 +58,6 @@ class Trial:
     """Result of a query with one method. Errors are None if the method gives nothing to compare.
 
     Attributes:
-        method: Requested method.
         is_right: Whether it is a fix at the right place.
         error: Distance of the position from the true one, m; also of a likely position.
         heading_error_deg: Smaller angle between both headings.

@@ -269,7 +269,6 @@ def class_table_from_csv(text: str, source: str = "the class table") -> ClassTab
     ``color`` and ``role`` are optional: the defaults are a chosen color and ``background``.
 
     Args:
-        text: The CSV text, with its header.
         source: The file, for messages.
 
     Raises:

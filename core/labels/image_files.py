@@ -168,7 +168,6 @@ def require_kind_of_name(path: str, start: bytes, kind: type[SemRefError]) -> No
     Args:
         path: The file; suffixes other than those of PNG, TIFF and JPEG are not checked.
         start: Its first bytes, 8 or more.
-        kind: The error to raise.
     """
     suffix = os.path.splitext(path)[1].lower()
     named = next((name for name, (_, suffixes) in _KINDS.items() if suffix in suffixes), None)
@@ -277,7 +276,6 @@ def require_size(shape_hw: tuple[int, int], file_bytes: int | None, path: str, k
     Args:
         shape_hw: (height, width) stated in the file.
         file_bytes: Size of the file; None for formats with unlimited compression.
-        kind: The error to raise.
     """
     height, width = shape_hw
     if height * width > limits.IMAGE_PIXELS:

@@ -52,7 +52,6 @@ class Photo:
     """A photo from a file.
 
     Attributes:
-        image: Its pixels.
         pixel_size_m: Ground meters along a row and along a column of a pixel; None if the file does not state them.
     """
 

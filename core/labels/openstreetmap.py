@@ -104,7 +104,6 @@ def rules_from_csv(text: str, source: str) -> Rules:
     """Read ``key,value,class,priority`` and an optional ``width``, separated by ``,``, ``;`` or tab.
 
     Args:
-        text: The CSV text, with its header.
         source: The file, for messages.
 
     Raises:

@@ -45,7 +45,6 @@ class FlightFinder(ImageFinder):
     Attributes:
         state: File that stores the flight; None without one.
         writer: One thread that writes it, while the next image is localized.
-        settings: Of the flight.
         odometry: Table of the motion from image to image; None without one.
         tracker: Follows the flight; begins with the first image.
         features: Of the latest image, to link the next one.

@@ -59,7 +59,6 @@ class ImageFinder:
 
     Attributes:
         pipeline: With the onboard database and the method.
-        cameras: Cameras of the images.
     """
 
     onboard: OnboardDatabase

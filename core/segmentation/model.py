@@ -33,7 +33,6 @@ class SegmentationModel(OnnxNetwork):
         """Open the network.
 
         Args:
-            threads: For the CPU.
             class_table: The user's, see ``read_classes``.
             device: One of ``devices.KEYS``.
 

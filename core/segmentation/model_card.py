@@ -45,15 +45,12 @@ class ModelCard:
 
     Attributes:
         fault: Why the model can't be used.
-        classes: Of its outputs.
         resolution_m: Meters per pixel of its training images.
-        date: Date of training.
         validation_iou: On held-out parts of the training ground.
         confusion: Share of each class (row) that is predicted as each.
         good_for: One sentence.
         not_for: One sentence.
         license: One sentence.
-        minutes: Of training.
         can_be_base: The architecture is stated, so that “Train model” can continue from it.
     """
 

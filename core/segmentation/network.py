@@ -37,7 +37,6 @@ class OnnxNetwork:
         tile_hw: (height, width) of the images it accepts.
         tiles_at_once: Best number of images for one call.
         runs_at_once: Number of threads that may call ``run`` at a time with gain.
-        device: The device that runs it.
         fallbacks: Why other devices that were requested or tried do not.
         notes: Sentences on metadata that were overruled.
         texts: Its metadata by key.
@@ -51,7 +50,6 @@ class OnnxNetwork:
         """Open the network.
 
         Args:
-            threads: For the CPU.
             device: One of ``devices.KEYS``.
 
         Raises:

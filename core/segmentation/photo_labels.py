@@ -134,7 +134,6 @@ class PhotoReader:
 
         Args:
             photo: Its pixels and their size.
-            camera: Of the photo.
             with_pixels: Whether the caller also needs its pixels.
         """
         pixels, image = None, photo.image

@@ -69,7 +69,6 @@ def open_session(path: str, threads: int, provider: str) -> InferenceSession:
     """Open a network on one provider or on the CPU, without a silent fallback to another provider.
 
     Args:
-        threads: Of the CPU.
         provider: onnxruntime's name of the provider.
 
     Raises:

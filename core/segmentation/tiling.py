@@ -24,7 +24,6 @@ class SegmentedRows:
     """Complete rows of the image.
 
     Attributes:
-        first: Number of the first row.
         labels_hw: (rows, W) uint8.
         percent_hw: (rows, W) uint8, certainty of the label, 0…100, 255 without data; None if not requested.
         percents_chw: (C, rows, W) uint8, the same of each of the model's channels.

@@ -44,7 +44,6 @@ class Conditions:
         """Return one image's view and noise with random directions and signs.
 
         Args:
-            view: Of the camera.
             rng: A seeded one repeats the result.
 
         Returns:

@@ -59,7 +59,6 @@ def with_leaning_roofs(
     Args:
         labels_hw: (H, W) uint8
         noise: Amount of leaning, and its classes.
-        rng: Of the heights.
         class_values: Classes that lean unless the noise has its own.
         minimum_area_px: Smaller regions do not move.
 

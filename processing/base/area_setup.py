@@ -270,7 +270,6 @@ def read_area(
         given: The user's extent, empty without one, and its CRS.
         known: Classes of the model; empty for a model that is trained on the map's classes.
         imagery_pixel_m: Pixel size of the imagery for training, m; None without imagery.
-        context: Coordinate transforms of the project.
 
     Raises:
         ParameterError: No landmark is in the extent, or all photos are outside the map.

@@ -36,7 +36,6 @@ class Step:
     """One algorithm of the chain.
 
     Attributes:
-        values: Its parameters.
         files: Names of its files in the folder; the first one shows that it was run.
         text: What is shown while it runs.
     """
@@ -51,7 +50,6 @@ class Step:
 
         Raises:
             QgsProcessingException: What the algorithm raises.
-            CanceledInFolder: The user canceled.
         """
         try:
             self.algorithm().run({**self.values, **values}, context, feedback, {}, False)

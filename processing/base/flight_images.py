@@ -38,7 +38,6 @@ class TakenImage:
     """An image before the flight is solved.
 
     Attributes:
-        camera: Its camera.
         result: Result of the image alone; None with an error.
         flown: Input of the flight: leveled labels and the result of the image alone; None with an error.
         remark: Sentence about its leveling.

@@ -237,8 +237,6 @@ class _Layer:
 
     Attributes:
         written: Where it was written, in QGIS's form.
-        final: Its final source.
-        look: Its style.
     """
 
     written: str

@@ -50,7 +50,6 @@ class NetworkPace:
     """Device and speed of a network's run.
 
     Attributes:
-        model: The network.
         seconds: Duration, with reading images and joining tiles.
     """
 

@@ -34,7 +34,6 @@ class SourceImage:
     """An open image.
 
     Attributes:
-        file: The whole image.
         image: The part to use.
         geotransform: GDAL's six numbers of ``image``; None without a georeference.
         crs: CRS of the ground; invalid without one.
@@ -75,7 +74,6 @@ class PhotoSource:
 
         Raises:
             ImageError: It cannot be read or drawn.
-            Canceled: The user canceled.
         """
         from ...storage.images import GdalImage
 
@@ -102,7 +100,6 @@ class PhotoSource:
 
         Raises:
             ImageError: It cannot be read or drawn.
-            Canceled: The user canceled.
         """
         from ...storage.images import GdalImage
         from ...storage.pictures import copy_part
@@ -205,7 +202,6 @@ def drawn_file(
 
     Raises:
         ImageError: It cannot be drawn.
-        Canceled: The user canceled.
     """
     from ..layers.rendering import draw, plan_drawing
 

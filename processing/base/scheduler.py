@@ -84,7 +84,6 @@ class Workers:
 
         Raises:
             SemRefError: A task or the process fails, or the process ends.
-            Canceled: The user canceled.
         """
         return self._run(task, calls, shared, False)
 
@@ -104,7 +103,6 @@ class Workers:
 
         Raises:
             SemRefError: See ``__call__``.
-            Canceled: The user canceled.
         """
         from ...storage.file_states import fingerprint
         from ...storage.serialization import from_bytes, to_bytes
@@ -182,7 +180,6 @@ def workers(
 
     Raises:
         SemRefError: There are no workers, or a file was changed.
-        Canceled: The user canceled.
     """
     from ...storage.file_states import require_unchanged
 

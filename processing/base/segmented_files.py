@@ -144,7 +144,6 @@ def write_polygons(
 
     Raises:
         LabelMapError: They cannot be made.
-        Canceled: The user canceled.
     """
     if not outputs.wants(key):
         return

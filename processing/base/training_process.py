@@ -33,7 +33,6 @@ def training_events(python: str, arguments: list[str], feedback: QgsProcessingFe
 
     Raises:
         TrainingError: It cannot be started, reports an error, or ends without a message.
-        Canceled: The user canceled.
     """
     process = QProcess()
     environment = python_environment()

@@ -14,7 +14,6 @@ class ChosenImages:
     """Images in files and folders.
 
     Attributes:
-        count: Number of images.
         has_photos: Whether some are photos, by their names or their colors.
     """
 

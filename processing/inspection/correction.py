@@ -72,7 +72,6 @@ def plan_rasterizing(
     Args:
         grounds: Layers that must overlap its map: the land-cover layer, the corrected places.
         folder: Where the class table of the database is written.
-        context: Coordinate transforms of the project.
         source: A snapshot of the land-cover layer.
         fields: Indices of the fields of class and priority.
 
@@ -134,7 +133,6 @@ def part_to_rasterize(
     Args:
         grid: As in ``RasterizePlan``.
         changed: One or more of ``changed_bounds``.
-        context: Coordinate transforms of the project.
     """
     whole, pixel = grid["EXTENT"], grid["PIXEL_SIZE"]
     try:

@@ -20,7 +20,6 @@ class ImageQuery:
     """An image, and what is known from its localization.
 
     Attributes:
-        image: Path.
         labels: Path of the label image of a photo; empty without one.
         model: Path of the network for photos; empty if ``image`` is a label image.
         pixel_size_m: Ground sampling distance; None if unknown.
@@ -38,7 +37,6 @@ class InspectedImage:
 
     Attributes:
         labels_hw: (H, W) uint8 class values.
-        landmarks: Landmarks of the whole image.
         vector: (3·X,) float32, topology vector; None with fewer than three landmarks.
     """
 

@@ -60,7 +60,6 @@ def apply_repair(
     Args:
         repaired: OUTPUT of *Repair land-cover layer*, with the fields of ``layer``.
         changes: CHANGES of the same run.
-        context: Coordinate transforms of the project.
 
     Raises:
         ParameterError: The layer cannot be edited.

@@ -18,7 +18,6 @@ class Ray:
     """One landmark of a topology vector.
 
     Attributes:
-        class_name: Name of its class.
         color: '#rrggbb' of its class.
         length: Distance from the center over the largest distance, 0–1.
         step: Angle to the next landmark over the largest angle, 0–1.
@@ -54,7 +53,6 @@ class InspectedWindow:
         name: First column and row.
         center_xy: Map coordinates.
         size: Edge length, map units.
-        landmark_count: Number of landmarks in it.
         vector: (3·X,) float32; None with fewer than three landmarks.
         rays: Rays of its vector, the farthest landmark first.
         ends_xy: Map coordinates of the rays' landmarks.
@@ -83,7 +81,6 @@ class Comparison:
     """The comparison of an image's vector with a window's.
 
     Attributes:
-        distance: Distance of the vectors.
         confidence: Confidence of the published method for this distance.
         rays: Rays of the image's vector.
         apart: Largest difference of the elements of each ray of the window.

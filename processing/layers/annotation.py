@@ -117,7 +117,6 @@ def annotation_source(
 
     Args:
         definition: Value of the parameter, which may limit the features to selected or filtered ones.
-        class_field: Name of the class field.
         priority_field: Name of the priority field; empty without one.
         class_of_all: Class of all features; the class field is then not used.
     """

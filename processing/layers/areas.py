@@ -70,7 +70,6 @@ def area_rings(
 
     Args:
         distance: Width of the buffer, map units of ``crs``.
-        crs: Target CRS.
         extent: (x_min, y_min, x_max, y_max) in ``crs``.
 
     Raises:

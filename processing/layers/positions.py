@@ -29,8 +29,6 @@ class PositionRow:
     """A row of the positions.
 
     Attributes:
-        path: Path of the image in the row.
-        status: Status in the row.
         position: Map (x, y) of the image's center; None without a position.
         heading_deg: Direction of the image's top, clockwise from grid north; None if unknown.
         pixel_size: In m; None if unknown.
@@ -115,7 +113,6 @@ def read_matches(
 
     Args:
         source: The matches of the same run, or None.
-        positions: The layer of the positions.
         images: Rows with position, heading and pixel size.
 
     Raises:

@@ -83,9 +83,7 @@ class TrainingGround:
     """The part of an image for training, and how to resample it.
 
     Attributes:
-        layer: The image.
         extent: Extent of the image in its CRS.
-        name: Name of the image.
         labels: Name of the land-cover layer or label map.
         pixel_size: In m; None for the image's own.
         wanted: Extent that the user chose, in the image's CRS; empty for all.

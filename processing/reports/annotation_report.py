@@ -25,9 +25,6 @@ class AnnotationReport:
     """Data of the report.
 
     Attributes:
-        layer: Name of the layer.
-        features: Number of its features.
-        findings: The findings.
         class_names: Names by class value.
     """
 

@@ -23,7 +23,6 @@ class ShiftRow:
     """Offset of a class.
 
     Attributes:
-        name: Name of the class.
         pairs: Number of landmarks in both maps.
         along: Offset along two axes.
         deviation: Standard error of the offset.
@@ -42,7 +41,6 @@ class MeasuredShifts:
     """Offsets of all classes with enough landmarks.
 
     Attributes:
-        rows: A row for each class.
         unit: METER for a metric CRS, PIXEL without georeference.
         in_image: Whether the axes are right and down of the image instead of east and north.
         displacement: Of the landmarks, for two maps of the same ground; None without landmarks on both maps.

@@ -48,7 +48,6 @@ class FlightPoint:
 
     Attributes:
         number: Number in the flight, from 1.
-        name: File name.
         source: ``own``, ``flight``, or None without a position.
         outvoted: Whether its own position contradicts the flight.
         track: Number of its track; 0 without one.

@@ -88,7 +88,6 @@ class SetupReport:
         summary: Sizes that were used.
         warnings: Sentences from before the run.
         expected: Result of the quick assessment.
-        photos: One row for each photo.
     """
 
     summary: str

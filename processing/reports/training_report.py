@@ -25,7 +25,6 @@ class TrainingReport:
     Attributes:
         model: Name of the model's file.
         result: Content of result.json.
-        ground: Metadata of the training ground.
         examples: PNG pictures with photo, annotation and prediction.
     """
 

@@ -42,7 +42,6 @@ def read_database(path: str, with_overview: bool = False, with_bounds: bool = Fa
     """Read a reference database.
 
     Args:
-        with_overview: Whether to read its overview.
         with_bounds: Whether to read the bounds of its landmarks; old databases have no bounds.
 
     Raises:

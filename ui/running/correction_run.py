@@ -41,7 +41,6 @@ class Correction:
     """Input of an update.
 
     Attributes:
-        database: Path of the database.
         annotation: Corrected land-cover layer.
         class_field: Field with the class; may be empty.
         priority_field: Field that decides where polygons overlap; may be empty.

@@ -40,11 +40,9 @@ class PlaceRow(NamedTuple):
     """One row of the list.
 
     Attributes:
-        id: Id of the feature.
         severity: Severity of an issue; empty for disagreements.
         texts: Texts of the other columns.
         kind: Kind of an issue, or both classes of a disagreement.
-        kind_title: Kind in words.
     """
 
     id: int

@@ -24,7 +24,6 @@ class ImagePicture:
     """Pictures of one image.
 
     Attributes:
-        path: Path of the image.
         photo: Pixels; None for a label image.
         labels: Labels in the colors of the classes, possibly reduced.
         seen: Labels, landmarks and vector of the image.
