@@ -11,12 +11,7 @@ from osgeo import gdal
 
 from ..core.errors import LabelMapError
 from ..core.labels.class_colors import chosen_colors
-from ..core.labels.class_table import (
-    ClassTable,
-    LandCoverClass,
-    class_table_from_csv,
-    class_table_from_values,
-)
+from ..core.labels.class_table import ClassTable, LandCoverClass, class_table_from_csv, class_table_from_values
 from ..core.labels.sources import ArrayLabels, LabelSource, count_labels
 from .gdal_errors import read_by_gdal
 from .label_map_file import CLASS_TABLE_ITEM

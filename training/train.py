@@ -15,18 +15,7 @@ import torch
 from ..core.errors import TrainingError
 from ..core.segmentation.class_bias import KEY, class_bias_text
 from ..core.segmentation.metadata import TEMPERATURE
-from . import (
-    base_weights,
-    class_bias,
-    examples,
-    export,
-    loop,
-    metadata,
-    metrics,
-    network,
-    temperature,
-    tiles,
-)
+from . import base_weights, class_bias, examples, export, loop, metadata, metrics, network, temperature, tiles
 from .job import CHECKPOINT, EXAMPLES, FEWEST_PIECES, MOST_PIECES, NETWORK, PACKAGED, RESULT, Job
 from .partial import partial_labels
 

@@ -5,13 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from typing import NamedTuple
 
-from qgis.core import (
-    QgsCoordinateTransform,
-    QgsCoordinateTransformContext,
-    QgsFeature,
-    QgsGeometry,
-    QgsVectorLayer,
-)
+from qgis.core import QgsCoordinateTransform, QgsCoordinateTransformContext, QgsFeature, QgsGeometry, QgsVectorLayer
 
 from ...core.annotation import findings as kinds
 from ...core.errors import ParameterError

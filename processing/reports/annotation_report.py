@@ -6,13 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ...core.annotation.findings import (
-    CHECKED_KINDS,
-    ERROR,
-    NOTHING,
-    SEVERITIES,
-    Finding,
-)
+from ...core.annotation.findings import CHECKED_KINDS, ERROR, NOTHING, SEVERITIES, Finding
 from ..messages.annotation_messages import kind_titles, severity_title
 from ..messages.numbers import count as number_text
 from ..messages.numbers import shown

@@ -24,14 +24,7 @@ from ...core.values import read_json
 from ..gdal_errors import gdal_failure, gdal_failures
 from . import schema
 from .cached_columns import Columns, cached_columns
-from .checksums import (
-    CHECKSUMS,
-    checksums_of,
-    keeps_shown,
-    overview_checksum,
-    require_unchanged,
-    shown_checksums,
-)
+from .checksums import CHECKSUMS, checksums_of, keeps_shown, overview_checksum, require_unchanged, shown_checksums
 from .connection import DatabaseChangedError, Snapshot, damaged, open_table, require_unchanged_since, snapshot
 from .rows import columns_of, read_references, read_windows
 

@@ -4,14 +4,7 @@ from __future__ import annotations
 
 from qgis.PyQt.QtWidgets import QComboBox, QGroupBox, QLabel, QVBoxLayout
 
-from ...processing.packages.devices import (
-    AUTO,
-    DEVICES,
-    available_devices,
-    choose_device,
-    chosen_device,
-    package_name,
-)
+from ...processing.packages.devices import AUTO, DEVICES, available_devices, choose_device, chosen_device, package_name
 from ...processing.translation import tr
 from ..widgets.layouts import row_of
 

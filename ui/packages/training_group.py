@@ -7,15 +7,7 @@ import sys
 from qgis.core import QgsApplication, QgsSettings
 from qgis.gui import QgsFileWidget
 from qgis.PyQt.QtCore import Qt
-from qgis.PyQt.QtWidgets import (
-    QCheckBox,
-    QFileDialog,
-    QGroupBox,
-    QLabel,
-    QProgressBar,
-    QPushButton,
-    QVBoxLayout,
-)
+from qgis.PyQt.QtWidgets import QCheckBox, QFileDialog, QGroupBox, QLabel, QProgressBar, QPushButton, QVBoxLayout
 
 from ...core.errors import ComponentError
 from ...processing.messages.sentences import worded

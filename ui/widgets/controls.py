@@ -5,12 +5,7 @@ from __future__ import annotations
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QKeySequence
-from qgis.PyQt.QtWidgets import (
-    QComboBox,
-    QShortcut,
-    QToolButton,
-    QWidget,
-)
+from qgis.PyQt.QtWidgets import QComboBox, QShortcut, QToolButton, QWidget
 
 _LEAST_LETTERS = 8
 

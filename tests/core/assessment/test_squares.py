@@ -7,13 +7,7 @@ import pytest
 
 from semref.core.assessment.assessment import REASONS, Estimates
 from semref.core.assessment.cells import Cells
-from semref.core.assessment.squares import (
-    FIELDS,
-    VERDICTS,
-    footprint_sizes,
-    reason_sentence,
-    square_rows,
-)
+from semref.core.assessment.squares import FIELDS, VERDICTS, footprint_sizes, reason_sentence, square_rows
 from semref.core.errors import ParameterError
 from semref.core.sentences import english
 

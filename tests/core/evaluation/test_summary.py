@@ -5,16 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from semref.core.evaluation.evaluation import (
-    MAP,
-    MIRRORED,
-    NOISE,
-    NOISE_LEVELS,
-    OFFSET,
-    OFFSETS,
-    SCALING,
-    WindowQuery,
-)
+from semref.core.evaluation.evaluation import MAP, MIRRORED, NOISE, NOISE_LEVELS, OFFSET, OFFSETS, SCALING, WindowQuery
 from semref.core.evaluation.rates import Rate
 from semref.core.evaluation.summary import (
     brier_score,

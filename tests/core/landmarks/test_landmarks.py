@@ -5,12 +5,7 @@ import numpy as np
 import pytest
 from made_labels import blobs
 
-from semref.core.landmarks.landmarks import (
-    extract_landmarks,
-    minimum_area_px,
-    rows_from_objects,
-    whole_half_pixels,
-)
+from semref.core.landmarks.landmarks import extract_landmarks, minimum_area_px, rows_from_objects, whole_half_pixels
 
 
 def drawn(*lines):

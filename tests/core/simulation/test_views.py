@@ -4,14 +4,7 @@ import numpy as np
 import pytest
 
 from semref.core.geometry.frame import MapFrame
-from semref.core.simulation.views import (
-    PIXELS,
-    View,
-    cut,
-    image_coordinates,
-    lies_on,
-    map_coordinates,
-)
+from semref.core.simulation.views import PIXELS, View, cut, image_coordinates, lies_on, map_coordinates
 
 MAP = MapFrame.at((700_000.0, 5_200_000.0), 2.0)
 

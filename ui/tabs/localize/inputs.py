@@ -7,14 +7,7 @@ import os
 from qgis.core import QgsApplication, QgsProject, QgsProviderRegistry, QgsSettings
 from qgis.gui import QgsFileWidget
 from qgis.PyQt.QtCore import pyqtSignal
-from qgis.PyQt.QtWidgets import (
-    QCheckBox,
-    QFileDialog,
-    QLabel,
-    QPushButton,
-    QVBoxLayout,
-    QWidget,
-)
+from qgis.PyQt.QtWidgets import QCheckBox, QFileDialog, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from ....core.localization import Method
 from ....processing.base.algorithm import REPORTS_AS_FILES
