@@ -14,7 +14,8 @@ from ..core.annotation.outlines import areas_and_wkb, outline_regions, to_map
 from ..core.errors import LabelMapError, UnwritableError
 from .gdal_errors import gdal_failure, require_written
 from .label_maps import GdalLabels
-from .polygonize import WITHOUT_GEOREFERENCE, pixel_area, rows_of
+from .polygonize import rows_of
+from .rasters import WITHOUT_GEOREFERENCE, pixel_area
 
 _PIXELS_AT_ONCE = 8_000_000
 

@@ -13,10 +13,7 @@ from osgeo import gdal
 from ..core.annotation.outlines import can_simplify, outline_regions, simplify, to_map
 from ..core.errors import LabelMapError
 from .gdal_errors import gdal_failures
-from .rasters import open_raster
-
-WITHOUT_GEOREFERENCE = (0.0, 1.0, 0.0, 0.0, 0.0, -1.0)
-"""GDAL's six numbers for an image without georeference: x is the column, y the negative row."""
+from .rasters import open_raster, pixel_area, transform_of
 
 
 class LabelPolygons:
@@ -51,7 +48,7 @@ class LabelPolygons:
         with tempfile.TemporaryDirectory(prefix="semref-outline-") as folder:
             yield "Merging small regions", 0.0
             raster = self._sieve(os.path.join(folder, "sieved.tif"), proceed)
-            transform = _transform(raster)
+            transform = transform_of(raster)
             yield "Outlining regions", 0.3
             shape_hw = raster.RasterYSize, raster.RasterXSize
             values, outlines = outline_regions(rows_of(raster.GetRasterBand(1)), shape_hw, proceed)
@@ -66,7 +63,7 @@ class LabelPolygons:
     def _sieve(self, path: str, proceed: Callable[[], bool]) -> gdal.Dataset:
         """Return the label map without small regions."""
         source = open_raster(self._path)
-        transform = _transform(source)
+        transform = transform_of(source)
         pixels = int(np.ceil(self._minimum_area / pixel_area(transform)))
         if pixels <= 1:
             return source
@@ -94,15 +91,6 @@ def rows_of(band: gdal.Band) -> Callable[[int, int], np.ndarray]:
         return found
 
     return read
-
-
-def _transform(raster: gdal.Dataset) -> tuple[float, ...]:
-    return raster.GetGeoTransform(can_return_null=True) or WITHOUT_GEOREFERENCE
-
-
-def pixel_area(transform: tuple[float, ...]) -> float:
-    """Return the area of a pixel, square map units; ``transform``: GDAL's six numbers."""
-    return abs(transform[1] * transform[5] - transform[2] * transform[4])
 
 
 def _raise(failures: list[str]) -> None:

@@ -15,6 +15,7 @@ from ..core.geometry.frame import MapFrame
 from ..core.labels.class_table import ClassTable
 from ..core.labels.sources import count_labels
 from .label_map_file import TILE_ROWS, LabelMapFile
+from .rasters import WITHOUT_GEOREFERENCE
 
 if TYPE_CHECKING:
     from ..core.annotation.check import DrawnRegion
@@ -182,7 +183,7 @@ class RegionBurning:
             yield "Rasterizing landmarks", (first + strip.shape_hw[0]) / self._frame.shape_hw[0]
 
 
-_PIXELS = MapFrame("", (0.0, 1.0, 0.0, 0.0, 0.0, -1.0))
+_PIXELS = MapFrame("", WITHOUT_GEOREFERENCE)
 """Pixel coordinates of an image as a map: x is the column, y the negative row."""
 
 

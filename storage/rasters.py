@@ -56,6 +56,10 @@ _FARTHEST = 1e9
 """Largest coordinate and pixel size in map units; false eastings of zoned CRS reach 6e7."""
 
 
+WITHOUT_GEOREFERENCE = (0.0, 1.0, 0.0, 0.0, 0.0, -1.0)
+"""GDAL's six numbers for an image without georeference: x is the column, y the negative row."""
+
+
 def drivers_for(path: str) -> list[str]:
     """Return GDAL's drivers that may open a path; ``[]`` allows all drivers.
 
@@ -120,6 +124,16 @@ def _start(path: str) -> bytes:
     except OSError:
         # GDAL will report the reason.
         return b""
+
+
+def transform_of(raster: gdal.Dataset) -> tuple[float, ...]:
+    """Return GDAL's six numbers of the grid: of the pixels, with y up, without a georeference."""
+    return raster.GetGeoTransform(can_return_null=True) or WITHOUT_GEOREFERENCE
+
+
+def pixel_area(transform: tuple[float, ...]) -> float:
+    """Return the area of a pixel, square map units; ``transform``: GDAL's six numbers."""
+    return abs(transform[1] * transform[5] - transform[2] * transform[4])
 
 
 def require_own_pixels(path: str) -> None:

@@ -22,7 +22,7 @@ from .gdal_errors import gdal_failure, gdal_failures
 from .images import GdalImage
 from .label_maps import GdalLabels, RasterFile, class_table_of_map, class_table_of_values
 from .pictures import write_png, write_tiff
-from .rasters import open_raster
+from .rasters import open_raster, pixel_area
 from .text_tables import CLASSES_FILE
 
 MANIFEST = "manifest.json"
@@ -319,7 +319,7 @@ class TileExport:
 
 def _pixel_size(transform: tuple) -> float:
     """Return the edge of a pixel in map units; for other shapes, the edge of a square of the same area."""
-    return round(abs(transform[1] * transform[5] - transform[2] * transform[4]) ** 0.5, 6)
+    return round(pixel_area(transform) ** 0.5, 6)
 
 
 def _require_known_values(values: np.ndarray, table: ClassTable) -> None:

@@ -31,9 +31,6 @@ if TYPE_CHECKING:
     from ..base.outputs import Outputs
     from ..base.values import Values
 
-NO_GEOREFERENCE = (0.0, 1.0, 0.0, 0.0, 0.0, -1.0)
-"""Geotransform of an image without a georeference: pixels, y up."""
-
 FIELDS = (
     ("class", "integer"),
     ("class_name", "text"),
@@ -140,9 +137,9 @@ class DescribeImage(SemRefAlgorithm):
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
         from ...core.localizer.localizer import describe_image
         from ...storage.label_images import read_label_image
-        from ...storage.rasters import open_raster
+        from ...storage.rasters import open_raster, transform_of
 
-        transform = open_raster(self._layer.path).GetGeoTransform(can_return_null=True) or NO_GEOREFERENCE
+        transform = transform_of(open_raster(self._layer.path))
         table, fraction_of, length = self._settings(values, transform)
         labels = read_label_image(self._layer.path, table)
         check_canceled(feedback)
@@ -164,7 +161,7 @@ class DescribeImage(SemRefAlgorithm):
         parameters."""
         from ...storage.database.reader import read_database
         from ...storage.label_maps import stored_class_table
-        from ...storage.rasters import open_raster
+        from ...storage.rasters import open_raster, pixel_area
 
         database_path = values.file(self.DATABASE)
         if database_path:
@@ -181,18 +178,18 @@ class DescribeImage(SemRefAlgorithm):
         chosen = values.parts(self.REFERENCE_CLASSES)
         table = (table.with_references(chosen) if chosen else table).require_references()
         area = values.number(self.MINIMUM_AREA)
-        pixel_area = abs(transform[1] * transform[5] - transform[2] * transform[4])
+        one_pixel = pixel_area(transform)
         length = values.integer(self.REFERENCES_PER_VECTOR)
-        return table, lambda size: area / pixel_area / max(size, 1) ** 2, length
+        return table, lambda size: area / one_pixel / max(size, 1) ** 2, length
 
     def _write_points(
         self, outputs: Outputs, described: DescribedImage, transform: tuple[float, ...], table: ClassTable
     ) -> None:
+        from ...storage.rasters import pixel_area
         from ..layers.class_styles import references_renderer
 
         names = {c.value: c.name for c in table}
         x0, dx_column, dx_row, y0, dy_column, dy_row = transform
-        pixel_area = abs(dx_column * dy_row - dx_row * dy_column)
         objects, half = described.objects, described.size / 2
         renderer = references_renderer(table)
         with outputs.layer(self.REFERENCES, FIELDS, POINT, self._layer.crs, "landmarks", renderer=renderer) as sink:
@@ -205,7 +202,7 @@ class DescribeImage(SemRefAlgorithm):
                 values = {
                     "class": value,
                     "class_name": names[value],
-                    "area": float(objects.areas_px[i]) * pixel_area,
+                    "area": float(objects.areas_px[i]) * pixel_area(transform),
                     "touches_edge": int(objects.touches_edge[i]),
                     "column": column,
                     "row": row,

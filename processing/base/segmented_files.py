@@ -149,10 +149,10 @@ def write_polygons(
         return
     from ...core.annotation.outlines import areas_and_wkb, can_simplify
     from ...storage.polygonize import LabelPolygons
-    from ...storage.rasters import open_raster
+    from ...storage.rasters import open_raster, transform_of
     from ..layers.class_styles import annotation_renderer
 
-    transform = open_raster(path).GetGeoTransform(can_return_null=True) or (0.0, 1.0, 0.0, 0.0, 0.0, -1.0)
+    transform = transform_of(open_raster(path))
     tolerance = values.optional_number("TOLERANCE", TOLERANCE_PX * abs(transform[1]))
     if tolerance and not can_simplify():
         feedback.pushWarning(
