@@ -136,9 +136,3 @@ def test_the_version_is_the_same_everywhere():
     assert f"\nversion: {version}\n" in (ROOT / "CITATION.cff").read_text(encoding="utf-8")
     headings = re.findall(r"^## \[(.+?)\]", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), re.MULTILINE)
     assert version in headings[:2]
-
-
-def test_the_anchors_of_headings_are_those_of_forges(tmp_path):
-    page = tmp_path / "page.md"
-    page.write_text("# Two words\n## `code` – (dash)\n## Two words\n```sh\n# no heading\n```\n", encoding="utf-8")
-    assert anchors(page) == {"two-words", "code--dash", "two-words-1"}

@@ -6,7 +6,6 @@ import ast
 import functools
 import graphlib
 import pkgutil
-import subprocess
 import sys
 import sysconfig
 from pathlib import Path
@@ -16,7 +15,6 @@ from source_trees import for_each, nodes_of
 
 ROOT = Path(__file__).resolve().parents[2]
 ROOMS = ("core", "storage", "cluster", "training", "processing", "ui")
-QT = {"PyQt5", "PyQt6", "PySide2", "PySide6"}
 STANDARD = getattr(sys, "stdlib_module_names", None) or {
     *sys.builtin_module_names,
     *(
@@ -206,36 +204,6 @@ def test_what_training_shares_with_qgis_needs_no_torch(path):
 @for_each(source_files("processing"))
 def test_only_exchange_reads_and_writes_files_with_gdal_and_sqlite(path):
     assert "layers" in named(path) or imports_of(path, "osgeo", "sqlite3") == set()
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    "rooms, unwanted",
-    [(["core"], {"qgis", "osgeo", *QT}), (["core", "storage"], {"qgis", *QT})],
-    ids=["core", "storage"],
-)
-def test_a_room_can_be_imported_whole_without_qgis(tmp_path, rooms, unwanted):
-    """Use a new process, because modules loaded by another test would hide an import."""
-    (tmp_path / "rooms").mkdir()
-    for room in rooms:
-        (tmp_path / "rooms" / room).symlink_to(ROOT / room)
-    modules = [
-        ".".join(("rooms", *path.relative_to(ROOT).with_suffix("").parts))
-        for room in rooms
-        for path in source_files(room)
-        if path.name not in ("__init__.py", "__main__.py")
-    ]
-    program = (
-        "import importlib, importlib.util, sys\n"
-        f"if 'osgeo' not in {unwanted!r} and importlib.util.find_spec('osgeo') is None: sys.exit(77)\n"
-        f"for name in {modules!r}:\n"
-        "    importlib.import_module(name)\n"
-        f"sys.exit(' '.join({unwanted!r} & set(sys.modules)) or None)\n"
-    )
-    result = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True, check=False)
-    if result.returncode == 77:
-        pytest.skip("GDAL is not here")
-    assert (result.returncode, result.stderr.strip()) == (0, "")
 
 
 @for_each([path for room in ROOMS for path in source_files(room)])

@@ -32,10 +32,7 @@ class StandIn(metaclass=StandInType):
 
 def install(profile: str) -> None:
     """Put the modules into ``sys.modules``; ``profile`` is the folder of QGIS's settings."""
-    qt = {
-        name: importlib.import_module(f"PyQt6.{name}")
-        for name in ("QtCore", "QtGui", "QtWidgets", "QtNetwork", "QtXml")
-    }
+    qt = {name: importlib.import_module(f"PyQt6.{name}") for name in MODULES}
     for name in ACTIONS:
         setattr(qt["QtWidgets"], name, getattr(qt["QtGui"], name))
     pyqt = types.ModuleType("qgis.PyQt")
