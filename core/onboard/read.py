@@ -158,11 +158,7 @@ def _largest_bytes(name: str) -> int:
     if name == "overview_labels":
         return limits.OVERVIEW_PIXELS
     count = limits.WINDOWS if name.startswith("windows") else limits.LANDMARKS
-    return count * _item_bytes(name) * (3 * limits.VECTOR_LANDMARKS if name == "windows_vectors" else 2)
-
-
-def _item_bytes(name: str) -> int:
-    return int(KINDS[name][0][-1])
+    return count * int(KINDS[name][0][-1]) * (3 * limits.VECTOR_LANDMARKS if name == "windows_vectors" else 2)
 
 
 def _array(name: str, data: bytes) -> np.ndarray:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from .. import limits
 from ..errors import ModelError
@@ -47,7 +48,7 @@ def read_class_bias(texts: Mapping[str, str], names: Sequence[str] | None, sourc
 def known_biases(stated: Mapping[str, ClassBias], table: ClassTable) -> KnownBiases:
     """Return a model's offsets for a database's classes; landmark classes without one have the usual spread."""
     found = [(entry, stated.get(entry.name.casefold())) for entry in table]
-    biases = tuple(_of_value(bias, entry.value) for entry, bias in found if bias is not None)
+    biases = tuple(replace(bias, value=entry.value) for entry, bias in found if bias is not None)
     is_whole = all(bias is not None and bias.spread is not None for entry, bias in found if entry.is_reference)
     return KnownBiases(biases, 0.0 if is_whole else NETWORK_SPREAD)
 
@@ -61,10 +62,6 @@ def _entry(bias: ClassBias) -> dict[str, float]:
     lengths = {name: getattr(bias, name) for name in _LENGTHS}
     stated = {name: round(length, 4) for name, length in lengths.items() if length or name == "spread" and length == 0}
     return stated if bias.sun_deg is None else {**stated, _SUN: round(bias.sun_deg, 2)}
-
-
-def _of_value(bias: ClassBias, value: int) -> ClassBias:
-    return ClassBias(value, bias.east, bias.north, bias.right, bias.down, bias.spread, bias.sun_deg)
 
 
 def _object(found: object) -> dict[str, object]:

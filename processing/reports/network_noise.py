@@ -28,8 +28,8 @@ _LINE = re.compile(f'<meta name="{NAME}" content="([^"]*)">')
 
 def network_meta(numbers: Mapping[str, float | None], landmarks: int) -> dict[str, str]:
     """Return name and content of the line: percent and m, None for unknown numbers."""
-    content = {LANDMARKS: landmarks, **{key: _round(number) for key, number in numbers.items()}}
-    return {NAME: json.dumps(content)}
+    rounded = {key: None if number is None else round(number, 3) for key, number in numbers.items()}
+    return {NAME: json.dumps({LANDMARKS: landmarks, **rounded})}
 
 
 def read_network(path: str) -> dict[str, float]:
@@ -65,7 +65,3 @@ def read_network(path: str) -> dict[str, float]:
             least=LEAST_LANDMARKS,
         )
     return numbers
-
-
-def _round(number: float | None) -> float | None:
-    return None if number is None else round(number, 3)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sqlite3
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from itertools import chain
 
 import numpy as np
@@ -101,13 +101,10 @@ def shown_checksums(connection: sqlite3.Connection) -> dict[str, str]:
     for name, queries in _SHOWN_ROWS.items():
         # The first versions had no bounds.
         if name.split()[0] in tables:
-            found[name] = _rows_digest(connection, queries)
+            # Column by column takes a tenth of the time of row by row.
+            columns = (column for query in queries for column in _columns(connection, query))
+            found[name] = digest(part for column in columns for part in _column(column))
     return found
-
-
-def _rows_digest(connection: sqlite3.Connection, queries: Iterable[str]) -> str:
-    """Return SHA-256 of rows, column by column, which takes a tenth of the time of row by row."""
-    return digest(part for query in queries for column in _columns(connection, query) for part in _column(column))
 
 
 def _columns(connection: sqlite3.Connection, query: str) -> list[list]:

@@ -163,13 +163,10 @@ def has_severity(layer: QgsVectorLayer) -> bool:
     return SEVERITY in layer.fields().names()
 
 
-def _has_messages(layer: QgsVectorLayer) -> bool:
-    return "message" in layer.fields().names()
-
-
 def places_of(layer: QgsVectorLayer) -> Iterator[PlaceRow]:
     """Yield the places of a layer."""
-    words, with_severity, with_messages = kind_titles(), has_severity(layer), _has_messages(layer)
+    words, with_severity = kind_titles(), has_severity(layer)
+    with_messages = "message" in layer.fields().names()
     for feature in layer.getFeatures():
         severity = feature[SEVERITY] if with_severity else ""
         kind, message, area, position = _texts(feature, layer, words)
