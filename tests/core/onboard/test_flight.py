@@ -245,21 +245,6 @@ def events(capsys):
 
 
 @pytest.mark.slow
-def test_a_state_that_somebody_moved_is_not_used(watch, flown, capsys):
-    data = flown.read_bytes()
-    arrays = arrays_of(flown)
-    arrays["tracker_pool_states"] = arrays["tracker_pool_states"] + np.array([4000.0, 0, 0, 0])
-    file = io.BytesIO()
-    np.savez(file, **arrays)
-    for moved in (file.getvalue(), file.getvalue() + data[-32:]):
-        flown.write_bytes(moved)
-        _, records = watch("--state", str(flown))
-        (told,) = events(capsys)
-        assert told["event"] == "flight_state_not_used" and "changed since" in told["reason"]
-        assert len(records) == 4 and records[-1]["track"] in (None, 1)
-
-
-@pytest.mark.slow
 def test_a_state_needs_the_key_that_the_onboard_file_needs(watch, folder, tmp_path, area, capsys):
     keys = []
     for name in ("key", "other"):
@@ -345,9 +330,6 @@ def test_the_next_image_is_localized_while_a_slow_disk_takes_the_state(watch, fo
     assert in_time == [True] * 3 and len(records) == 3
     header = json.loads(arrays_of(state)["header"].tobytes())
     assert header["after"][1] == Path(records[-1]["image"]).name
-
-
-# --- other files at the path of the state ---
 
 
 # --- older onboard files ---
