@@ -8,7 +8,7 @@ from made_labels import blobs
 from semref.core.labels.sources import ArrayLabels
 from semref.core.landmarks.landmarks import extract_landmarks, rows_from_objects
 from semref.core.landmarks.regions import ReachingRegions
-from semref.core.landmarks.tiles import Region, measure_region, whole_region
+from semref.core.landmarks.tiles import measure_region
 
 PLACES = [(20, 10, 55, 41), (90, 50, 121, 75), (0, 100, 30, 120), (140, 0, 150, 1)]
 
@@ -55,20 +55,6 @@ def test_what_has_a_pixel_in_a_place_is_found_whole(name, tile):
     assert len(found) > 1
 
 
-@pytest.mark.parametrize("tile", [7, 30, 1000])
-def test_regions_have_their_bounds_and_their_first_pixel(tile):
-    labels = MAPS["winding"]
-    count, parts, boxes, _ = cv2.connectedComponentsWithStats((labels == 5).astype(np.uint8), connectivity=8)
-    assert count == 4
-    for n in range(1, count):
-        ys, xs = np.nonzero(parts == n)
-        left, top, width, height = boxes[n, :4].tolist()
-        expected = Region((left, top, left + width, top + height), (int(xs[0]), int(ys[0])))
-        for k in range(0, len(ys), 37):
-            place = int(xs[k]), int(ys[k]), int(xs[k]) + 1, int(ys[k]) + 1
-            assert found_in(labels, [place], tile).regions == {expected}
-
-
 def test_only_tiles_that_a_region_goes_on_to_are_read():
     labels = np.zeros((120, 150), np.uint8)
     labels[30:40, 30:40] = labels[35, 40:70] = 5
@@ -82,8 +68,3 @@ def test_only_tiles_that_a_region_goes_on_to_are_read():
     found_in(labels, [(28, 28, 45, 45)], 16, Watched(labels))
     assert seen[28:45, 28:45].min() == seen.max() == 1 and seen[35, :71].sum() >= 40
     assert not seen[:20].any() and not seen[60:].any() and not seen[:, 90:].any()
-
-
-def test_pieces_make_the_region_around_all_that_begins_where_the_first_does():
-    pieces = [Region((5, 8, 9, 9), (6, 8)), Region((2, 4, 6, 8), (4, 4)), Region((1, 4, 3, 6), (2, 4))]
-    assert whole_region(pieces) == Region((1, 4, 9, 9), (2, 4))
