@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import cv2
 import numpy as np
@@ -253,14 +253,9 @@ class _Blending:
         return self._finished() if last == self._width and tile.row >= top else None
 
     def _finished(self) -> SegmentedRows:
-        """Return the rows without the columns that other blocks complete."""
-        rows, first = self._rows, self._tiles.box[0] - self._tiles.columns[0]
-        if not first:
-            return rows
-        percent, percents = (
-            None if some is None else some[..., first:] for some in (rows.percent_hw, rows.percents_chw)
-        )
-        return SegmentedRows(rows.first, rows.labels_hw[:, first:], percent, percents, rows.sure)
+        """Return the rows without the columns that other blocks complete; blocks have no percents."""
+        first = self._tiles.box[0] - self._tiles.columns[0]
+        return replace(self._rows, labels_hw=self._rows.labels_hw[:, first:])
 
     def _sample_certainty(self, tile: _Tile, sums: np.ndarray, best: np.ndarray, no_data: np.ndarray | None) -> None:
         """Add the certainty at a few pixels of complete (C, rows, columns) sums of scores, which takes little time."""

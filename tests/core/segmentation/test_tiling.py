@@ -8,9 +8,9 @@ from made_models import brightest_color, metadata, painted, write_model
 
 from semref.core.errors import ImageError
 from semref.core.labels.image_source import ArrayImage
-from semref.core.segmentation.certainty import LABELS_ALONE, Certainty, Sureness, softmax
+from semref.core.segmentation.certainty import LABELS_ALONE, Certainty
 from semref.core.segmentation.model import SegmentationModel
-from semref.core.segmentation.tiling import segment, segment_tiles, tile_starts, tiles_of
+from semref.core.segmentation.tiling import segment, tile_starts
 
 VALUES = (1, 2, 3)
 
@@ -122,45 +122,3 @@ def test_blending_hides_what_a_tile_gets_wrong_at_its_border(tmp_path):
     assert wrong[200, 0] == 0
     assert wrong[64, 0.5] < 0.001
     assert wrong[64, 0] > 0.02
-
-
-class Undecided:
-    """Network with scores that depend on the place in the tile: another order of sums gives other labels."""
-
-    tile_hw, tiles_at_once, runs_at_once, has_scores = (64, 48), 1, 1, True
-    probabilities = staticmethod(softmax)
-
-    def __init__(self):
-        self.field = np.random.default_rng(5).normal(0, 1, (3, *self.tile_hw)).astype(np.float32)
-
-    def scores(self, images):
-        bands = np.stack([np.moveaxis(image, 2, 0) for image in images]).astype(np.float32) / 255
-        return self.field * (bands + np.float32(0.3))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("shape", [(8, 9), (64, 48), (200, 131)])
-@pytest.mark.parametrize("overlap", [0, 0.2, 0.75])
-@pytest.mark.parametrize("count", [1, 3])
-def test_blocks_with_their_seams_are_the_whole_to_the_last_bit(shape, overlap, count):
-    rng = np.random.default_rng(2)
-    image = ArrayImage(rng.integers(0, 256, (*shape, 3), np.uint8), rng.random(shape) < 0.9)
-    model, wanted = Undecided(), Certainty(True, True)
-    whole = [rows for _, rows in segment(model, image, VALUES, overlap, wanted) if rows is not None]
-    found, percents, sure = np.zeros(shape, np.uint8), np.zeros((3, *shape), np.uint8), Sureness()
-    tiles = tiles_of(model, shape, overlap)
-    for first_row in range(0, len(tiles.rows), count):
-        for first_column in range(0, len(tiles.columns), count):
-            block = tiles.block(model.tile_hw, (first_column, first_row), count)
-            left, _, right, bottom = block.box
-            for _, rows in segment_tiles(model, image, VALUES, overlap, block, wanted):
-                if rows is not None:
-                    last = rows.first + len(rows.labels_hw)
-                    assert last <= bottom
-                    found[rows.first : last, left:right] = rows.labels_hw
-                    percents[:, rows.first : last, left:right] = rows.percents_chw
-                    sure.add(rows.sure)
-    np.testing.assert_array_equal(found, np.concatenate([rows.labels_hw for rows in whole]))
-    np.testing.assert_array_equal(percents, np.concatenate([rows.percents_chw for rows in whole], axis=1))
-    assert sure.count == sum(rows.sure.count for rows in whole)
-    assert sure.total == pytest.approx(sum(rows.sure.total for rows in whole), rel=1e-12)
