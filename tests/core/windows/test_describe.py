@@ -3,6 +3,7 @@
 import math
 
 import cv2
+import made_labels
 import numpy as np
 import pytest
 
@@ -95,12 +96,7 @@ def nothing(seed, height, width):
 
 
 def blobs(seed, height, width, scale=1.5):
-    """Return dense blobs of all classes from noise, some with holes."""
-    noise = np.random.default_rng(seed).random((len(VALUES), height, width)).astype(np.float32)
-    smooth = np.stack([cv2.GaussianBlur(layer, (0, 0), scale) for layer in noise])
-    labels = np.array(VALUES, np.uint8)[smooth.argmax(axis=0)]
-    labels[smooth.max(axis=0) < np.quantile(smooth.max(axis=0), 0.4)] = 0
-    return labels
+    return made_labels.blobs(seed, (height, width), (0, *VALUES), scale)
 
 
 def specks(seed, height, width):
