@@ -65,6 +65,11 @@ def given(good, tmp_path):
 
 
 @pytest.fixture
+def classes_csv(tmp_path):
+    return str(write_text(tmp_path / "classes.csv", CLASSES_CSV))
+
+
+@pytest.fixture
 def short_wait(monkeypatch):
     """Another program that locks a database is waited for only a moment."""
     from semref.storage import replaceable, vector_files

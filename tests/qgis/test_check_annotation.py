@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import CLASSES_CSV, polygon, square, write_layer, write_text
+from made_inputs import polygon, read_rows, square, write_layer
 from osgeo import gdal, ogr
 from qgis.core import QgsProcessingException, QgsProcessingFeatureSourceDefinition, QgsProject, QgsVectorLayer
 
@@ -30,8 +30,8 @@ def check(run_algorithm, feedback, tmp_path):
 
 
 @pytest.fixture
-def issues(check, tmp_path):
-    """`issues(layer, **parameters)` returns a dict of the columns, with its `box`, for each finding."""
+def issues(check):
+    """`issues(layer, **parameters)` returns the rows of the findings."""
 
     def run(layer, **parameters):
         results = check(layer, **parameters)
@@ -41,20 +41,6 @@ def issues(check, tmp_path):
         return rows
 
     return run
-
-
-@pytest.fixture
-def classes_csv(tmp_path):
-    return str(write_text(tmp_path / "classes.csv", CLASSES_CSV))
-
-
-def read_rows(path) -> list:
-    source = ogr.Open(str(path))
-    rows = []
-    for feature in source.GetLayer(0):
-        geometry = feature.GetGeometryRef()
-        rows.append({**feature.items(), "box": geometry and geometry.GetEnvelope()})
-    return rows
 
 
 # --- findings ---

@@ -1,8 +1,5 @@
 """Columns of a database have titles: translated in QGIS, and in the file for other programs."""
 
-import contextlib
-import sqlite3
-
 import pytest
 from osgeo import gdal, ogr
 from qgis.core import QgsProject, QgsVectorLayer
@@ -37,30 +34,25 @@ def test_on_the_map_titles_are_in_the_user_s_language(database, monkeypatch):
     assert titles_of(layers["Windows"])["reference_count"] == "[Landmarks]"
 
 
-def test_any_program_finds_them_in_the_geopackage_by_its_own_rules(database):
-    with contextlib.closing(sqlite3.connect(database)) as connection:
-        rows = connection.execute("SELECT table_name, column_name, name, title FROM gpkg_data_columns").fetchall()
-        registered = connection.execute(
-            "SELECT table_name FROM gpkg_extensions WHERE extension_name = 'gpkg_schema' ORDER BY 1"
-        ).fetchall()
-        there = {
-            table: {name for (name,) in connection.execute("SELECT name FROM pragma_table_info(?)", (table,))}
-            for table in COLUMNS
-        }
+def test_any_program_finds_them_in_the_geopackage_by_its_own_rules(query):
+    rows = query("SELECT table_name, column_name, name, title FROM gpkg_data_columns")
     for table, titles in COLUMNS.items():
         found = {column: name for one, column, name, _ in rows if one == table}
         assert found.items() >= titles.items()
         # All columns but the key and the geometry.
-        assert there[table] - set(found) == {"fid", "geom"} and set(found) <= there[table]
+        assert {name for (name,) in query(f"SELECT name FROM pragma_table_info('{table}')")} - set(found) == {
+            "fid",
+            "geom",
+        }
     assert all(name == title for *_, name, title in rows)
+    registered = query("SELECT table_name FROM gpkg_extensions WHERE extension_name = 'gpkg_schema' ORDER BY 1")
     assert registered == [("gpkg_data_column_constraints",), ("gpkg_data_columns",)]
 
 
 @pytest.mark.skipif(int(gdal.VersionInfo()) < 3_070_000, reason="GDAL reads them from 3.7 on")
 def test_gdal_shows_titles_as_alternative_names(database):
     dataset = ogr.Open(database)
-    definition = dataset.GetLayerByName("windows").GetLayerDefn()
-    found = [definition.GetFieldDefn(n) for n in range(definition.GetFieldCount())]
+    found = {one.GetName(): one.GetAlternativeName() for one in dataset.GetLayerByName("windows").schema}
     # GDAL ignores a title that differs from the column's name only by capitals.
     titles = {name: title for name, title in COLUMNS["windows"].items() if title.lower() != name}
-    assert {one.GetName(): one.GetAlternativeName() for one in found}.items() >= titles.items() and len(titles) == 3
+    assert found.items() >= titles.items() and len(titles) == 3

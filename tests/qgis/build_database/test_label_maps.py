@@ -77,15 +77,9 @@ def test_roles_of_the_stored_class_table_are_the_default(build, tmp_path):
 
 
 def test_windows_without_vector_are_counted_in_the_log(run_algorithm, label_map, feedback, tmp_path, query):
-    parameters = {
-        "LABELS": str(label_map),
-        "REFERENCE_CLASSES": "1;2;3",
-        "WINDOW_SIZE": SIZE,
-        "STRIDE": STRIDE,
-        "MINIMUM_AREA": MINIMUM_AREA,
-        "DATABASE": str(tmp_path / "area.gpkg"),
-    }
-    run_algorithm(BUILD, parameters, feedback)
+    sizes = {"WINDOW_SIZE": SIZE, "STRIDE": STRIDE, "MINIMUM_AREA": MINIMUM_AREA}
+    asked = {"LABELS": str(label_map), "REFERENCE_CLASSES": "1;2;3", "DATABASE": str(tmp_path / "area.gpkg")}
+    run_algorithm(BUILD, {**asked, **sizes}, feedback)
     lacking = query("SELECT count(*) FROM windows WHERE vector IS NULL")[0][0]
     assert f"{lacking} windows" in feedback.textLog()
 

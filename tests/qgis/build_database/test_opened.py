@@ -113,21 +113,13 @@ def visible(project) -> list:
 def make_database(run_as_dialog, tmp_path):
     """`make_database(name)` runs “Annotation to reference database” on polygons, with files of that name."""
     features = [(square(70 * (n % 5), 70 * (n // 5) + 3 * n % 17, 12), "building") for n in range(25)]
-    polygons = write_layer(tmp_path / "annotation.gpkg", features)
+    given = {"INPUT": str(write_layer(tmp_path / "annotation.gpkg", features)), "CLASS_FIELD": "class"}
+    given |= {"REFERENCE_CLASSES": "building", "WINDOW_SIZE": 200, "STRIDE": 50}
 
     def make(name: str) -> None:
-        run_as_dialog(
-            "semref:annotationtodatabase",
-            {
-                "INPUT": str(polygons),
-                "CLASS_FIELD": "class",
-                "REFERENCE_CLASSES": "building",
-                "WINDOW_SIZE": 200,
-                "STRIDE": 50,
-                "rasterize:Label map": opened(tmp_path / f"{name}.tif"),
-                "build:Reference database": str(tmp_path / f"{name}.gpkg"),
-            },
-        )
+        outputs = {"rasterize:Label map": opened(tmp_path / f"{name}.tif")}
+        outputs["build:Reference database"] = str(tmp_path / f"{name}.gpkg")
+        run_as_dialog("semref:annotationtodatabase", {**given, **outputs})
 
     return make
 

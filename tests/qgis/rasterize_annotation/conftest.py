@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from made_inputs import CLASSES_CSV, read_pixels, write_text
+from made_inputs import read_pixels
 from qgis.core import QgsProject
 from rasterized import RASTERIZE
 
@@ -30,8 +30,3 @@ def labels(rasterize):
 def project():
     yield QgsProject.instance()
     QgsProject.instance().clear()
-
-
-@pytest.fixture
-def classes_csv(tmp_path):
-    return str(write_text(tmp_path / "classes.csv", CLASSES_CSV))

@@ -55,26 +55,27 @@ def test_a_class_table_gives_values_to_text_in_any_case_and_is_written_into_the_
     assert "4,field,#2ca02c,background" in stored_table(results["OUTPUT"])
 
 
-def test_without_table_and_style_text_classes_are_numbered_by_name(rasterize, tmp_path):
+def test_without_table_and_style_text_classes_are_numbered_by_name_and_numbers_stay(rasterize, labels, tmp_path):
     layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "water"), (square(4, 0, 4), "building")])
     results = rasterize(layer)
     np.testing.assert_array_equal(read_pixels(results["OUTPUT"])[0], [2] * 4 + [1] * 4)
     assert category_names(results["OUTPUT"]) == ["unlabeled", "building", "water"]
-
-
-def test_without_table_and_style_an_integer_field_keeps_its_values(labels, tmp_path):
-    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), 7), (square(4, 0, 4), 200)], [("class", "integer")])
+    layer = write_layer(tmp_path / "b.gpkg", [(square(0, 0, 4), 7), (square(4, 0, 4), 200)], [("class", "integer")])
     np.testing.assert_array_equal(labels(layer)[0], [7] * 4 + [200] * 4)
 
 
-def test_a_categorized_style_gives_values_labels_and_colors(rasterize, tmp_path):
+def test_a_categorized_style_gives_values_labels_and_colors_below_a_class_table(
+    rasterize, labels, tmp_path, classes_csv
+):
     path = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "w"), (square(4, 0, 4), "b")])
-    layer = styled_layer(path, [("b", "Buildings", "#ff0000"), ("w", "Water", "#0000ff")])
-    results = rasterize(layer)
+    results = rasterize(styled_layer(path, [("b", "Buildings", "#ff0000"), ("w", "Water", "#0000ff")]))
     np.testing.assert_array_equal(read_pixels(results["OUTPUT"])[0], [2] * 4 + [1] * 4)
     table = stored_table(results["OUTPUT"])
-    assert "1,Buildings,#ff0000" in table
-    assert "2,Water,#0000ff" in table
+    assert "1,Buildings,#ff0000" in table and "2,Water,#0000ff" in table
+    layer = styled_layer(
+        write_layer(tmp_path / "b.gpkg", [(square(0, 0, 4), "water")]), [("water", "Wasser", "#0000ff")]
+    )
+    assert (labels(layer, CLASS_TABLE=classes_csv) == 2).all()
 
 
 def test_other_values_of_a_style_stay_unlabeled_with_a_note(labels, tmp_path, feedback):
@@ -82,12 +83,6 @@ def test_other_values_of_a_style_stay_unlabeled_with_a_note(labels, tmp_path, fe
     made = labels(styled_layer(path, [("w", "Water", "#0000ff"), ("", "all other values", "#cccccc")]))
     np.testing.assert_array_equal(made[0], [1] * 4)
     assert "Left unlabeled, no category in the layer's style: 1 feature." in feedback.textLog()
-
-
-def test_the_class_table_outranks_the_style(labels, tmp_path, classes_csv):
-    path = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "water")])
-    layer = styled_layer(path, [("water", "Wasser", "#0000ff")])
-    assert (labels(layer, CLASS_TABLE=classes_csv) == 2).all()
 
 
 NAMES = ["Grünland", "reka č", "šuma"]
@@ -127,10 +122,12 @@ def test_names_in_a_shapefile_with_a_known_encoding_survive(rasterize, tmp_path,
 TWO = [(square(0, 0, 4), "building"), (square(12, 0, 4), "building")]
 
 
-def test_ground_without_a_polygon_becomes_a_class_of_its_own_where_that_is_asked(rasterize, tmp_path):
-    results = rasterize(write_layer(tmp_path / "a.gpkg", TWO), OTHER_GROUND=True)
+@pytest.mark.parametrize("asked", [{"OTHER_GROUND": True}, {}])
+def test_ground_around_a_single_class_becomes_other_also_without_being_asked(rasterize, tmp_path, feedback, asked):
+    results = rasterize(write_layer(tmp_path / "a.gpkg", TWO), **asked)
     np.testing.assert_array_equal(read_pixels(results["OUTPUT"])[0], [1] * 4 + [2] * 8 + [1] * 4)
     assert category_names(results["OUTPUT"])[1:3] == ["building", "other"] and results["LABELED_FRACTION"] == 1
+    assert asked or "Ground without a polygon becomes class “other”" in feedback.textLog()
 
 
 def test_ground_beyond_the_polygons_stays_unlabeled(rasterize, tmp_path):
@@ -150,12 +147,6 @@ def test_the_map_of_such_a_table_is_made_again_without_being_asked(rasterize, tm
     corrected = write_layer(tmp_path / "b.gpkg", [*TWO, (square(5, 0, 4), "building")])
     again = rasterize(corrected, CLASS_TABLE=str(table), OUTPUT=str(tmp_path / "again.tif"))["OUTPUT"]
     np.testing.assert_array_equal(read_pixels(again)[0], [1] * 4 + [2] + [1] * 4 + [2] * 3 + [1] * 4)
-
-
-def test_ground_around_a_single_class_becomes_other_without_being_asked(rasterize, tmp_path, feedback):
-    results = rasterize(write_layer(tmp_path / "a.gpkg", TWO))
-    np.testing.assert_array_equal(read_pixels(results["OUTPUT"])[0], [1] * 4 + [2] * 8 + [1] * 4)
-    assert "Ground without a polygon becomes class “other”" in feedback.textLog()
 
 
 def test_changes_of_features_are_in_the_users_language(qgis_app, monkeypatch):
