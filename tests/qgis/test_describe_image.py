@@ -5,8 +5,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import CLASSES_CSV, NAMES, NORTH, WEST, scattered_objects, write_raster, write_text
-from osgeo import gdal, ogr
+from made_inputs import CLASSES_CSV, NAMES, NORTH, WEST, read_rows, scattered_objects, write_raster, write_text
+from osgeo import gdal
 
 from semref.core.landmarks.landmarks import extract_landmarks
 
@@ -21,29 +21,19 @@ SQUARE = WIDE[:, 30:180]
 @pytest.fixture
 def describe(run_algorithm, feedback, tmp_path):
     """`describe(image, **parameters)` returns (points as dicts with x and y, the vector file's content, results)."""
-    table = write_text(tmp_path / "classes.csv", CLASSES_CSV)
+    table = str(write_text(tmp_path / "classes.csv", CLASSES_CSV))
 
     def run(image, **parameters):
-        defaults = {
-            "CLASS_TABLE": str(table),
-            "MINIMUM_AREA": 40,
-            "REFERENCES": str(tmp_path / "points.gpkg"),
-            "VECTOR": str(tmp_path / "vector.json"),
-        }
-        results = run_algorithm(DESCRIBE, {"INPUT": str(image), **defaults, **parameters}, feedback)
+        outputs = {"REFERENCES": str(tmp_path / "points.gpkg"), "VECTOR": str(tmp_path / "vector.json")}
+        given = {"INPUT": str(image), "CLASS_TABLE": table, "MINIMUM_AREA": 40, **outputs, **parameters}
+        results = run_algorithm(DESCRIBE, given, feedback)
         vector = json.loads(Path(results["VECTOR"]).read_text(encoding="utf-8")) if "VECTOR" in results else None
-        return points(results["REFERENCES"]), vector, results
+        points = read_rows(results["REFERENCES"])
+        for row in points:
+            row["x"], row["y"] = row.pop("geometry").GetPoint_2D()
+        return points, vector, results
 
     return run
-
-
-def points(path) -> list:
-    source = ogr.Open(str(path))
-    found = []
-    for feature in source.GetLayer(0):
-        x, y = feature.GetGeometryRef().GetPoint_2D()
-        found.append({**feature.items(), "x": x, "y": y})
-    return found
 
 
 def expected_objects(labels: np.ndarray, minimum_area_px: float):
@@ -82,10 +72,8 @@ def test_points_of_a_turned_image_fall_on_its_objects(describe, tmp_path):
 
 def test_points_of_an_image_without_georeference_are_pixels_with_y_up(describe, tmp_path):
     found, _, _ = describe(write_raster(tmp_path / "image.png", WIDE, transform=None))
-    expected = expected_objects(SQUARE, 40)
-    assert len(found) == len(expected) > 10
-    for n, row in enumerate(found):
-        assert (row["x"], -row["y"]) == pytest.approx(expected.centers_xy[n] + (30, 0), abs=1e-6)
+    centers = expected_objects(SQUARE, 40).centers_xy + (30, 0)
+    np.testing.assert_allclose([(row["x"], -row["y"]) for row in found], centers, atol=1e-6)
 
 
 def test_fewer_than_three_landmarks_give_no_vector_with_a_note(describe, tmp_path, feedback):
@@ -99,23 +87,14 @@ def test_fewer_than_three_landmarks_give_no_vector_with_a_note(describe, tmp_pat
 
 def test_with_a_database_the_image_is_described_as_its_windows_are(describe, run_algorithm, tmp_path):
     labels = write_raster(tmp_path / "map.tif", WIDE, names=NAMES)
-    parameters = {
-        "LABELS": str(labels),
-        "REFERENCE_CLASSES": "building;water",
-        "WINDOW_SIZE": 150,
-        "STRIDE": 30,
-        "MINIMUM_AREA": 50,
-        "REFERENCES_PER_VECTOR": 7,
-        "DATABASE": str(tmp_path / "area.gpkg"),
-    }
-    database = run_algorithm("semref:builddatabase", parameters)["DATABASE"]
-    source = ogr.Open(database)
-    window = next(f for f in source.GetLayerByName("windows") if f["name"] == "30_0")
-    stored = np.frombuffer(bytes(window.GetFieldAsBinary("vector")), "<f4")
+    sizes = {"WINDOW_SIZE": 150, "STRIDE": 30, "MINIMUM_AREA": 50, "REFERENCES_PER_VECTOR": 7}
+    asked = {"LABELS": str(labels), "REFERENCE_CLASSES": "building;water", "DATABASE": str(tmp_path / "area.gpkg")}
+    database = run_algorithm("semref:builddatabase", {**asked, **sizes})["DATABASE"]
+    window = next(row for row in read_rows(database, "windows") if row["name"] == "30_0")
     image = write_raster(tmp_path / "image.png", SQUARE, transform=None)
     # The database's values override the settings.
     found, vector, _ = describe(image, DATABASE=database, CLASS_TABLE=None, MINIMUM_AREA=1)
-    np.testing.assert_allclose(vector["vector"], stored, rtol=0, atol=1e-7)
+    np.testing.assert_allclose(vector["vector"], np.frombuffer(bytes.fromhex(window["vector"]), "<f4"), rtol=0, atol=1e-7)
     assert {row["class"] for row in found} == {1, 2}
 
 

@@ -1,14 +1,12 @@
 """semref:localizeimages with Map correlation: areas instead of landmarks."""
 
-import contextlib
 import shutil
-import sqlite3
 
 import cv2
 import numpy as np
 import pytest
-from made_inputs import NORTH, WEST, turned_view, write_raster
-from osgeo import ogr
+from edited_database import edit
+from made_inputs import NORTH, WEST, read_rows, turned_view, write_raster
 
 LOCALIZE = "semref:localizeimages"
 NAMES = ["unlabeled", "building", "water", "forest", "field"]
@@ -39,10 +37,8 @@ def database(build_area):
 def localize(run_algorithm, database, tmp_path, feedback):
     def run(labels, **parameters):
         path = write_raster(tmp_path / "photo.png", labels, transform=None)
-        defaults = {"DATABASE": database, "IMAGES": [str(path)], "METHOD": 3}
-        output = {"OUTPUT": str(tmp_path / "positions.gpkg")}
-        source = ogr.Open(run_algorithm(LOCALIZE, {**defaults, **output, **parameters}, feedback)["OUTPUT"])
-        (row,) = [feature.items() for feature in source.GetLayer(0)]
+        given = {"DATABASE": database, "IMAGES": [str(path)], "METHOD": 3, "OUTPUT": str(tmp_path / "positions.gpkg")}
+        (row,) = read_rows(run_algorithm(LOCALIZE, {**given, **parameters}, feedback)["OUTPUT"])
         return row
 
     return run
@@ -75,20 +71,10 @@ def test_automatic_finds_it_where_landmarks_are_too_poor(localize):
     assert (found["x"], found["y"]) == pytest.approx((WEST + 700, NORTH - 600), abs=8)
 
 
-@pytest.fixture
-def database_without_overview(database, tmp_path):
-    """Return a database without its overview."""
-    path = shutil.copy(database, tmp_path / "old.gpkg")
-    with contextlib.closing(sqlite3.connect(path)) as connection, connection:
-        connection.execute("DELETE FROM gpkg_contents WHERE table_name = 'overview'")
-        connection.execute("DROP TABLE overview")
-    return str(path)
-
-
-def test_automatic_reports_that_without_overview_only_the_constellation_is_used(
-    localize, database_without_overview, feedback
-):
-    found = localize(LABELS[300 : 300 + SIZE, 400 : 400 + SIZE].copy(), METHOD=0, DATABASE=database_without_overview)
+def test_automatic_reports_that_without_overview_only_the_constellation_is_used(localize, database, tmp_path, feedback):
+    path = str(shutil.copy(database, tmp_path / "old.gpkg"))
+    edit(path, "DELETE FROM gpkg_contents WHERE table_name = 'overview'", "DROP TABLE overview")
+    found = localize(LABELS[300 : 300 + SIZE, 400 : 400 + SIZE].copy(), METHOD=0, DATABASE=path)
     assert found["status"] == "fix" and found["method"] == "constellation"
     said = feedback.textLog()
     assert "“Automatic” uses only the constellation of landmarks, not map correlation: " in said and "overview" in said

@@ -2,8 +2,7 @@
 
 import numpy as np
 import pytest
-from made_inputs import NAMES, NORTH, WEST, scattered_objects, write_raster, write_text
-from osgeo import ogr
+from made_inputs import NAMES, NORTH, WEST, read_rows, scattered_objects, write_raster, write_text
 from qgis.core import QgsProcessingException
 
 from semref.core.errors import ImageError
@@ -36,9 +35,8 @@ def localize(run_algorithm, database, tmp_path, feedback):
         outputs = {key: str(tmp_path / f"{key.lower()}.gpkg") for key in ("OUTPUT", "FOOTPRINTS")}
         parameters = {"DATABASE": database, "IMAGES": str(tmp_path / "flight"), "METHOD": 2, **outputs, **parameters}
         results = run_algorithm(algorithm, parameters, feedback)
-        positions, footprints = (ogr.Open(results[key]) for key in ("OUTPUT", "FOOTPRINTS"))
-        rows = [feature.items() for feature in positions.GetLayer(0)]
-        polygons = [feature.GetGeometryRef().GetGeometryRef(0).GetPoints() for feature in footprints.GetLayer(0)]
+        rows, footprints = (read_rows(results[key]) for key in ("OUTPUT", "FOOTPRINTS"))
+        polygons = [row["geometry"].GetGeometryRef(0).GetPoints() for row in footprints]
         return rows, polygons, results
 
     return run
@@ -65,10 +63,9 @@ def test_a_tilted_image_is_leveled_and_found(localize, feedback):
 
 def test_the_camera_is_behind_what_its_center_shows(localize):
     (found,), _, _ = localize([ahead()], TABLE)
-    focal = SIZE / 2 / np.tan(np.radians(30))
-    away = focal * np.cos(np.radians(TILT)) ** 1.5 * np.tan(np.radians(TILT))
-    heading = np.radians(30)
-    expected = found["x"] - away * np.sin(heading), found["y"] - away * np.cos(heading)
+    focal, tilt = SIZE / 2 / np.tan(np.radians(30)), np.radians(TILT)
+    away = focal * np.cos(tilt) ** 1.5 * np.tan(tilt)
+    expected = found["x"] - away * np.sin(np.radians(30)), found["y"] - away * np.cos(np.radians(30))
     assert (found["camera_x"], found["camera_y"]) == pytest.approx(expected, abs=2)
 
 
