@@ -6,10 +6,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import write_raster, write_text
-from osgeo import gdal
+from made_inputs import write_photo, write_raster, write_text
 
-from semref.core.errors import ParameterError
 from semref.core.flight.cameras import read_cameras
 from semref.processing.messages.camera_messages import camera_read, camera_remark
 
@@ -21,13 +19,9 @@ def label_image(folder: Path, name: str = "IMG_1.png", width: int = 40, height: 
     return str(write_raster(folder / name, np.ones((height, width), np.uint8), transform=None))
 
 
-def photo(path: Path, xmp: str = "", width: int = 80, height: int = 60, **exif) -> Path:
-    """Write a JPEG with EXIF items and an XMP packet that has ``xmp`` as attributes or elements."""
-    memory = gdal.GetDriverByName("MEM").Create("", width, height, 3)
-    memory.SetMetadata({f"EXIF_{name}": value for name, value in exif.items()})
-    gdal.GetDriverByName("JPEG").CreateCopy(str(path), memory)
-    # GDAL writes a side-car file for items that don't fit into a JPEG; cameras don't.
-    Path(f"{path}.aux.xml").unlink(missing_ok=True)
+def photo(path: Path, xmp: str = "", **exif) -> Path:
+    """Write a JPEG of 80 × 60 pixels with EXIF items and an XMP packet that has ``xmp`` as attributes or elements."""
+    write_photo(path, (80, 60), **exif)
     if xmp:
         attributes, elements = ("", xmp) if xmp.startswith("<") else (xmp, "")
         packet = f"<x:xmpmeta><rdf:RDF><rdf:Description {attributes}>{elements}</rdf:Description></rdf:RDF></x:xmpmeta>"
@@ -118,8 +112,8 @@ def test_a_table_gives_attitude_focal_length_and_time(tmp_path):
     assert camera.leveling((30, 40)).shape_hw != (30, 40)
 
 
-@pytest.mark.parametrize("name", ["IMG_1.png", "IMG_1.JPG", "IMG_1", "D:\\flight\\IMG_1.JPG", "/flight/IMG_1.jpg"])
-@pytest.mark.parametrize("separator", [",", ";", "\t"])
+@pytest.mark.parametrize("name", ["IMG_1.JPG", "D:\\flight\\IMG_1.JPG", "/flight/IMG_1.jpg"])
+@pytest.mark.parametrize("separator", [",", "\t"])
 def test_images_are_named_by_their_stem(tmp_path, name, separator):
     text = f"\ufeffImage,Roll,Pitch,note\n{name},1,2,x\nother.png,3,4,\n".replace(",", separator)
     (camera,) = read_cameras([label_image(tmp_path)], table(tmp_path, text))
@@ -133,14 +127,6 @@ def test_images_are_named_by_their_stem(tmp_path, name, separator):
 def test_times_are_seconds_or_dates(tmp_path, text, seconds):
     (camera,) = read_cameras([label_image(tmp_path)], table(tmp_path, f"image,time\nIMG_1,{text}\n"))
     assert camera.time_s == seconds and camera.attitude is None
-
-
-def test_a_table_that_is_missing_or_no_text_is_one_sentence(tmp_path):
-    image = label_image(tmp_path)
-    with pytest.raises(ParameterError, match="can't be read: No such file"):
-        read_cameras([image], str(tmp_path / "none.csv"))
-    with pytest.raises(ParameterError, match="not text in UTF-8"):
-        read_cameras([image], image)
 
 
 # --- photos ---
@@ -162,17 +148,17 @@ def test_pix4ds_roll_has_the_right_side_down(tmp_path):
     assert angles(camera) == (-4.5, -3)
 
 
-def test_without_focal_length_the_image_is_not_leveled_with_a_note(tmp_path):
-    photo(tmp_path / "IMG_1.jpg", DJI, FocalLengthIn35mmFilm="0")
-    (camera,) = read_cameras([label_image(tmp_path)], "")
-    assert camera.leveling((30, 40)) is None
-    assert camera_remark(camera, (30, 40)) == "Not leveled, because IMG_1.jpg contains no focal length."
-
-
-def test_a_focal_length_does_not_serve_an_image_of_another_shape(tmp_path):
-    photo(tmp_path / "IMG_1.jpg", DJI, FocalLengthIn35mmFilm="24")
-    (camera,) = read_cameras([label_image(tmp_path, width=30)], "")
-    assert camera.leveling((30, 30)) is None and "the shape that IMG_1.jpg gives" in camera_remark(camera, (30, 30))
+@pytest.mark.parametrize(
+    ("focal_length", "width", "remark"),
+    [
+        ("0", 40, "Not leveled, because IMG_1.jpg contains no focal length."),
+        ("24", 30, "the shape that IMG_1.jpg gives"),
+    ],
+)
+def test_without_a_focal_length_of_its_shape_an_image_is_not_leveled_with_a_note(tmp_path, focal_length, width, remark):
+    photo(tmp_path / "IMG_1.jpg", DJI, FocalLengthIn35mmFilm=focal_length)
+    (camera,) = read_cameras([label_image(tmp_path, width=width)], "")
+    assert camera.leveling((30, width)) is None and remark in camera_remark(camera, (30, width))
 
 
 def test_a_photo_with_an_orientation_tag_gives_no_attitude(tmp_path):
@@ -188,11 +174,9 @@ def test_the_table_comes_before_the_photo_and_the_photo_fills_its_gaps(tmp_path)
     images = [label_image(tmp_path, f"IMG_{number}.png") for number in (1, 2)]
     first, second = read_cameras(images, table(tmp_path, "image,roll,pitch\nIMG_1,0,0\n"))
     assert angles(first) == (0, 0) and first.lens.value == 24 and first.leveling((30, 40)) is None
-    assert angles(second) == pytest.approx((0, 10))
-    assert (first.time_s, second.time_s) == (60, 60)
+    assert angles(second) == pytest.approx((0, 10)) and (first.time_s, second.time_s) == (60, 60)
     timed, untimed = read_cameras(images, table(tmp_path, "image,time\nIMG_1,7\n"))
     assert (timed.time_s, untimed.time_s) == (7, None)
-    assert angles(timed) == pytest.approx((0, 10))
 
 
 def test_tags_that_are_no_text_are_no_fault_of_the_program(tmp_path):

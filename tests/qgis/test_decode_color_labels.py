@@ -45,9 +45,12 @@ def painted(labels: np.ndarray) -> np.ndarray:
     return bands_of(palette[labels])
 
 
-def test_exact_colors_give_back_the_labels(decode, tmp_path):
+def test_exact_colors_give_back_the_labels_without_a_fourth_band_and_in_slices(decode, tmp_path, monkeypatch):
     image = write_raster(tmp_path / "a.png", painted(LABELS), transform=None)
     np.testing.assert_array_equal(read_pixels(decode(image)), LABELS)
+    opaque = np.concatenate([painted(LABELS), np.full((1, *LABELS.shape), 255, np.uint8)])
+    monkeypatch.setattr(decode_color_labels, "ROWS_PIXELS", 7 * LABELS.shape[1])
+    np.testing.assert_array_equal(read_pixels(decode(write_raster(tmp_path / "a.tif", opaque))), LABELS)
 
 
 def test_a_paletted_image_is_decoded_by_its_palette(decode, tmp_path):
@@ -74,34 +77,17 @@ def test_colors_outside_all_hsv_ranges_are_unlabeled_and_reported(decode, tmp_pa
     assert "75.0%" in feedback.textLog()
 
 
-def test_the_label_map_has_the_place_of_the_image(decode, tmp_path):
+def test_the_label_map_has_the_place_of_the_image_and_the_format_of_label_maps(decode, tmp_path):
     image = write_raster(tmp_path / "a.tif", painted(LABELS), transform=(WEST, 0.5, 0, NORTH, 0, -0.5), crs=25832)
     raster = gdal.Open(decode(image))
     assert raster.GetGeoTransform() == (WEST, 0.5, 0, NORTH, 0, -0.5)
-    layer = QgsRasterLayer(str(tmp_path / "labels.tif"))
-    assert layer.crs().authid() == "EPSG:25832"
-
-
-def test_the_label_map_has_the_format_of_label_maps(decode, tmp_path):
-    raster = gdal.Open(decode(write_raster(tmp_path / "a.tif", painted(LABELS))))
+    assert QgsRasterLayer(str(tmp_path / "labels.tif")).crs().authid() == "EPSG:25832"
     assert raster.GetMetadataItem("SEMREF_CLASS_TABLE").startswith("value,name,color,role")
     band = raster.GetRasterBand(1)
     assert (raster.RasterCount, band.DataType) == (1, gdal.GDT_Byte)
     assert raster.GetMetadataItem("COMPRESSION", "IMAGE_STRUCTURE") == "DEFLATE"
     assert band.GetRasterCategoryNames()[1:] == ["building", "water", "bare_land", "field"]
     assert band.GetRasterColorTable().GetColorEntry(2)[:3] == COLORS[2]
-
-
-def test_a_fourth_band_is_left_out(decode, tmp_path):
-    opaque = np.concatenate([painted(LABELS), np.full((1, *LABELS.shape), 255, np.uint8)])
-    image = write_raster(tmp_path / "a.tif", opaque)
-    np.testing.assert_array_equal(read_pixels(decode(image)), LABELS)
-
-
-def test_an_image_of_several_slices_equals_one_decoded_at_once(decode, tmp_path, monkeypatch):
-    image = write_raster(tmp_path / "a.tif", painted(LABELS))
-    monkeypatch.setattr(decode_color_labels, "ROWS_PIXELS", 7 * LABELS.shape[1])
-    np.testing.assert_array_equal(read_pixels(decode(image)), LABELS)
 
 
 def test_a_label_map_never_replaces_its_color_image(decode, tmp_path):

@@ -94,7 +94,8 @@ def test_with_a_database_the_image_is_described_as_its_windows_are(describe, run
     image = write_raster(tmp_path / "image.png", SQUARE, transform=None)
     # The database's values override the settings.
     found, vector, _ = describe(image, DATABASE=database, CLASS_TABLE=None, MINIMUM_AREA=1)
-    np.testing.assert_allclose(vector["vector"], np.frombuffer(bytes.fromhex(window["vector"]), "<f4"), rtol=0, atol=1e-7)
+    stored = np.frombuffer(bytes.fromhex(window["vector"]), "<f4")
+    np.testing.assert_allclose(vector["vector"], stored, rtol=0, atol=1e-7)
     assert {row["class"] for row in found} == {1, 2}
 
 

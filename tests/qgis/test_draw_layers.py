@@ -6,9 +6,19 @@ import time
 
 import numpy as np
 import pytest
-from made_inputs import NORTH, WEST, read_pixels, scattered_objects, square, write_layer, write_raster
+from made_inputs import (
+    NORTH,
+    WEST,
+    read_pixels,
+    read_rows,
+    scattered_objects,
+    spatial_reference,
+    square,
+    write_layer,
+    write_raster,
+)
 from made_models import metadata, painted, write_model
-from osgeo import gdal, ogr, osr
+from osgeo import gdal, osr
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
@@ -220,12 +230,9 @@ AREA = scattered_objects(900, 1000, 1300, seed=5, background=0)
 
 def area_at(x: np.ndarray, y: np.ndarray) -> np.ndarray:
     """Return classes of AREA (1 m pixels in EPSG:32632) at places of EPSG:3857; 0 outside."""
-    systems = [osr.SpatialReference() for _ in range(2)]
-    for system, code in zip(systems, (3857, 32632)):
-        system.ImportFromEPSG(code)
-        system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
     places = np.column_stack([x.ravel(), y.ravel()]).tolist()
-    moved = np.array(osr.CoordinateTransformation(*systems).TransformPoints(places))
+    to_area = osr.CoordinateTransformation(spatial_reference(3857), spatial_reference(32632))
+    moved = np.array(to_area.TransformPoints(places))
     columns, rows = np.floor(moved[:, 0] - WEST).astype(int), np.floor(NORTH - moved[:, 1]).astype(int)
     inside = (columns >= 0) & (columns < 1000) & (rows >= 0) & (rows < 900)
     found = np.zeros(len(moved), int)
@@ -262,8 +269,7 @@ def test_outside_of_a_mask_a_layer_that_is_tried_has_no_labels(run_algorithm, da
     result = run_algorithm(
         "semref:localizeimages", {"DATABASE": database, "METHOD": 2, "MASK": mask, **framed(kind), **outputs}
     )
-    positions = ogr.Open(result["OUTPUT"])
-    (row,) = (feature.items() for feature in positions.GetLayer(0))
+    (row,) = read_rows(result["OUTPUT"])
     # The middle of the area around the polygon.
     assert (row["x"], row["y"]) == pytest.approx((WEST + 500, NORTH - 540), abs=2)
     (made,) = (tmp_path / "labels").glob("*.tif")
@@ -305,7 +311,6 @@ def test_a_place_framed_on_a_layer_is_localized_as_an_image(run_algorithm, datab
     given = {"DATABASE": database, "METHOD": 2, "EXTENT": extent, "OUTPUT": str(tmp_path / "p.gpkg"), **more}
     result = run_algorithm("semref:localizeimages", given)
     assert result["FIX_COUNT"] == 1
-    positions = ogr.Open(result["OUTPUT"])
-    (row,) = (feature.items() for feature in positions.GetLayer(0))
+    (row,) = read_rows(result["OUTPUT"])
     assert (row["x"], row["y"]) == pytest.approx((WEST + 475, NORTH - 525), abs=2)
     assert gdal.Open(row["image"]).RasterXSize == 350

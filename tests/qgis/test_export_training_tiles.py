@@ -41,25 +41,27 @@ def export(run_algorithm, feedback, tmp_path):
     return run
 
 
+def part_of(tile):
+    return np.s_[..., tile["row"] : tile["row"] + TILE, tile["column"] : tile["column"] + TILE]
+
+
 def tile_pairs(folder, manifest, suffix="png"):
     """Return (entry, image (bands, h, w), labels) of each tile."""
     for tile in manifest["tiles"]:
         stem = Path(folder) / tile["subset"]
-        yield (
-            tile,
-            read_pixels(stem / "images" / f"{tile['name']}.{suffix}"),
-            read_pixels(stem / "labels" / f"{tile['name']}.png"),
-        )
+        image, labels = stem / "images" / f"{tile['name']}.{suffix}", stem / "labels" / f"{tile['name']}.png"
+        yield tile, read_pixels(image), read_pixels(labels)
 
 
 def test_every_tile_is_the_piece_that_its_name_states(export):
     result, manifest = export()
     assert result["TILE_COUNT"] == len(manifest["tiles"]) > 50
+    rows = (Path(result["OUTPUT"]) / "classes.csv").read_text(encoding="utf-8").splitlines()
+    assert [row.split(",")[1] for row in rows[1:]] == NAMES[1:]
     photo = photo_of(LABELS)
     for tile, image, labels in tile_pairs(result["OUTPUT"], manifest):
-        part = np.s_[tile["row"] : tile["row"] + TILE, tile["column"] : tile["column"] + TILE]
-        np.testing.assert_array_equal(labels, LABELS[part])
-        np.testing.assert_array_equal(image, photo[(..., *part)])
+        np.testing.assert_array_equal(labels, LABELS[part_of(tile)])
+        np.testing.assert_array_equal(image, photo[part_of(tile)])
         assert tile["name"] == f"{tile['column']}_{tile['row']}"
         assert (tile["x"], tile["y"]) == (WEST + tile["column"], NORTH - tile["row"])
 
@@ -90,12 +92,6 @@ def test_statistics_are_those_of_the_written_tiles(export):
     np.testing.assert_allclose(manifest["statistics"]["band_std"], values.std(axis=1), rtol=1e-6)
 
 
-def test_the_class_table_of_the_label_map_goes_with_the_tiles(export):
-    result, _ = export()
-    rows = (Path(result["OUTPUT"]) / "classes.csv").read_text(encoding="utf-8").splitlines()
-    assert [row.split(",")[1] for row in rows[1:]] == NAMES[1:]
-
-
 @pytest.mark.slow
 def test_labels_on_another_grid_are_brought_onto_the_image(export, tmp_path):
     coarse = scattered_objects(HEIGHT // 4, WIDTH // 4, 40, seed=8)
@@ -107,8 +103,7 @@ def test_labels_on_another_grid_are_brought_onto_the_image(export, tmp_path):
     padded = np.pad(coarse, ((0, 2), (0, 3)))  # Beyond the label map all pixels are unlabeled.
     expected = padded[np.ix_(rows.astype(int), columns.astype(int))]
     for tile, _, found in tile_pairs(result["OUTPUT"], manifest):
-        part = np.s_[tile["row"] : tile["row"] + TILE, tile["column"] : tile["column"] + TILE]
-        np.testing.assert_array_equal(found, expected[part])
+        np.testing.assert_array_equal(found, expected[part_of(tile)])
 
 
 @pytest.mark.slow
@@ -118,43 +113,28 @@ def test_labels_in_another_crs_are_brought_onto_the_image(export, tmp_path):
     result, manifest = export(labels=tmp_path / "other.tif")
     agree = total = 0
     for tile, _, found in tile_pairs(result["OUTPUT"], manifest):
-        part = np.s_[tile["row"] : tile["row"] + TILE, tile["column"] : tile["column"] + TILE]
-        agree, total = agree + int((found == LABELS[part]).sum()), total + found.size
+        agree, total = agree + int((found == LABELS[part_of(tile)]).sum()), total + found.size
     assert agree > 0.97 * total
 
 
-def test_rasters_without_georeference_fit_by_their_pixels(export, tmp_path):
+def test_rasters_without_georeference_fit_by_their_pixels_and_are_refused_if_their_sizes_differ(export, tmp_path):
     image = write_raster(tmp_path / "plain.png", photo_of(LABELS), transform=None)
-    labels = write_raster(tmp_path / "plain_labels.png", LABELS, transform=None)
-    _, manifest = export(image=image, labels=labels)
+    small = write_raster(tmp_path / "small.png", LABELS[:100], transform=None)
+    with pytest.raises(QgsProcessingException, match="480 × 100 pixels, the image 480 × 320"):
+        export(image=image, labels=small)
+    _, manifest = export(image=image, labels=write_raster(tmp_path / "plain_labels.png", LABELS, transform=None))
     assert (manifest["crs"], manifest["geotransform"], manifest["pixel_size"]) == ("", None, None)
     assert len(manifest["tiles"]) > 50
 
 
-def test_rasters_without_georeference_and_of_different_size_are_refused(export, tmp_path):
-    image = write_raster(tmp_path / "plain.png", photo_of(LABELS), transform=None)
-    labels = write_raster(tmp_path / "small.png", LABELS[:100], transform=None)
-    with pytest.raises(QgsProcessingException, match="480 × 100 pixels, the image 480 × 320"):
-        export(image=image, labels=labels)
-
-
-def test_sixteen_bits_and_four_bands_become_geotiffs_with_all_values(export, tmp_path):
+def test_sixteen_bits_and_four_bands_become_geotiffs_with_all_values_and_a_stretch(export, tmp_path):
     image = photo_of(LABELS, np.uint16, bands=4)
     deep = write_raster(tmp_path / "deep.tif", image, kind=gdal.GDT_UInt16)
-    result, manifest = export(image=deep)
-    assert (manifest["band_count"], manifest["data_type"]) == (4, "UInt16")
+    result, manifest = export(image=deep, VALIDATION_FRACTION=0)
+    assert (manifest["band_count"], manifest["data_type"], manifest["network_bands"]) == (4, "UInt16", [1, 2, 3])
     for tile, found, _ in tile_pairs(result["OUTPUT"], manifest, "tif"):
-        part = np.s_[tile["row"] : tile["row"] + TILE, tile["column"] : tile["column"] + TILE]
-        np.testing.assert_array_equal(found, image[(..., *part)])
-
-
-@pytest.mark.slow
-def test_the_manifest_states_how_deep_images_are_stretched(export, tmp_path):
-    image = photo_of(LABELS, np.uint16, bands=4)
-    deep = write_raster(tmp_path / "deep.tif", image, kind=gdal.GDT_UInt16)
-    _, manifest = export(image=deep, VALIDATION_FRACTION=0)
+        np.testing.assert_array_equal(found, image[part_of(tile)])
     seen = GdalImage(str(deep))
-    assert manifest["network_bands"] == [1, 2, 3]
     np.testing.assert_allclose(manifest["stretch"], seen.stretch)
     shown = seen.read(0, 0, WIDTH, HEIGHT)[0] / 255
     np.testing.assert_allclose(manifest["statistics"]["band_mean"], shown.mean(axis=(0, 1)), rtol=1e-9)

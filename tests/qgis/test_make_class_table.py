@@ -5,13 +5,8 @@ from pathlib import Path
 import pytest
 from made_inputs import square, write_layer
 from osgeo import gdal, ogr
-from qgis.core import (
-    QgsCategorizedSymbolRenderer,
-    QgsFillSymbol,
-    QgsProcessingException,
-    QgsRendererCategory,
-    QgsVectorLayer,
-)
+from qgis.core import QgsProcessingException
+from rasterized import styled_layer
 
 from semref.core.labels.class_table import class_table_from_csv
 from semref.processing.base.annotation import PRESETS
@@ -37,24 +32,18 @@ def layer_of(tmp_path, *values, kind="text") -> str:
 
 
 def test_a_layers_classes_get_values_colors_and_roles(made, tmp_path):
-    table, results = made(layer_of(tmp_path, "water", "forest", "building", "water", None))
+    layer = layer_of(tmp_path, "water", "forest", "building", "water", None)
+    table, results = made(layer)
     assert results["CLASS_COUNT"] == 3
     assert [(c.value, c.name) for c in table] == [(1, "building"), (2, "forest"), (3, "water")]
     assert [c.name for c in table.references] == ["building", "water"]
     assert table.find("water").color == "#3a87c8"
-
-
-def test_the_reference_classes_are_those_named(made, tmp_path):
-    table, _ = made(layer_of(tmp_path, "water", "forest"), REFERENCE_CLASSES="forest")
-    assert [c.name for c in table.references] == ["forest"]
+    assert [c.name for c in made(layer, REFERENCE_CLASSES="forest")[0].references] == ["forest"]
 
 
 def test_the_colors_of_the_layers_style_are_kept(made, tmp_path):
-    layer = QgsVectorLayer(layer_of(tmp_path, 4, 9, kind="integer"), "annotation", "ogr")
-    symbols = [QgsFillSymbol.createSimple({"color": color}) for color in ("#112233", "#445566")]
-    categories = [QgsRendererCategory(*row) for row in ((4, symbols[0], "Lake"), (9, symbols[1], "House"))]
-    layer.setRenderer(QgsCategorizedSymbolRenderer("class", categories))
-    table, _ = made(layer)
+    path = Path(layer_of(tmp_path, 4, 9, kind="integer"))
+    table, _ = made(styled_layer(path, [(4, "Lake", "#112233"), (9, "House", "#445566")]))
     assert [(c.value, c.name, c.color) for c in table] == [(4, "Lake", "#112233"), (9, "House", "#445566")]
 
 
@@ -83,31 +72,21 @@ def test_a_layer_without_classes_or_an_unknown_reference_class_is_refused(made, 
     assert not list(tmp_path.glob("classes*"))
 
 
-def test_a_label_map_has_its_classes_as_gdals_attribute_table(made, run_algorithm, tmp_path):
-    layer = layer_of(tmp_path, "water", "forest")
-    table, _ = made(layer)
+def test_a_label_map_has_its_classes_as_gdals_attribute_table_also_in_an_old_ones_place(run_algorithm, tmp_path):
     output = str(tmp_path / "labels.tif")
-    given = {"INPUT": layer, "CLASS_FIELD": "class", "CLASS_TABLE": str(tmp_path / "classes.csv"), "OUTPUT": output}
-    run_algorithm(RASTERIZE, given)
-    raster = gdal.Open(output)
-    band = raster.GetRasterBand(1)
-    attributes = band.GetDefaultRAT()
-    name, value, red = (attributes.GetColOfUsage(u) for u in (gdal.GFU_Name, gdal.GFU_MinMax, gdal.GFU_Red))
-    found = {attributes.GetValueAsInt(r, value): attributes.GetValueAsString(r, name) for r in range(2)}
-    assert found == {c.value: c.name for c in table}
-    assert [attributes.GetValueAsInt(r, red) for r in range(2)] == [c.rgb[0] for c in table]
-    assert band.GetRasterCategoryNames() == ["unlabeled", "forest", "water"]
-
-
-def test_a_new_label_map_in_an_old_ones_place_has_its_own_attribute_table(made, run_algorithm, tmp_path):
-    output = str(tmp_path / "labels.tif")
-    for names in (("water", "forest", "building"), ("road", "grass")):
+    for names in (["building", "forest", "water"], ["grass", "road"]):
         (tmp_path / names[0]).mkdir()
         layer = layer_of(tmp_path / names[0], *names)
         run_algorithm(RASTERIZE, {"INPUT": layer, "CLASS_FIELD": "class", "OUTPUT": output})
-    raster = gdal.Open(output)
-    attributes = raster.GetRasterBand(1).GetDefaultRAT()
-    assert [attributes.GetValueAsString(r, 1) for r in range(attributes.GetRowCount())] == ["grass", "road"]
+        raster = gdal.Open(output)
+        band = raster.GetRasterBand(1)
+        rows, usages = band.GetDefaultRAT(), (gdal.GFU_MinMax, gdal.GFU_Name, gdal.GFU_Red)
+        columns = [rows.GetColOfUsage(usage) for usage in usages]
+        found = [[rows.GetValueAsString(row, column) for column in columns] for row in range(rows.GetRowCount())]
+        colors = band.GetRasterColorTable()
+        reds = [colors.GetColorEntry(n)[0] for n in range(1, len(names) + 1)]
+        assert found == [[str(n), name, str(red)] for n, (name, red) in enumerate(zip(names, reds), 1)]
+        assert band.GetRasterCategoryNames() == ["unlabeled", *names]
 
 
 @pytest.mark.real_data
@@ -121,10 +100,6 @@ def test_the_classes_of_lcdb_are_called_as_its_data_call_them(real_data):
         rows = {int(row.GetField(0)): row.GetField(1) for row in found}
         assert rows == {value: table[value] for value in rows}
         source.ReleaseResultSet(found)
-
-
-LCDB = """0 1 2 5 6 10 12 14 15 16 20 21 22 30 33 40 41 43 44 45 46 47 50 51 52 54 55 56 58 64 68 69 70 71 80 81"""
-"""LCDB v5.0 with the two classes of the Chatham Islands."""
 
 
 def test_ground_without_data_gets_a_class_of_its_own_and_no_other_s(made, tmp_path):

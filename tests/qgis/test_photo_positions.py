@@ -5,8 +5,17 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import NORTH, WEST, scattered_objects, turned_view, write_raster
-from osgeo import gdal, ogr, osr
+from made_inputs import (
+    NORTH,
+    WEST,
+    read_rows,
+    scattered_objects,
+    spatial_reference,
+    turned_view,
+    write_photo,
+    write_raster,
+)
+from osgeo import osr
 
 from semref.processing.base.localized_image import far_sentence
 from semref.storage.photo_position import photo_lon_lat
@@ -28,18 +37,9 @@ def exif(longitude: float, latitude: float, **more: str) -> dict[str, str]:
     return {**found, **more}
 
 
-def photo(path: Path, **tags: str) -> str:
-    """Write a JPEG with EXIF items and no side-car file."""
-    memory = gdal.GetDriverByName("MEM").Create("", 32, 24, 3)
-    memory.SetMetadata({f"EXIF_{name}": value for name, value in tags.items()})
-    gdal.GetDriverByName("JPEG").CreateCopy(str(path), memory)
-    Path(f"{path}.aux.xml").unlink(missing_ok=True)
-    return str(path)
-
-
 @pytest.mark.parametrize("place", [(9.5213, 47.1401), (-91.9945, 46.8426), (151.2, -33.86), (0.0, 51.4779)])
 def test_a_photos_position_is_read_to_a_meter(tmp_path, place):
-    assert photo_lon_lat(photo(tmp_path / "a.jpg", **exif(*place))) == pytest.approx(place, abs=1e-5)
+    assert photo_lon_lat(write_photo(tmp_path / "a.jpg", **exif(*place))) == pytest.approx(place, abs=1e-5)
 
 
 def test_that_of_a_tiff_is_read_as_well(tmp_path):
@@ -71,7 +71,7 @@ def test_that_of_a_tiff_is_read_as_well(tmp_path):
 def test_a_label_image_is_where_the_photo_of_its_name_beside_it_was_taken(tmp_path):
     label_image = write_raster(tmp_path / "a.png", np.ones((24, 32), np.uint8), transform=None)
     assert photo_lon_lat(str(label_image)) is None
-    photo(tmp_path / "a.JPG", **exif(9.5, 47.1))
+    write_photo(tmp_path / "a.JPG", **exif(9.5, 47.1))
     assert photo_lon_lat(str(label_image)) == pytest.approx((9.5, 47.1))
 
 
@@ -88,7 +88,7 @@ def test_a_label_image_is_where_the_photo_of_its_name_beside_it_was_taken(tmp_pa
     ids=["none", "0, 0", "void", "no side", "too far", "side missing"],
 )
 def test_an_impossible_photo_position_is_ignored(tmp_path, tags):
-    assert photo_lon_lat(photo(tmp_path / "a.jpg", **tags)) is None
+    assert photo_lon_lat(write_photo(tmp_path / "a.jpg", **tags)) is None
 
 
 @pytest.mark.parametrize(("meters", "said"), [(1_234.0, "1.2 km"), (12_340.0, "12 km"), (8_412_300.0, "8,412 km")])
@@ -103,11 +103,8 @@ def database(build_area):
 
 def lon_lat(east: float, north: float) -> tuple[float, float]:
     """Return longitude and latitude of a place so many meters from the upper left corner of the map."""
-    from_crs, to_crs = osr.SpatialReference(), osr.SpatialReference()
-    from_crs.ImportFromEPSG(32632)
-    to_crs.ImportFromEPSG(4326)
-    to_crs.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
-    return osr.CoordinateTransformation(from_crs, to_crs).TransformPoint(WEST + east, NORTH + north)[:2]
+    to_degrees = osr.CoordinateTransformation(spatial_reference(32632), spatial_reference(4326))
+    return to_degrees.TransformPoint(WEST + east, NORTH + north)[:2]
 
 
 @pytest.mark.slow
@@ -123,12 +120,11 @@ def test_photos_taken_far_away_show_the_distance_with_their_reason(
     for kind, labels in shown.items():
         for place, stated in places.items():
             images.append(str(write_raster(tmp_path / f"{kind}_{place}.png", labels, transform=None)))
-            photo(tmp_path / f"{kind}_{place}.jpg", **exif(*stated))
+            write_photo(tmp_path / f"{kind}_{place}.jpg", **exif(*stated))
     images.append(str(write_raster(tmp_path / "empty_silent.png", empty, transform=None)))
     given = {"DATABASE": database, "IMAGES": images, "METHOD": 2, "OUTPUT": str(tmp_path / "positions.gpkg")}
     results = run_algorithm(algorithm, given, feedback)
-    source = ogr.Open(results["OUTPUT"])  # a layer does not own its file
-    rows = [feature.items() for feature in source.GetLayer(0)]
+    rows = read_rows(results["OUTPUT"])
     reasons = {Path(row["image"]).stem: row["reason"] or "" for row in rows}
     status = {Path(row["image"]).stem: row["status"] for row in rows}
     assert {name for name, reason in reasons.items() if SAID in reason} == {"empty_far", "found_far"}

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from made_inputs import NORTH, WEST, read_pixels, square, write_layer, write_raster
+from made_inputs import NORTH, WEST, read_pixels, ring, spatial_reference, square, write_layer, write_raster
 from made_models import metadata, write_model
 from osgeo import gdal, ogr, osr
 from qgis.core import QgsProcessingException, QgsRasterLayer
@@ -108,11 +108,9 @@ def test_outside_the_mask_nothing_has_a_label_and_inside_all_is_as_without(segme
 
 
 def test_a_mask_with_a_hole_leaves_the_hole_out(segment, image, tmp_path):
-    ring = "POLYGON ((0 0, 100 0, 100 -100, 0 -100, 0 0), (20 -20, 60 -20, 60 -60, 20 -60, 20 -20))"
-    geometry = ogr.CreateGeometryFromWkt(ring)
-    points = [[(x + WEST, y + NORTH) for x, y, *_ in geometry.GetGeometryRef(n).GetPoints()] for n in (0, 1)]
-    wkt = "POLYGON (" + ", ".join("(" + ", ".join(f"{x} {y}" for x, y in part) + ")" for part in points) + ")"
-    found = read_pixels(segment(image, MASK=str(write_layer(tmp_path / "m.gpkg", [(wkt, "a")])))["OUTPUT"])
+    outer, hole = [(0, 0), (100, 0), (100, 100), (0, 100)], [(20, 20), (60, 20), (60, 60), (20, 60)]
+    mask = write_layer(tmp_path / "m.gpkg", [(f"POLYGON ({ring(outer)}, {ring(hole)})", "a")])
+    found = read_pixels(segment(image, MASK=str(mask))["OUTPUT"])
     wanted = np.zeros(found.shape, bool)
     wanted[:100, :100] = True
     wanted[20:60, 20:60] = False
@@ -120,13 +118,8 @@ def test_a_mask_with_a_hole_leaves_the_hole_out(segment, image, tmp_path):
 
 
 def test_a_mask_in_degrees_covers_its_ground(segment, image, tmp_path):
-    metric, degrees = osr.SpatialReference(), osr.SpatialReference()
-    metric.ImportFromEPSG(32632)
-    degrees.ImportFromEPSG(4326)
-    for crs in (metric, degrees):
-        crs.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
     geometry = ogr.CreateGeometryFromWkt(square(20, 30, 50))
-    geometry.Transform(osr.CoordinateTransformation(metric, degrees))
+    geometry.Transform(osr.CoordinateTransformation(spatial_reference(32632), spatial_reference(4326)))
     mask = write_layer(tmp_path / "m.gpkg", [(geometry.ExportToWkt(), "a")], crs=4326)
     found = read_pixels(segment(image, MASK=str(mask))["OUTPUT"]) > 0
     wanted = np.zeros(found.shape, bool)
@@ -155,15 +148,16 @@ def test_of_map_tiles_the_masks_extent_is_drawn(segment, tmp_path):
     np.testing.assert_array_equal(raster.ReadAsArray() > 0, in_two_squares()[30:224, 20:184])
 
 
-@pytest.mark.parametrize("case", ["elsewhere", "empty"])
-def test_a_mask_beside_the_image_is_refused(segment, image, tmp_path, case):
-    features = [(square(5_000, 0, 50), "a")] if case == "elsewhere" else []
+@pytest.mark.parametrize(
+    ("column", "place", "words"),
+    [
+        (5_000, PLACE, "The mask and the image do not overlap"),
+        (None, PLACE, "The mask and the image do not overlap"),
+        (20, None, "no georeference"),
+    ],
+)
+def test_a_mask_beside_the_image_or_of_a_photo_without_a_place_is_refused(segment, tmp_path, column, place, words):
+    features = [] if column is None else [(square(column, 0, 50), "a")]
     mask = write_layer(tmp_path / "m.gpkg", features, geometry=ogr.wkbPolygon)
-    with pytest.raises(QgsProcessingException, match="The mask and the image do not overlap"):
-        segment(image, MASK=str(mask))
-
-
-def test_a_mask_on_a_photo_without_a_place_is_refused(segment, tmp_path):
-    photo = write_raster(tmp_path / "a.png", PHOTO, transform=None)
-    with pytest.raises(QgsProcessingException, match="no georeference"):
-        segment(photo, MASK=str(two_squares(tmp_path)))
+    with pytest.raises(QgsProcessingException, match=words):
+        segment(write_raster(tmp_path / "a.tif", PHOTO, transform=place), MASK=str(mask))

@@ -7,9 +7,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import NORTH, WEST, square, write_layer, write_raster, write_text
+from made_inputs import NORTH, WEST, square, write_layer, write_photo, write_raster, write_text
 from made_models import write_model
-from osgeo import gdal
 from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsRasterLayer, QgsVectorLayer
 from tile_server import tile_server
 
@@ -77,15 +76,6 @@ def small(tmp_path):
         "MODEL": str(write_model(tmp_path / "colors.onnx")),
         "FOLDER": str(tmp_path / "results"),
     }
-
-
-def photo(path: Path, **tags: str) -> str:
-    """Write a photo of 64 × 48 pixels with these items of EXIF."""
-    memory = gdal.GetDriverByName("MEM").Create("", 64, 48, 3)
-    memory.SetMetadata({f"EXIF_{name}": value for name, value in tags.items()})
-    gdal.GetDriverByName("JPEG").CreateCopy(str(path), memory)
-    Path(f"{path}.aux.xml").unlink(missing_ok=True)
-    return str(path)
 
 
 def files_in(folder: str) -> set[str]:
@@ -180,7 +170,7 @@ def test_bad_input_is_one_sentence_and_leaves_no_file(run_algorithm, small, tmp_
     }
     far = (600000.0, 1.0, 0.0, 5000000.0, 0.0, -1.0)
     made = {
-        "photo": lambda: [photo(tmp_path / "photo.jpg", **place)],
+        "photo": lambda: [write_photo(tmp_path / "photo.jpg", **place)],
         "far": lambda: str(write_raster(tmp_path / "far.tif", np.zeros((3, 50, 50), np.uint8), transform=far)),
         "damaged": lambda: str(write_text(tmp_path / "bad.onnx", "no model")),
     }

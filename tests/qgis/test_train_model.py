@@ -66,6 +66,36 @@ def train(run_algorithm, trainer, tmp_path):
     return run
 
 
+@pytest.fixture
+def kept(tmp_path):
+    """Return a folder that KEEP fills."""
+    return tmp_path / "kept"
+
+
+KEEP = f"shutil.copytree(folder, os.path.join(os.path.dirname(job['output']), 'kept')); {EPOCH}"
+"""Training that keeps a copy of its files."""
+WAIT = f"{EPOCH}; time.sleep(60)"
+
+
+def interrupt(train, **parameters) -> None:
+    with pytest.raises(QgsProcessingException, match="is saved"):
+        train(Said(cancel_at=50), training=WAIT, **parameters)
+
+
+def tiles_in(kept):
+    """Return the manifest of the tiles, and the labels and the pixels of each."""
+    manifest = json.loads((kept / "tiles" / "manifest.json").read_text())
+    size, found = manifest["tile_size"], []
+    for tile in manifest["tiles"]:
+        path = kept / "tiles" / tile["subset"] / "labels" / f"{tile['name']}.png"
+        found.append((read_pixels(path), tile["row"], tile["column"]))
+    return size, found
+
+
+def job_in(kept):
+    return json.loads((kept / "job.json").read_text())
+
+
 def folders(place):
     """Return the folders that training left beside its model."""
     return sorted(place.glob("model.training*"))
@@ -83,49 +113,33 @@ def test_the_model_and_its_report_are_what_the_training_made(train, tmp_path):
     assert folders(tmp_path) == []
 
 
-def test_the_training_gets_tiles_of_image_and_labels(train, tmp_path):
-    kept = tmp_path / "kept"
-    keep = f"shutil.copytree(folder, {str(kept)!r}); "
-    train(training=keep + EPOCH, MINUTES=7, EPOCHS=9, UNLABELED=1)
-    job = json.loads((kept / "job.json").read_text())
-    assert (job["epochs"], job["learn_unlabeled"]) == (9, True)
+def test_the_training_gets_tiles_of_image_and_labels(train, kept):
+    train(training=KEEP, MINUTES=7, EPOCHS=9, UNLABELED=1)
+    job, (size, tiles) = job_in(kept), tiles_in(kept)
     # Reading and cutting have taken some of the time.
-    assert 5 < job["minutes"] < 7
+    assert (job["epochs"], job["learn_unlabeled"], size) == (9, True, 128) and 5 < job["minutes"] < 7
     assert job["ground"]["image"] == "image.tif" and job["ground"]["pixel_size"] == 1.0
     assert job["ground"]["extent"] == [WEST, NORTH - 640, WEST + 768, NORTH]
-    manifest = json.loads((kept / "tiles" / "manifest.json").read_text())
-    size = manifest["tile_size"]
-    assert size == 128
-    for tile in manifest["tiles"][:5]:
-        part = np.s_[tile["row"] : tile["row"] + size, tile["column"] : tile["column"] + size]
-        path = kept / "tiles" / tile["subset"] / "labels" / f"{tile['name']}.png"
-        np.testing.assert_array_equal(read_pixels(path), LABELS[part])
+    for labels, row, column in tiles[:5]:
+        np.testing.assert_array_equal(labels, LABELS[row : row + size, column : column + size])
 
 
 @pytest.mark.parametrize("something_else", [0, 1])
-def test_ground_outside_the_mask_is_not_learned_from(train, tmp_path, something_else):
-    kept = tmp_path / "kept"
+def test_ground_outside_the_mask_is_not_learned_from(train, kept, tmp_path, something_else):
     mask = write_layer(tmp_path / "mask.gpkg", [(square(100, 50, 400), "x"), (square(500, 450, 100), "x")])
-    keep = f"shutil.copytree(folder, {str(kept)!r}); "
-    train(training=keep + EPOCH, MASK=str(mask), UNLABELED=something_else)
+    train(training=KEEP, MASK=str(mask), UNLABELED=something_else)
     wanted = np.zeros(LABELS.shape, bool)
     wanted[50:450, 100:500] = wanted[450:550, 500:600] = True
-    manifest = json.loads((kept / "tiles" / "manifest.json").read_text())
-    size = manifest["tile_size"]
     # Excluded pixels have a value without a class, because 0 becomes a class if unlabeled ground is learned.
-    outside = 255 if something_else else 0
-    for tile in manifest["tiles"]:
-        row, column = tile["row"] + 50, tile["column"] + 100
-        part = np.s_[row : row + size, column : column + size]
-        path = kept / "tiles" / tile["subset"] / "labels" / f"{tile['name']}.png"
-        np.testing.assert_array_equal(read_pixels(path), np.where(wanted[part], LABELS[part], outside))
-    job = json.loads((kept / "job.json").read_text())
-    assert job["ground"]["extent"] == [WEST + 100, NORTH - 550, WEST + 600, NORTH - 50]
+    expected = np.where(wanted, LABELS, 255 if something_else else 0)[50:, 100:]
+    size, tiles = tiles_in(kept)
+    for labels, row, column in tiles:
+        np.testing.assert_array_equal(labels, expected[row : row + size, column : column + size])
+    assert job_in(kept)["ground"]["extent"] == [WEST + 100, NORTH - 550, WEST + 600, NORTH - 50]
 
 
 @pytest.mark.slow
-def test_map_tiles_are_drawn_in_the_extent_before_they_are_learned_from(train, tmp_path):
-    kept = tmp_path / "kept"
+def test_map_tiles_are_drawn_in_the_extent_before_they_are_learned_from(train, kept, tmp_path):
     layer = write_layer(
         tmp_path / "drawn.gpkg", [(square(100, 300, 200), "building"), (square(400, 300, 200), "water")]
     )
@@ -135,8 +149,8 @@ def test_map_tiles_are_drawn_in_the_extent_before_they_are_learned_from(train, t
         given = {"IMAGE": tiles, "EXTENT": f"{WEST},{WEST + 700},{NORTH - 600},{NORTH} [EPSG:32632]", **annotation}
         with pytest.raises(QgsProcessingException, match="no resolution of its own"):
             train(**given)
-        train(training=f"shutil.copytree(folder, {str(kept)!r}); " + EPOCH, RESOLUTION=100, **given)
-    job = json.loads((kept / "job.json").read_text())
+        train(training=KEEP, RESOLUTION=100, **given)
+    job = job_in(kept)
     assert job["ground"]["image"] == "tiles" and job["ground"]["crs"] == "EPSG:32632"
     np.testing.assert_allclose(job["ground"]["extent"], [WEST, NORTH - 600, WEST + 700, NORTH], atol=1)
     assert np.bincount(read_pixels(kept / "labels.tif").ravel())[1:].tolist() == [40_000, 40_000]
@@ -181,8 +195,7 @@ def test_a_second_training_of_the_same_model_does_not_touch_the_first(train, tmp
 
 @pytest.mark.slow
 def test_a_canceled_run_of_other_settings_is_not_gone_on_with(train, tmp_path):
-    with pytest.raises(QgsProcessingException, match="is saved"):
-        train(Said(cancel_at=50), training=f"{EPOCH}; time.sleep(60)")
+    interrupt(train)
     with pytest.raises(QgsProcessingException, match="turn off “Continue"):
         train(NETWORK=1)
     train(NETWORK=1, RESUME=False)
@@ -245,14 +258,12 @@ def test_missing_inputs_are_reported_before_any_work(train, parameters, said):
 ONE_CLASS = r"Only one class \(building\) is labeled"
 
 
-@pytest.mark.parametrize("second", [None, (square(300, 300, 90), None)], ids=["alone", "unclassed"])
-def test_ground_around_the_only_class_of_a_layer_is_the_other_class(train, tmp_path, second):
-    kept = tmp_path / "kept"
-    polygons = [(square(100, 500, 400), "building"), (square(20, 40, 20), "building"), *([second] if second else [])]
+@pytest.mark.parametrize("second", [[], [(square(300, 300, 90), None)]], ids=["alone", "unclassed"])
+def test_ground_around_the_only_class_of_a_layer_is_the_other_class(train, kept, tmp_path, second):
+    polygons = [(square(100, 500, 400), "building"), (square(20, 40, 20), "building"), *second]
     layer = str(write_layer(tmp_path / "drawn.gpkg", polygons))
-    training = f"shutil.copytree(folder, {str(kept)!r}); {EPOCH}"
-    assert train(training=training, LABELS=None, INPUT=layer, CLASS_FIELD="class")["MEAN_IOU"] == 0.4
-    assert json.loads((kept / "job.json").read_text())["learn_unlabeled"] is True
+    assert train(training=KEEP, LABELS=None, INPUT=layer, CLASS_FIELD="class")["MEAN_IOU"] == 0.4
+    assert job_in(kept)["learn_unlabeled"] is True
 
 
 def test_only_classes_of_the_wanted_ground_count(train, tmp_path):
@@ -283,16 +294,12 @@ def test_a_single_class_among_the_pixels_is_refused_before_tiles_are_cut(train, 
     assert not trained.exists() and folders(tmp_path) == []
 
 
-def test_image_and_labels_of_different_ground_are_refused(train, tmp_path):
+def test_labels_of_other_ground_and_too_little_ground_are_refused_with_advice(train, tmp_path):
     layer = write_layer(tmp_path / "far.gpkg", [(square(99_000, 0, 80), "building")])
     with pytest.raises(QgsProcessingException, match="don't overlap"):
         train(LABELS=None, INPUT=str(layer), CLASS_FIELD="class")
-
-
-def test_too_little_ground_is_refused_with_advice(train, tmp_path):
-    extent = f"{WEST},{WEST + 130},{NORTH - 130},{NORTH}"
     with pytest.raises(QgsProcessingException, match="Label more ground"):
-        train(EXTENT=extent)
+        train(EXTENT=f"{WEST},{WEST + 130},{NORTH - 130},{NORTH}")
 
 
 @pytest.mark.slow
@@ -305,8 +312,7 @@ def test_files_of_the_user_in_a_folder_of_that_name_survive(train, tmp_path):
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text("mine")
     train()
-    with pytest.raises(QgsProcessingException, match="is saved"):
-        train(Said(cancel_at=50), training=f"{EPOCH}; time.sleep(60)")
+    interrupt(train)
     train()
     train(RESUME=False)
     for folder in folders(tmp_path):
@@ -317,8 +323,7 @@ def test_files_of_the_user_in_a_folder_of_that_name_survive(train, tmp_path):
 @pytest.mark.slow
 @pytest.mark.parametrize("as_link", [False, True], ids=["folder", "link"])
 def test_a_folder_put_in_the_place_of_the_run_s_survives(train, tmp_path, as_link):
-    with pytest.raises(QgsProcessingException, match="is saved"):
-        train(Said(cancel_at=50), training=f"{EPOCH}; time.sleep(60)")
+    interrupt(train)
     (folder,) = folders(tmp_path)
     folder.rename(tmp_path / "moved")
     photos = tmp_path / "photos"
@@ -350,8 +355,7 @@ def test_a_training_is_not_lost_where_its_model_can_t_be_moved_to_its_place(trai
 
 @pytest.mark.slow
 def test_a_run_with_an_unreadable_job_is_not_continued(train, tmp_path):
-    with pytest.raises(QgsProcessingException, match="is saved"):
-        train(Said(cancel_at=50), training=f"{EPOCH}; time.sleep(60)")
+    interrupt(train)
     (folder,) = folders(tmp_path)
     (folder / "job.json").write_text("{")
     with pytest.raises(QgsProcessingException, match="job.json.*turn off “Continue"):

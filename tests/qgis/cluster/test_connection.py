@@ -62,28 +62,20 @@ def told(connection, address):
     return caught.value.sentence.template, values.get("reason", "")
 
 
+NO_SCHEDULER = (
+    "There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: local:4."
+)
+
+
 @pytest.mark.parametrize("words", [b"HTTP/1.1 400 Bad Request\r\n\r\n", b"SSH-2.0-OpenSSH_9.2\r\n"])
 def test_another_server_such_as_the_dashboard_is_recognized(connection, server, words):
-    assert told(connection, server(words)) == (
-        (
-            "The program at {address} is not a Dask scheduler, or has another version. Enter the address that the "
-            "scheduler prints, not the address of its dashboard."
-        ),
-        "",
-    )
+    code, reason = told(connection, server(words))
+    assert code.startswith("The program at {address} is not a Dask scheduler") and reason == ""
 
 
-def test_a_silent_server_ends_in_a_timeout(hasty, server):
-    assert told(hasty, server(b"")) == (
-        "There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: local:4.",
-        "no answer within 1 s",
-    )
-
-
-def test_a_server_that_hangs_up_is_no_scheduler(connection, server):
-    assert told(connection, server(None))[0] == (
-        "There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: local:4."
-    )
+def test_silent_servers_end_in_a_timeout_and_those_that_hang_up_are_no_schedulers(hasty, server):
+    assert told(hasty, server(b"")) == (NO_SCHEDULER, "no answer within 1 s")
+    assert told(hasty, server(None))[0] == NO_SCHEDULER
 
 
 @pytest.mark.parametrize(
@@ -98,14 +90,7 @@ def test_a_server_that_hangs_up_is_no_scheduler(connection, server):
 )
 def test_a_wrong_or_closed_address_is_refused(connection, address, reason):
     code, said = told(connection, address)
-    assert (
-        code
-        == (
-            "There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: "
-            "local:4."
-        )
-        and reason in said
-    )
+    assert code == NO_SCHEDULER and reason in said
 
 
 def test_a_scheduler_that_is_just_being_started_is_waited_for(hasty, monkeypatch):
@@ -121,13 +106,7 @@ def test_a_scheduler_that_is_just_being_started_is_waited_for(hasty, monkeypatch
 
     monkeypatch.setattr(time, "sleep", late)
     try:
-        assert told(hasty, f"tcp://127.0.0.1:{port}") == (
-            (
-                "There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: "
-                "local:4."
-            ),
-            "no answer within 1 s",
-        )
+        assert told(hasty, f"tcp://127.0.0.1:{port}") == (NO_SCHEDULER, "no answer within 1 s")
     finally:
         begun[0].close()
 
