@@ -7,7 +7,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 from osgeo import gdal, osr
-from qgis.core import QgsApplication, QgsLayerTreeModel, QgsProject, QgsRasterLayer, QgsRectangle
+from qgis.core import (
+    QgsApplication,
+    QgsFeature,
+    QgsGeometry,
+    QgsLayerTreeModel,
+    QgsProject,
+    QgsRasterLayer,
+    QgsRectangle,
+    QgsVectorFileWriter,
+    QgsVectorLayer,
+)
 from qgis.gui import QgsRubberBand, QgsVertexMarker
 from qgis.PyQt.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
 from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent
@@ -159,6 +169,28 @@ def rubber_bands(iface, geometry_type: str) -> list:
 
 def add_raster_layer(path: str, name: str):
     layer = QgsRasterLayer(path, name, "gdal")
+    QgsProject.instance().addMapLayer(layer)
+    return layer
+
+
+def rectangles(name: str, fields: dict[str, str], rows, path: str = ""):
+    """Add a polygon layer of rectangles to the project; returns it.
+
+    fields: kinds by name; rows: ((left, bottom, width, height), value of each field, …); path: of a GeoPackage,
+    empty for a layer in memory.
+    """
+    columns = "&".join(f"field={field}:{kind}" for field, kind in fields.items())
+    layer = QgsVectorLayer(f"Polygon?crs={CRS}&{columns}", name, "memory")
+    for (left, bottom, width, height), *values in rows:
+        feature = QgsFeature(layer.fields())
+        feature.setGeometry(QgsGeometry.fromRect(QgsRectangle(left, bottom, left + width, bottom + height)))
+        feature.setAttributes(values)
+        layer.dataProvider().addFeature(feature)
+    layer.updateExtents()
+    if path:
+        context, options = QgsProject.instance().transformContext(), QgsVectorFileWriter.SaveVectorOptions()
+        QgsVectorFileWriter.writeAsVectorFormatV3(layer, path, context, options)
+        layer = QgsVectorLayer(path, name, "ogr")
     QgsProject.instance().addMapLayer(layer)
     return layer
 

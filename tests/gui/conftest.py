@@ -5,17 +5,8 @@ import sys
 import time
 
 import pytest
-from dock_area import CRS, ORIGIN, TOPOLOGY_VECTOR, Area, choose_method, settle
-from qgis.core import (
-    QgsApplication,
-    QgsCoordinateReferenceSystem,
-    QgsFeature,
-    QgsGeometry,
-    QgsProject,
-    QgsRectangle,
-    QgsSettings,
-    QgsVectorLayer,
-)
+from dock_area import CRS, ORIGIN, TOPOLOGY_VECTOR, Area, choose_method, rectangles, settle
+from qgis.core import QgsApplication, QgsCoordinateReferenceSystem, QgsProject, QgsSettings
 from qgis.gui import QgsBrowserGuiModel
 from qgis.PyQt.QtGui import QClipboard
 from qgis.PyQt.QtWidgets import QApplication
@@ -141,16 +132,12 @@ def first_task_lost(qgis_app, monkeypatch):
 @pytest.fixture
 def issues(qgis_app, dock):
     """A layer of three issues in a row, 100 m apart, as “Check land-cover layer” creates it."""
-    fields = "field=kind:string&field=severity:string&field=message:string&field=area:double"
-    layer = QgsVectorLayer(f"Polygon?crs={CRS}&{fields}", "issues", "memory")
-    for number, kind in enumerate(("overlap", "gap", "sliver")):
-        feature = QgsFeature(layer.fields())
-        left, top = ORIGIN[0] + 100 * number, ORIGIN[1]
-        feature.setGeometry(QgsGeometry.fromRect(QgsRectangle(left, top - 10, left + 10, top)))
-        feature.setAttributes([kind, "warning", f"Here is a {kind}.", 100.0])
-        layer.dataProvider().addFeature(feature)
-    layer.updateExtents()
-    QgsProject.instance().addMapLayer(layer)
+    fields = {"kind": "string", "severity": "string", "message": "string", "area": "double"}
+    rows = [
+        ((ORIGIN[0] + 100 * number, ORIGIN[1] - 10, 10, 10), kind, "warning", f"Here is a {kind}.", 100.0)
+        for number, kind in enumerate(("overlap", "gap", "sliver"))
+    ]
+    layer = rectangles("issues", fields, rows)
     dock.content.correct.layer.setLayer(layer)
     return layer
 

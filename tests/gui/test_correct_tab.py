@@ -1,7 +1,7 @@
 """The tab Correct by itself, where a project has more polygon layers than the one that is gone through."""
 
 import pytest
-from dock_area import CRS, messages, rubber_bands, settle, wait_until
+from dock_area import CRS, messages, rectangles, rubber_bands, settle, wait_until
 from qgis.core import (
     QgsApplication,
     QgsCoordinateReferenceSystem,
@@ -42,15 +42,8 @@ def add_layer(qgis_app):
     """`add_layer(name)` adds a polygon layer with one speck and one square of 100 m."""
 
     def add(name: str):
-        layer = QgsVectorLayer(f"Polygon?crs={CRS}&field=kind:string&field=message:string", name, "memory")
-        for size in (SPECK_M, 100.0):
-            feature = QgsFeature(layer.fields())
-            feature.setGeometry(QgsGeometry.fromRect(QgsRectangle(550000, 5420000, 550000 + size, 5420000 + size)))
-            feature.setAttributes(["invalid", f"{size} m"])
-            layer.dataProvider().addFeature(feature)
-        layer.updateExtents()
-        QgsProject.instance().addMapLayer(layer)
-        return layer
+        squares = [((550000, 5420000, size, size), "invalid", f"{size} m") for size in (SPECK_M, 100.0)]
+        return rectangles(name, {"kind": "string", "message": "string"}, squares)
 
     return add
 
@@ -95,8 +88,7 @@ def test_other_layers_may_be_removed(tab, add_layer):
 def test_what_is_left_out_of_the_lists_is_forgotten_with_its_layer(tab, add_layer):
     """Otherwise a new layer at the address of the deleted one would be hidden."""
     # Neither places nor an annotation, and both at once.
-    cover = QgsVectorLayer(f"Polygon?crs={CRS}&field=class:string", "cover", "memory")
-    QgsProject.instance().addMapLayer(cover)
+    cover = rectangles("cover", {"class": "string"}, [])
     issues = add_layer("issues")
     wait_until(lambda: tab.layer.exceptedLayerList() and tab.updating.annotation.exceptedLayerList(), "the lists")
     QgsProject.instance().removeMapLayers([cover.id(), issues.id()])
@@ -113,15 +105,10 @@ def test_a_speck_is_shown_with_the_ground_around_it(tab, iface, add_layer):
 
 
 def test_information_can_be_left_out_and_what_is_done_is_kept(tab):
-    fields = "field=kind:string&field=severity:string&field=message:string"
-    layer = QgsVectorLayer(f"Polygon?crs={CRS}&{fields}", "issues", "memory")
-    for number, severity in enumerate(("information", "error", "information", "warning")):
-        feature = QgsFeature(layer.fields())
-        feature.setGeometry(QgsGeometry.fromRect(QgsRectangle(550000, 5420000, 550100 + number, 5420100)))
-        feature.setAttributes(["overlap", severity, str(number)])
-        layer.dataProvider().addFeature(feature)
-    layer.updateExtents()
-    QgsProject.instance().addMapLayer(layer)
+    fields = {"kind": "string", "severity": "string", "message": "string"}
+    severities = enumerate(("information", "error", "information", "warning"))
+    rows = [((550000, 5420000, 100 + n, 100), "overlap", severity, str(n)) for n, severity in severities]
+    layer = rectangles("issues", fields, rows)
     tab.layer.setLayer(layer)
     tab.places.selectRow(0)
     tab.done.click()
@@ -134,8 +121,7 @@ def test_information_can_be_left_out_and_what_is_done_is_kept(tab):
 
 
 def test_only_layers_of_places_are_offered_and_one_that_comes_is_chosen(tab, add_layer):
-    cover = QgsVectorLayer(f"Polygon?crs={CRS}&field=class:string", "land cover", "memory")
-    QgsProject.instance().addMapLayer(cover)
+    cover = rectangles("land cover", {"class": "string"}, [])
     settle()
     assert [tab.layer.layer(row) for row in range(tab.layer.count())] == [None]
     found = add_layer("issues")
@@ -341,14 +327,9 @@ def test_places_are_listed_by_kind_with_their_number(dock, issues):
 
 
 def test_places_of_one_kind_differ_by_size_and_position(dock):
-    fields = "field=annotated_class:string&field=predicted_class:string&field=area:double"
-    layer = QgsVectorLayer(f"Polygon?crs={CRS}&{fields}", "disagreements", "memory")
-    for number in range(22):
-        feature = QgsFeature(layer.fields())
-        feature.setGeometry(QgsGeometry.fromRect(QgsRectangle(550000 + 50 * number, 0, 550010 + 50 * number, 10)))
-        feature.setAttributes(["building", "other", 100.0])
-        layer.dataProvider().addFeature(feature)
-    QgsProject.instance().addMapLayer(layer)
+    fields = {"annotated_class": "string", "predicted_class": "string", "area": "double"}
+    rows = [((550000 + 50 * number, 0, 10, 10), "building", "other", 100.0) for number in range(22)]
+    rectangles("disagreements", fields, rows)
     places = dock.content.correct.places
     rows = {tuple(places.item(row, column).text() for column in (1, 2)) for row in range(places.rowCount())}
     assert len(rows) == 22

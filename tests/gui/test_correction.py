@@ -5,18 +5,8 @@ import sqlite3
 from pathlib import Path
 
 import pytest
-from dock_area import CRS, ORIGIN, messages, settle, wait_until
-from qgis.core import (
-    QgsFeature,
-    QgsGeometry,
-    QgsMapRendererSequentialJob,
-    QgsMapSettings,
-    QgsProject,
-    QgsRasterLayer,
-    QgsRectangle,
-    QgsVectorFileWriter,
-    QgsVectorLayer,
-)
+from dock_area import CRS, ORIGIN, messages, rectangles, settle, wait_until
+from qgis.core import QgsGeometry, QgsMapRendererSequentialJob, QgsMapSettings, QgsProject, QgsRasterLayer, QgsRectangle
 from qgis.PyQt.QtCore import QSize
 from qgis.PyQt.QtWidgets import QDialog, QPushButton
 
@@ -30,18 +20,15 @@ SIDE, ACROSS = 20, 6
 @pytest.fixture
 def annotation(qgis_app, tmp_path):
     """A GeoPackage layer of squares of two classes."""
-    made = QgsVectorLayer(f"Polygon?crs={CRS}&field=class:string&field=zorder:integer", "cover", "memory")
+    rows = []
     for number in range(ACROSS * ACROSS):
-        left, top = ORIGIN[0] + SIDE * (number % ACROSS) + 3, ORIGIN[1] - SIDE * (number // ACROSS) - 3
-        feature = QgsFeature(made.fields())
-        size = 8 + number % 5
-        feature.setGeometry(QgsGeometry.fromRect(QgsRectangle(left, top - size, left + size, top)))
-        feature.setAttributes([("building", "water")[number % 2], 1])
-        made.dataProvider().addFeature(feature)
-    options = QgsVectorFileWriter.SaveVectorOptions()
-    path = str(tmp_path / "cover.gpkg")
-    QgsVectorFileWriter.writeAsVectorFormatV3(made, path, QgsProject.instance().transformContext(), options)
-    return QgsVectorLayer(path, "cover", "ogr")
+        left, top, size = (
+            ORIGIN[0] + SIDE * (number % ACROSS) + 3,
+            ORIGIN[1] - SIDE * (number // ACROSS) - 3,
+            8 + number % 5,
+        )
+        rows.append(((left, top - size, size, size), ("building", "water")[number % 2], 1))
+    return rectangles("cover", {"class": "string", "zorder": "integer"}, rows, str(tmp_path / "cover.gpkg"))
 
 
 @pytest.fixture
@@ -71,7 +58,6 @@ def landmarks(path: str) -> list:
 @pytest.fixture
 def box(dock, annotation, database):
     """The lower part of the tab, ready."""
-    QgsProject.instance().addMapLayer(annotation)
     dock.content.database.file.setFilePath(database)
     settle()
     return dock.content.correct.updating
@@ -153,12 +139,7 @@ def test_a_bug_between_the_steps_of_an_update_ends_it_and_is_reported(dock, box,
 
 
 def test_an_annotation_of_elsewhere_is_refused_and_nothing_is_written(dock, iface, box, annotation, database):
-    other = QgsVectorLayer(f"Polygon?crs={CRS}&field=class:string", "another country", "memory")
-    feature = QgsFeature(other.fields())
-    feature.setGeometry(QgsGeometry.fromRect(QgsRectangle(0, 0, 10, 10)))
-    other.dataProvider().addFeature(feature)
-    other.updateExtents()
-    QgsProject.instance().addMapLayer(other)
+    other = rectangles("another country", {"class": "string"}, [((0, 0, 10, 10), None)])
     settle()
     before = Path(database).read_bytes()
     box.annotation.setLayer(other)
@@ -225,7 +206,7 @@ def test_the_map_shows_a_label_map_that_was_rasterized_again(dock, annotation, r
     built_of(annotation, run_algorithm, tmp_path, "area")
     path = str(tmp_path / "area.tif")
     layer = QgsRasterLayer(path, "Label map")
-    QgsProject.instance().addMapLayers([annotation, layer])
+    QgsProject.instance().addMapLayer(layer)
     before, repainted = drawn(layer), []
     layer.repaintRequested.connect(lambda *_: repainted.append(True))
     correct(annotation)

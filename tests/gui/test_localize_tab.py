@@ -54,14 +54,17 @@ def test_an_empty_dock_shows_what_to_do(dock, area, tab):
     assert tab.localize_button.isEnabled()
 
 
-def test_an_image_cut_from_a_window_is_found_there(dock, area, tab):
+def test_an_image_cut_from_a_window_is_found_there_and_its_position_can_be_copied(dock, area, tab):
     localize(dock, area.database, [area.image])
     assert results_of(dock) == [("on_window.tif", "Unverified match")]
     assert tab.results.list.selected().window == "150_250"
     assert tab.state.text() == "1 of 1 images have a position."
     details = tab.results.details.toPlainText()
-    assert "x, y: 400250.00, 5399650.00 (EPSG:25832)" in details
-    assert "lon, lat: 7.6" in details
+    assert "x, y: 400250.00, 5399650.00 (EPSG:25832)" in details and "lon, lat: 7.6" in details
+    tab.results.copy.click()
+    longitude, latitude = QgsApplication.clipboard().text().split(", ")
+    assert longitude.startswith("7.6") and latitude.startswith("48.7") and longitude in tab.state.text_shown
+    assert "x, y: 400250.00, 5399650.00" in tab.results.details.toPlainText()
 
 
 def test_the_method_is_remembered(dock, qgis_app):
@@ -93,15 +96,6 @@ def test_an_unreadable_image_has_a_row_with_its_reason_and_no_outline(dock, ifac
     assert (shown_outline(iface), shown_center(iface)) == (None, None)
     assert not tab.results.copy.isEnabled()
     assert messages(iface) == []
-
-
-def test_the_position_can_be_copied(dock, area, tab):
-    localize(dock, area.database, [area.image])
-    tab.results.copy.click()
-    longitude, latitude = QgsApplication.clipboard().text().split(", ")
-    assert longitude.startswith("7.6") and latitude.startswith("48.7")
-    assert longitude in tab.state.text_shown
-    assert "x, y: 400250.00, 5399650.00" in tab.results.details.toPlainText()
 
 
 def test_cancel_ends_the_run_without_results(dock, iface, area, slow, tab):
@@ -253,15 +247,9 @@ def test_an_image_is_laid_on_the_map_where_it_was_taken(dock, area, tab):
 def test_the_places_where_an_ambiguous_image_may_lie_are_outlined(dock, iface, run_algorithm, area, tmp_path):
     labels = label_map()
     twins = np.hstack([labels[:, :300], labels[:, :300]])
-    parameters = {
-        "LABELS": write_raster(tmp_path / "twins.tif", twins, True),
-        "REFERENCE_CLASSES": "1;2;3",
-        "WINDOW_SIZE": WINDOW,
-        "STRIDE": STRIDE,
-        "MINIMUM_AREA": 20,
-        "DATABASE": str(tmp_path / "twins.gpkg"),
-    }
-    run_algorithm("semref:builddatabase", parameters)
+    sizes = {"WINDOW_SIZE": WINDOW, "STRIDE": STRIDE, "MINIMUM_AREA": 20, "REFERENCE_CLASSES": "1;2;3"}
+    parameters = {"LABELS": write_raster(tmp_path / "twins.tif", twins, True), "DATABASE": str(tmp_path / "twins.gpkg")}
+    run_algorithm("semref:builddatabase", {**parameters, **sizes})
     image = write_raster(tmp_path / "image.tif", twins[200:400, 50:250], False)
     choose_method(dock, CONSTELLATION)
     localize(dock, parameters["DATABASE"], [image])

@@ -51,7 +51,7 @@ def test_results_of_a_project_that_was_never_saved_are_among_the_earlier_ones(pl
     wait_until(lambda: results.image.canvas.scene().items(), "the picture")
 
 
-def test_only_the_last_runs_are_kept(qgis_app):
+def test_only_the_last_runs_with_results_are_kept_and_folders_of_others(qgis_app):
     made = [run_history.begin_run("/area.gpkg", "", 1) for _ in range(25)]
     for run in made:
         Path(run.file).write_bytes(b"results")
@@ -60,20 +60,15 @@ def test_only_the_last_runs_are_kept(qgis_app):
     run_history.forget_old_runs()
     # Only folders of SemRef's runs are deleted.
     foreign.rmdir()
-    kept = run_history.run_records()
-    assert [run.folder for run in kept] == [run.folder for run in reversed(made[-20:])]
-    for run in kept:
+    assert [run.folder for run in run_history.run_records()] == [run.folder for run in reversed(made[-20:])]
+    for run in made[-20:-1]:
         Path(run.file).unlink()
-
-
-def test_runs_that_came_to_nothing_displace_no_results(qgis_app):
-    found = run_history.begin_run("/area.gpkg", "", 1)
-    Path(found.file).write_bytes(b"results")
+    # Runs that came to nothing displace no results.
     for _ in range(25):
         run_history.begin_run("/area.gpkg", "", 1)
     run_history.forget_old_runs()
-    assert [run.folder for run in run_history.run_records()] == [found.folder]
-    Path(found.file).unlink()
+    assert [run.folder for run in run_history.run_records()] == [made[-1].folder]
+    Path(made[-1].file).unlink()
 
 
 def test_results_that_the_profile_cannot_store_are_shown_as_well(dock, area, tab, monkeypatch, tmp_path):

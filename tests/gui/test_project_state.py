@@ -24,17 +24,11 @@ def saved(dock, area, tab, tmp_path, monkeypatch):
     return path
 
 
-def test_a_project_closed_while_a_run_works_ends_the_run(dock, area, tab):
-    start(dock, area.database, [area.image])
-    QgsProject.instance().clear()
-    wait_until(lambda: not tab.run.running, "the end of the run")
-    assert results_of(dock) == []
-
-
-def test_a_run_that_ended_just_before_its_project_was_closed_shows_nothing(dock, area, tab):
+@pytest.mark.parametrize("wait_s", [0, 2])
+def test_a_project_closed_while_or_just_after_a_run_works_shows_nothing(dock, area, tab, wait_s):
     start(dock, area.database, [area.image])
     # The run ends in its thread, while the main thread hears nothing of it.
-    time.sleep(2)
+    time.sleep(wait_s)
     QgsProject.instance().clear()
     wait_until(lambda: not tab.run.running, "the end of the run")
     assert results_of(dock) == []

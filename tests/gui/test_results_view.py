@@ -174,11 +174,8 @@ def test_right_to_left_a_selected_result_is_shown_as_well(dock, area, tab, qgis_
 
 def test_a_long_name_of_a_database_does_not_keep_the_dock_wide(dock, area, tmp_path):
     name = "reference_database_of_the_whole_country_with_a_long_name"
-    path = shutil.copy(area.database, tmp_path / f"{name}.gpkg")
-    database = dock.content.database
-    least = dock.minimumSizeHint().width()
-    database.file.setFilePath(str(path))
+    database, least = dock.content.database, dock.minimumSizeHint().width()
+    database.file.setFilePath(str(shutil.copy(area.database, tmp_path / f"{name}.gpkg")))
     database.setCollapsed(True)
     settle()
-    assert dock.minimumSizeHint().width() == least
-    assert database.title() == f"Reference database: {name}"
+    assert dock.minimumSizeHint().width() == least and database.title() == f"Reference database: {name}"
