@@ -22,20 +22,16 @@ from qgis.core import (
     QgsVectorLayer,
 )
 
-from semref.core.assessment.squares import FIELDS as CELL_FIELDS
+from semref.core.assessment import squares
 from semref.core.assessment.squares import VERDICTS
-from semref.core.evaluation.as_json import FIELDS as TRIAL_FIELDS
-from semref.processing.algorithms.assess_route import FIELDS as ROUTE_FIELDS
-from semref.processing.algorithms.compare_labels import FIELDS as DISAGREEMENT_FIELDS
-from semref.processing.algorithms.describe_image import FIELDS as LANDMARK_FIELDS
-from semref.processing.base.localized_image import ALTERNATIVE_FIELDS, FOOTPRINT_FIELDS, MATCH_FIELDS
-from semref.processing.base.localized_layers import FLIGHT_FIELDS, POSITION_FIELDS, TRACK_FIELDS
-from semref.processing.base.segmented_files import FIELDS as CLASS_POLYGON_FIELDS
+from semref.core.evaluation import as_json
+from semref.processing.algorithms import assess_route, compare_labels, describe_image
+from semref.processing.base import localized_image, localized_layers, segmented_files
 from semref.processing.layers import styles
 from semref.processing.layers.assessment_styles import COLORS, cells_renderer, route_renderer
 from semref.processing.layers.output_style import Look
 from semref.processing.layers.styles import STYLES
-from semref.processing.messages.annotation_messages import FIELDS as ISSUE_FIELDS
+from semref.processing.messages import annotation_messages
 from semref.processing.messages.columns import verdict_words
 from semref.storage.database.schema import WINDOW_FIELDS
 
@@ -55,34 +51,39 @@ def feature_of(layer: QgsVectorLayer, **values) -> QgsFeature:
     return feature
 
 
-def tip_of(layer: QgsVectorLayer, feature: QgsFeature) -> str:
+def context_of(layer: QgsVectorLayer, feature: QgsFeature) -> QgsExpressionContext:
     context = QgsExpressionContext(QgsExpressionContextUtils.globalProjectLayerScopes(layer))
     context.setFeature(feature)
+    return context
+
+
+def tip_of(layer: QgsVectorLayer, **values) -> str:
+    context = context_of(layer, feature_of(layer, **{"image": "a.tif", "status": "fix", **values}))
     return QgsExpression.replaceExpressionText(layer.mapTipTemplate(), context)
 
 
 @pytest.fixture
 def positions(qgis_app):
-    layer = layer_of("Point", POSITION_FIELDS)
+    layer = layer_of("Point", localized_layers.POSITION_FIELDS)
     Look("positions", is_timed=True).apply(layer)
     return layer
 
 
 LAYERS = {
-    "positions": ("Point", POSITION_FIELDS),
-    "poses": ("Point", FLIGHT_FIELDS),
-    "footprints": ("Polygon", FOOTPRINT_FIELDS),
-    "places": ("Polygon", ALTERNATIVE_FIELDS),
-    "matches": ("Point", MATCH_FIELDS),
-    "track": ("LineString", TRACK_FIELDS),
-    "issues": ("Polygon", ISSUE_FIELDS),
-    "changes": ("Polygon", ISSUE_FIELDS),
-    "disagreements": ("Polygon", DISAGREEMENT_FIELDS),
-    "cells": ("Polygon", CELL_FIELDS),
-    "route": ("Point", ROUTE_FIELDS),
-    "trials": ("Point", TRIAL_FIELDS),
-    "class_polygons": ("Polygon", CLASS_POLYGON_FIELDS),
-    "landmarks": ("Point", LANDMARK_FIELDS),
+    "positions": ("Point", localized_layers.POSITION_FIELDS),
+    "poses": ("Point", localized_layers.FLIGHT_FIELDS),
+    "footprints": ("Polygon", localized_image.FOOTPRINT_FIELDS),
+    "places": ("Polygon", localized_image.ALTERNATIVE_FIELDS),
+    "matches": ("Point", localized_image.MATCH_FIELDS),
+    "track": ("LineString", localized_layers.TRACK_FIELDS),
+    "issues": ("Polygon", annotation_messages.FIELDS),
+    "changes": ("Polygon", annotation_messages.FIELDS),
+    "disagreements": ("Polygon", compare_labels.FIELDS),
+    "cells": ("Polygon", squares.FIELDS),
+    "route": ("Point", assess_route.FIELDS),
+    "trials": ("Point", as_json.FIELDS),
+    "class_polygons": ("Polygon", segmented_files.FIELDS),
+    "landmarks": ("Point", describe_image.FIELDS),
     "windows": ("Polygon", WINDOW_FIELDS),
 }
 
@@ -98,21 +99,15 @@ def test_every_style_is_of_a_layer(qgis_app):
 
 
 @pytest.mark.parametrize("style", LAYERS)
-def test_no_map_tip_or_label_of_any_style_has_an_error_in_it(qgis_app, style):
+def test_every_column_has_its_title_and_map_tips_and_labels_no_error(qgis_app, style):
     layer = styled(style)
     parts = [part.partition("%]")[0] for part in layer.mapTipTemplate().split("[%")[1:]]
     assert parts or style == "windows"
     for part in [*parts, layer.displayExpression()]:
         parsed = QgsExpression(part)
         assert not parsed.hasParserError(), (part, parsed.parserErrorString())
-
-
-@pytest.mark.parametrize("style", LAYERS)
-def test_every_column_has_a_title_that_is_not_its_key(qgis_app, style):
-    layer = styled(style)
     titles = [layer.attributeAlias(index) for index in range(len(layer.fields()))]
-    assert all(titles)
-    assert len(set(titles)) == len(titles)
+    assert all(titles) and len(set(titles)) == len(titles)
 
 
 def test_texts_of_styles_are_in_the_user_s_language(qgis_app, monkeypatch):
@@ -121,7 +116,7 @@ def test_texts_of_styles_are_in_the_user_s_language(qgis_app, monkeypatch):
     assert layer.attributeAlias(0) == "l'Image & %]"
     assert [rule.label() for rule in layer.renderer().rootRule().children()][0] == "l'Position with heading & %]"
     assert layer.editFormConfig().tabs()[0].name() == "l'Image & %]"
-    tip = tip_of(layer, feature_of(layer, image="a.tif", status="fix", method="constellation", confidence=1.0))
+    tip = tip_of(layer, image="a.tif", status="fix", method="constellation", confidence=1.0)
     assert "<td>l&#x27;Error probability &amp; % ]</td><td><b>l&#x27;below 1 in 10,000 &amp; % ]</b>" in tip
 
 
@@ -136,7 +131,7 @@ def test_translations_have_the_texts_of_styles(qgis_app, monkeypatch, repository
 
 def test_the_map_tip_shows_status_radius_and_error_probability(positions):
     values = {"image": "/photos/a & b.jpg", "status": "fix", "method": "constellation", "error_95": 2.34}
-    tip = tip_of(positions, feature_of(positions, **values, confidence=1 - 1 / 1234))
+    tip = tip_of(positions, **values, confidence=1 - 1 / 1234)
     assert "<b>a &amp; b.jpg</b>" in tip
     assert "<b>Position</b>" in tip and "<b>Constellation</b>" in tip
     assert "2.3\u00a0m" in tip
@@ -147,27 +142,22 @@ def test_the_map_tip_shows_status_radius_and_error_probability(positions):
 
 @pytest.mark.parametrize("risk", [1e-6, 1e-9, 1e-12, 0.0])
 def test_a_map_tip_shows_no_smaller_error_probability_than_was_tested(positions, risk):
-    values = {"image": "a.tif", "status": "fix", "method": "constellation", "confidence": 1 - risk}
-    tip = tip_of(positions, feature_of(positions, **values))
+    tip = tip_of(positions, method="constellation", confidence=1 - risk)
     assert "<td>Error probability</td><td><b>below 1 in 10,000</b></td>" in tip
 
 
-def test_the_map_tip_shows_an_unknown_status_unchanged(positions):
-    tip = tip_of(positions, feature_of(positions, image="a.tif", status="<img src='file:///seen.png'>"))
+def test_the_map_tip_shows_an_unknown_status_unchanged_and_no_probability_of_topology_vectors(positions):
+    tip = tip_of(positions, status="<img src='file:///seen.png'>")
     assert "<img" not in tip and "&lt;img src=" in tip
-
-
-def test_the_confidence_of_topology_vectors_is_not_shown_as_a_probability(positions):
-    values = {"image": "a.tif", "status": "fix", "method": "topology vector", "confidence": 0.8}
-    assert "Wrong once in" not in tip_of(positions, feature_of(positions, **values))
+    assert "Error probability" not in tip_of(positions, method="topology vector", confidence=0.8)
 
 
 def test_the_map_tip_shows_the_picture_where_it_is_whatever_its_name(positions, tmp_path):
     picture = tmp_path / 'photo #1 100%25 "a".png'
     picture.write_bytes(b"")
-    tip = tip_of(positions, feature_of(positions, image=str(picture), status="fix"))
+    tip = tip_of(positions, image=str(picture), status="fix")
     assert f'src="file:///{str(tmp_path).lstrip("/")}/photo%20%231%20100%2525%20%22a%22.png"' in tip
-    assert "<img" not in tip_of(positions, feature_of(positions, image=str(tmp_path / "gone.png"), status="fix"))
+    assert "<img" not in tip_of(positions, image=str(tmp_path / "gone.png"), status="fix")
 
 
 def test_positions_are_labeled_by_their_images_played_by_time_and_have_a_form_of_pages(positions):
@@ -201,11 +191,9 @@ def test_positions_are_labeled_by_their_images_played_by_time_and_have_a_form_of
 )
 def test_every_kind_of_position_is_drawn_by_one_rule(qgis_app, style, values, rule):
     geometry, fields = LAYERS[style]
-    layer = layer_of(geometry, FLIGHT_FIELDS if style == "positions" else fields)
+    layer = layer_of(geometry, localized_layers.FLIGHT_FIELDS if style == "positions" else fields)
     Look(style).apply(layer)
-    feature = feature_of(layer, **values)
-    context = QgsExpressionContext(QgsExpressionContextUtils.globalProjectLayerScopes(layer))
-    context.setFeature(feature)
+    context = context_of(layer, feature_of(layer, **values))
     rules = layer.renderer().rootRule().children()
     drawn = [one.label() for one in rules if QgsExpression(one.filterExpression()).evaluate(context)]
     assert drawn == [rule]
@@ -220,14 +208,10 @@ def test_keys_have_labels_in_the_attribute_table(positions):
 def test_squares_let_the_base_map_through_and_the_route_does_not(qgis_app):
     cells, route = cells_renderer(0.9, 300.0, True), route_renderer(0.9)
     assert isinstance(cells, QgsGraduatedSymbolRenderer)
-    assert {symbol.opacity() for symbol in cells.symbols(_context())} == {0.5}
-    assert {symbol.opacity() for symbol in route.symbols(_context())} == {1.0}
+    assert {symbol.opacity() for symbol in cells.symbols(QgsRenderContext())} == {0.5}
+    assert {symbol.opacity() for symbol in route.symbols(QgsRenderContext())} == {1.0}
     colors = [[one.symbol().color().name() for one in renderer.ranges()] for renderer in (cells, route)]
     assert colors[0] == ["#ffea46", "#bcad6c", "#7c7b78", "#46516c", "#00204d"]
-
-
-def _context():
-    return QgsRenderContext()
 
 
 @pytest.fixture
@@ -266,21 +250,18 @@ def test_a_name_that_reads_like_an_archive_is_one_as_any(annotation, run_algorit
     assert any("<history>" in text for (text,) in noted)
 
 
-def test_a_label_map_has_the_same_metadata_beside_it(annotation, run_algorithm, tmp_path):
-    output = tmp_path / "labels.tif"
-    run_algorithm("semref:rasterizeannotation", {"INPUT": annotation, "CLASS_FIELD": "class", "OUTPUT": str(output)})
+def test_a_label_map_has_the_same_metadata_beside_it_and_a_layer_in_memory_its_look(
+    annotation, run_algorithm, tmp_path
+):
+    given, output = {"INPUT": annotation, "CLASS_FIELD": "class"}, tmp_path / "labels.tif"
+    run_algorithm("semref:rasterizeannotation", {**given, "OUTPUT": str(output)})
     layer = QgsRasterLayer(str(output), "labels")
     # As when QGIS adds a raster to a map.
     layer.loadDefaultMetadata()
     told = layer.metadata()
-    assert told.title() == "Label map"
-    assert told.rights() == ["My annotation (CC BY 4.0, © a surveyor)"]
+    assert told.title() == "Label map" and told.rights() == ["My annotation (CC BY 4.0, © a surveyor)"]
     assert (tmp_path / "labels.qmd").is_file()
-
-
-def test_a_layer_in_memory_comes_with_its_look_as_well(annotation, run_algorithm):
-    given = {"INPUT": annotation, "CLASS_FIELD": "class", "ISSUES": "TEMPORARY_OUTPUT"}
-    layer = run_algorithm("semref:checkannotation", given)["ISSUES"]
+    layer = run_algorithm("semref:checkannotation", {**given, "ISSUES": "TEMPORARY_OUTPUT"})["ISSUES"]
     assert layer.attributeAlias(layer.fields().lookupField("severity")) == "Severity"
     assert layer.metadata().title() == "Issues"
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from made_inputs import METRIC_CRS, NAMES, NORTH, WEST, read_rows, scattered_objects, spatial_reference, write_raster
 from osgeo import gdal, ogr, osr
-from qgis.core import QgsProcessingException, QgsVectorLayer
+from qgis.core import QgsProcessingException
 
 from semref.core.labels.class_table import class_table_from_names
 from semref.core.localization import Localization, Method, Place, Status
@@ -111,9 +111,7 @@ def test_the_columns_are_those_of_the_format_in_order(localize, tmp_path):
     _, results = localize([image(tmp_path, "a.png", window(0, 0))])
     source = ogr.Open(results["OUTPUT"])
     layer = source.GetLayer(0)
-    definition = layer.GetLayerDefn()
-    fields = [definition.GetFieldDefn(i) for i in range(definition.GetFieldCount())]
-    assert ", ".join(f"{f.GetName()} {ogr.GetFieldTypeName(f.GetType())}" for f in fields) == FIELDS
+    assert ", ".join(f"{f.GetName()} {ogr.GetFieldTypeName(f.GetType())}" for f in layer.schema) == FIELDS
     assert layer.GetGeomType() == ogr.wkbPoint
     assert layer.GetSpatialRef().GetAuthorityCode(None) == str(METRIC_CRS)
 
@@ -122,19 +120,13 @@ def test_the_columns_are_those_of_the_format_in_order(localize, tmp_path):
 def test_an_image_cut_on_a_window_is_found_there(localize, tmp_path, column, row):
     path = image(tmp_path, "a.png", window(column, row))
     (found,), results = localize([path])
-    x, y = WEST + column + SIZE / 2, NORTH - row - SIZE / 2
+    place = WEST + column + SIZE / 2, NORTH - row - SIZE / 2
     degrees = osr.CoordinateTransformation(spatial_reference(METRIC_CRS), spatial_reference(4326))
-    assert (found["status"], found["window"]) == ("fix", f"{column}_{row}")
-    assert (found["x"], found["y"]) == (x, y)
-    assert found["point"] == (x, y)
-    assert (found["longitude"], found["latitude"]) == pytest.approx(degrees.TransformPoint(x, y)[:2], abs=1e-9)
-    assert found["distance"] == pytest.approx(0, abs=1e-6)
-    assert found["confidence"] == pytest.approx(1, abs=1e-6)
-    assert found["image"] == path
-    assert found["method"] == "topology vector"
-    assert found["references"] >= 3
-    assert found["reason"] in ("", None)
-    assert results["FIX_COUNT"] == 1
+    assert (found["image"], found["status"], found["window"]) == (path, "fix", f"{column}_{row}")
+    assert (found["x"], found["y"]) == found["point"] == place and results["FIX_COUNT"] == 1
+    assert (found["longitude"], found["latitude"]) == pytest.approx(degrees.TransformPoint(*place)[:2], abs=1e-9)
+    assert (found["distance"], found["confidence"]) == pytest.approx((0, 1), abs=1e-6)
+    assert found["method"] == "topology vector" and found["references"] >= 3 and not found["reason"]
 
 
 def test_too_few_references_give_a_reason_with_the_missing_number(localize, tmp_path):
@@ -148,60 +140,46 @@ def test_too_few_references_give_a_reason_with_the_missing_number(localize, tmp_
 
 
 def test_a_bad_image_gives_a_row_with_its_reason_and_does_not_stop_the_others(localize, tmp_path, feedback):
-    good = image(tmp_path, "good.png", window(0, 0))
-    missing = str(tmp_path / "missing.png")
-    empty = tmp_path / "empty.png"
+    good, missing, empty = image(tmp_path, "good.png", window(0, 0)), tmp_path / "missing.png", tmp_path / "empty.png"
     empty.touch()
-    found, results = localize([missing, good, str(empty)])
-    assert [(row["image"], row["status"]) for row in found] == [
-        (missing, "error"),
-        (good, "fix"),
-        (str(empty), "error"),
-    ]
+    found, results = localize([str(missing), good, str(empty)])
+    assert [row["image"] for row in found] == [str(missing), good, str(empty)]
+    assert [row["status"] for row in found] == ["error", "fix", "error"] and results["FIX_COUNT"] == 1
     assert [row["point"] is None for row in found] == [True, False, True]
     assert "missing.png" in found[0]["reason"] and "empty.png" in found[2]["reason"]
-    assert results["FIX_COUNT"] == 1
     assert "missing.png" in feedback.textLog()
 
 
 # --- ways to name images ---
 
 
-@pytest.fixture
-def three(tmp_path):
-    """Return a folder with three images and other files."""
+def test_a_folder_means_its_images_in_order_of_name(localize, tmp_path):
     folder = tmp_path / "flight"
-    folder.mkdir()
+    (folder / "deeper").mkdir(parents=True)
     paths = [image(folder, name, window(40 * n, 40 * n)) for n, name in enumerate(["a.png", "b.tif", "c.png"])]
     (folder / "notes.txt").write_text("not an image")
     (folder / "a.png.aux.xml").write_text("<PAMDataset/>")
-    (folder / "deeper").mkdir()
-    return folder, paths
-
-
-def test_a_folder_means_its_images_in_order_of_name(localize, three):
-    folder, paths = three
     found, _ = localize([str(folder)])
-    assert [row["image"] for row in found] == paths
-    assert [row["window"] for row in found] == ["0_0", "40_40", "80_80"]
+    assert [(row["image"], row["window"]) for row in found] == list(zip(paths, ["0_0", "40_40", "80_80"]))
 
 
 # --- kinds of images ---
 
 
 @pytest.mark.parametrize("suffix", [".png", ".tif"])
-def test_color_images_are_decoded_by_the_databases_colors(localize, tmp_path, suffix):
-    path = image(tmp_path, f"color{suffix}", colored(window(160, 200)))
-    (found,), _ = localize([path])
-    assert found["window"] == "160_200"
-    assert found["distance"] == pytest.approx(0, abs=1e-6)
-
-
-def test_an_alpha_band_does_no_harm(localize, tmp_path):
+@pytest.mark.parametrize("has_alpha", [False, True])
+def test_color_images_are_decoded_by_the_databases_colors(localize, tmp_path, suffix, has_alpha):
     bands = colored(window(160, 200))
-    opaque = np.concatenate([bands, np.full_like(bands[:1], 255)])
-    (found,), _ = localize([image(tmp_path, "color.png", opaque)])
-    assert found["window"] == "160_200"
+    if has_alpha:
+        bands = np.concatenate([bands, np.full_like(bands[:1], 255)])
+    (found,), _ = localize([image(tmp_path, f"color{suffix}", bands)])
+    assert found["window"] == "160_200" and found["distance"] == pytest.approx(0, abs=1e-6)
+
+
+def test_a_georeference_is_not_needed_and_not_used(localize, tmp_path):
+    elsewhere = (0.0, 3.0, 0.0, 0.0, 0.0, -3.0)
+    path = write_raster(tmp_path / "a.tif", window(160, 200), transform=elsewhere, crs=3857)
+    assert localize([str(path)])[0][0]["window"] == "160_200"
 
 
 def test_the_values_of_a_paletted_image_are_its_classes_whatever_its_colors(localize, tmp_path):
@@ -217,12 +195,6 @@ def test_the_values_of_a_paletted_image_are_its_classes_whatever_its_colors(loca
     assert [row["window"] for row in found] == ["160_200", "160_200"]
 
 
-def test_a_georeference_is_not_needed_and_not_used(localize, tmp_path):
-    elsewhere = (0.0, 3.0, 0.0, 0.0, 0.0, -3.0)
-    path = write_raster(tmp_path / "a.tif", window(160, 200), transform=elsewhere, crs=3857)
-    assert localize([str(path)])[0][0]["window"] == "160_200"
-
-
 def test_one_row_images_and_single_pixels_are_no_crash(localize, tmp_path):
     line = image(tmp_path, "line.png", np.ones((1, 50), np.uint8))
     pixel = image(tmp_path, "pixel.png", np.ones((1, 1), np.uint8))
@@ -236,12 +208,11 @@ def test_one_row_images_and_single_pixels_are_no_crash(localize, tmp_path):
 def test_footprints_are_the_matched_windows(localize, tmp_path):
     paths = [image(tmp_path, "a.png", window(160, 200)), str(tmp_path / "missing.png")]
     _, results = localize(paths, FOOTPRINTS=str(tmp_path / "footprints.gpkg"))
-    source = ogr.Open(results["FOOTPRINTS"])
-    (footprint,) = list(source.GetLayer(0))
+    (footprint,) = read_rows(results["FOOTPRINTS"])
     left, top = WEST + 160, NORTH - 200
-    assert footprint.GetGeometryRef().GetEnvelope() == (left, left + SIZE, top - SIZE, top)
+    assert footprint["geometry"].GetEnvelope() == (left, left + SIZE, top - SIZE, top)
     assert footprint["image"] == paths[0] and footprint["window"] == "160_200"
-    assert source.GetLayer(0).GetSpatialRef().GetAuthorityCode(None) == str(METRIC_CRS)
+    assert footprint["geometry"].GetSpatialReference().GetAuthorityCode(None) == str(METRIC_CRS)
 
 
 @pytest.fixture
@@ -294,15 +265,9 @@ def test_a_likely_position_is_no_jump_and_makes_none(feedback):
     assert "0 of 2 positions with a time are jumps." in feedback.textLog()
 
 
-def test_temporary_outputs_are_layers_with_the_rows(localize, run_algorithm, database, tmp_path):
-    parameters = {
-        "DATABASE": database,
-        "IMAGES": [image(tmp_path, "a.png", window(0, 0))],
-        "OUTPUT": "TEMPORARY_OUTPUT",
-        "FOOTPRINTS": "TEMPORARY_OUTPUT",
-    }
-    results = run_algorithm(LOCALIZE, parameters)
-    assert isinstance(results["OUTPUT"], QgsVectorLayer)
+def test_temporary_outputs_are_layers_with_the_rows(run_algorithm, database, tmp_path):
+    given = {"DATABASE": database, "IMAGES": [image(tmp_path, "a.png", window(0, 0))]}
+    results = run_algorithm(LOCALIZE, {**given, **dict.fromkeys(("OUTPUT", "FOOTPRINTS"), "TEMPORARY_OUTPUT")})
     assert results["OUTPUT"].featureCount() == results["FOOTPRINTS"].featureCount() == 1
 
 
