@@ -10,7 +10,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-from made_inputs import NAMES, NORTH, WEST, scattered_objects, turned_view, write_layer, write_raster
+from made_inputs import NAMES, NORTH, WEST, read_rows, scattered_objects, turned_view, write_layer, write_raster
 from made_models import metadata, painted, write_model, writer
 from osgeo import gdal
 from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsProcessingException
@@ -40,17 +40,9 @@ def export(run_algorithm, database, tmp_path, feedback):
     return run
 
 
-def whole(path):
-    return read_database(path, with_overview=True)
-
-
-def onboard(path):
-    return read_onboard(path)
-
-
 def test_the_file_has_the_database_within_its_stated_errors(export, database, feedback):
     results = export()
-    found, expected = onboard(results["OUTPUT"]), whole(database)
+    found, expected = read_onboard(results["OUTPUT"]), read_database(database, with_overview=True)
     assert results["BYTES"] == Path(results["OUTPUT"]).stat().st_size == found.size_bytes
     assert found.database.parameters == replace(expected.parameters, block_hashes=())
     assert found.database.class_table == expected.class_table
@@ -72,7 +64,7 @@ def test_a_file_is_signed_with_the_key_that_was_given(export, tmp_path):
 
 
 def test_longitude_and_latitude_are_proj_s(export):
-    found = onboard(export()["OUTPUT"])
+    found = read_onboard(export()["OUTPUT"])
     x0, y0, x1, y1 = found.database.parameters.extent
     points = np.random.default_rng(1).uniform((x0, y0), (x1, y1), (300, 2))
     crs = QgsCoordinateReferenceSystem("EPSG:32632")
@@ -103,7 +95,7 @@ def test_maps_of_countries_keep_to_centimeters(qgis_app, epsg, extent, least):
 def test_only_the_corridor_along_a_route_is_exported(export, tmp_path, feedback):
     wkt = f"LINESTRING ({WEST + 100} {NORTH - 100}, {WEST + 600} {NORTH - 100})"
     route = str(write_layer(tmp_path / "route.gpkg", [(wkt, "a")]))
-    found = onboard(export(CLIP=route, DISTANCE=60)["OUTPUT"]).database
+    found = read_onboard(export(CLIP=route, DISTANCE=60)["OUTPUT"]).database
     rows = NORTH - found.references.positions[:, 1]
     assert len(rows) > 20 and rows.min() >= 36 and rows.max() <= 164
     np.testing.assert_array_equal(np.flatnonzero(found.overview.any(axis=1))[[0, -1]], [10, 40])
@@ -116,7 +108,7 @@ def test_a_polygon_in_another_crs_is_brought_to_the_map(export, tmp_path):
     degrees = np.column_stack(longitudes_latitudes(np.array(corners), crs, QgsCoordinateTransformContext())).tolist()
     text = ", ".join(f"{x:.9f} {y:.9f}" for x, y in [*degrees, degrees[0]])
     area = str(write_layer(tmp_path / "area.gpkg", [(f"POLYGON (({text}))", "a")], crs=4326))
-    positions = onboard(export(CLIP=area)["OUTPUT"]).database.references.positions
+    positions = read_onboard(export(CLIP=area)["OUTPUT"]).database.references.positions
     assert (np.abs(positions - (WEST + 250, NORTH - 250)) <= 154).all()
     assert len(positions) > 50
 
@@ -158,11 +150,6 @@ def without_qgis(repository, tmp_path):
     return run
 
 
-def plugin_rows(results) -> list:
-    source = gdal.OpenEx(results["OUTPUT"])
-    return [feature.items() for feature in source.GetLayer(0)]
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("method", [(1, "topology-vector"), (0, "automatic")])
 def test_images_have_the_same_fixes_with_and_without_qgis(
@@ -177,7 +164,7 @@ def test_images_have_the_same_fixes_with_and_without_qgis(
         write_raster(folder / f"{n}.png", view, transform=None)
     write_raster(folder / "nothing.png", np.full((200, 200), 4, np.uint8), transform=None)
     parameters = {"DATABASE": database, "IMAGES": [str(folder)], "METHOD": method[0]}
-    expected = plugin_rows(run_algorithm(LOCALIZE, {**parameters, "OUTPUT": str(tmp_path / "fixes.gpkg")}))
+    expected = read_rows(run_algorithm(LOCALIZE, {**parameters, "OUTPUT": str(tmp_path / "fixes.gpkg")})["OUTPUT"])
     file = export()["OUTPUT"]
     found = without_qgis("localize", str(folder), "--database", file, "--method", method[1])
     assert [row["status"] for row in found] == [row["status"] for row in expected]
@@ -205,7 +192,7 @@ def test_photos_have_the_same_fixes_with_and_without_qgis(export, run_algorithm,
     photo = painted(turned_view(LABELS, 200, 350.3, 280.6, 77), (None, "building", "water", "bare_land", None))
     path = str(write_raster(tmp_path / "photo.tif", np.moveaxis(photo, 2, 0), transform=None))
     parameters = {"DATABASE": database, "IMAGES": [path], "MODEL": model, "OUTPUT": str(tmp_path / "fixes.gpkg")}
-    (expected,) = plugin_rows(run_algorithm(LOCALIZE, parameters))
+    (expected,) = read_rows(run_algorithm(LOCALIZE, parameters)["OUTPUT"])
     (found,) = without_qgis("localize", path, "--database", export()["OUTPUT"], "--model", model)
     assert found["status"] == expected["status"] == "fix"
     assert np.hypot(found["x"] - expected["x"], found["y"] - expected["y"]) < 0.02
@@ -239,6 +226,6 @@ FORMATS = {
 def test_paletted_images_are_read_as_gdal_reads_them(database, tmp_path, name):
     path = paletted(tmp_path / f"labels.{name}", LABELS, FORMATS[name][0], FORMATS[name][1])
     assert cv2.imread(path, cv2.IMREAD_UNCHANGED).ndim == 3
-    table = whole(database).class_table
+    table = read_database(database, with_overview=True).class_table
     np.testing.assert_array_equal(read_label_image(path, table), LABELS)
     np.testing.assert_array_equal(read_with_gdal(path, table), LABELS)

@@ -143,23 +143,16 @@ def made_positions(path: Path, image: str, columns=COLUMNS, **more) -> str:
     return str(write_layer(path, [(f"POINT ({WEST + 200} {NORTH - 200})", *row)], columns, **more))
 
 
-def test_images_that_were_moved_are_found_by_name(georeference, tmp_path):
+@pytest.mark.parametrize("point", ["POINT ({})", "MULTIPOINT (({}))"])
+def test_images_that_were_moved_are_found_by_name_also_of_exports_with_multipoints(georeference, tmp_path, point):
     (tmp_path / "here").mkdir()
     write_raster(tmp_path / "here" / "one.png", LABELS[:100, :100], transform=None)
-    positions = made_positions(tmp_path / "p.gpkg", "/where/it/was/one.png")
+    row = (point.format(f"{WEST + 200} {NORTH - 200}"), "/where/it/was/one.png", "fix", 0.0, 1.0, None)
+    positions = str(write_layer(tmp_path / "p.gpkg", [row], COLUMNS))
     result, folder = georeference(POSITIONS=positions, FOOTPRINTS=None, IMAGES=[str(tmp_path / "here")])
     assert result["IMAGE_COUNT"] == 1
     west, _, _, north, _, _ = gdal.Open(str(folder / "one.tif")).GetGeoTransform()
     assert (west, north) == pytest.approx((WEST + 150, NORTH - 150), abs=0.01)
-
-
-def test_a_position_that_an_export_made_a_multipoint_is_one(georeference, tmp_path):
-    write_raster(tmp_path / "one.png", LABELS[:100, :100], transform=None)
-    row = (f"MULTIPOINT (({WEST + 200} {NORTH - 200}))", str(tmp_path / "one.png"), "fix", 0.0, 1.0, None)
-    positions = str(write_layer(tmp_path / "p.gpkg", [row], COLUMNS))
-    result, folder = georeference(POSITIONS=positions, FOOTPRINTS=None)
-    assert result["IMAGE_COUNT"] == 1
-    assert gdal.Open(str(folder / "one.tif")).GetGeoTransform()[0] == pytest.approx(WEST + 150, abs=0.01)
 
 
 def test_a_photo_keeps_its_bands_and_is_transparent_around(georeference, tmp_path):

@@ -2,12 +2,13 @@
 
 import json
 import shutil
+from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import NORTH, WEST, scattered_objects, turned_view, write_raster
+from made_inputs import NORTH, WEST, read_rows, scattered_objects, turned_view, write_raster
 from made_models import metadata, painted, write_model, writer
-from osgeo import gdal, ogr
+from osgeo import gdal
 from qgis.core import QgsProcessingException
 
 from semref.core.segmentation.onnx_file import with_metadata
@@ -46,24 +47,26 @@ def photo_of(labels: np.ndarray) -> np.ndarray:
     return np.moveaxis(painted(TO_MODEL[labels]), 2, 0)
 
 
-@pytest.fixture(scope="module")
-def nameless(folder):
-    """Return a model without class names."""
-    path = folder / "nameless.onnx"
-    write_model(path, ground_and_colors(), metadata=metadata(class_names=None))
-    return path
-
-
 @pytest.fixture
 def localize(run_algorithm, folder, tmp_path, feedback):
     def run(images, **parameters):
-        defaults = {"DATABASE": str(folder / "area.gpkg"), "MODEL": str(folder / "colors.onnx")}
-        parameters = {**defaults, "METHOD": 2, "OUTPUT": str(tmp_path / "positions.gpkg"), **parameters}
-        results = run_algorithm(LOCALIZE, {"IMAGES": [str(path) for path in images], **parameters}, feedback)
-        source = ogr.Open(results["OUTPUT"])
-        return [feature.items() for feature in source.GetLayer(0)]
+        given = {"DATABASE": str(folder / "area.gpkg"), "MODEL": str(folder / "colors.onnx"), "METHOD": 2}
+        given |= {"OUTPUT": str(tmp_path / "positions.gpkg"), "IMAGES": [str(path) for path in images]}
+        return read_rows(run_algorithm(LOCALIZE, {**given, **parameters}, feedback)["OUTPUT"])
 
     return run
+
+
+@pytest.fixture
+def jpeg(tmp_path):
+    """`jpeg(labels)` writes a photo as JPEG."""
+
+    def write(labels: np.ndarray) -> Path:
+        plain = write_raster(tmp_path / "a.png", photo_of(labels), transform=None)
+        gdal.Translate(str(tmp_path / "a.jpg"), str(plain), format="JPEG")
+        return tmp_path / "a.jpg"
+
+    return write
 
 
 @pytest.mark.slow
@@ -97,60 +100,42 @@ def test_height_and_lens_of_a_photo_set_its_scale_for_the_network(run_algorithm,
     assert "uses the photo at 50 cm" in feedback.textLog()
 
 
-def test_photos_without_a_model_get_a_warning(localize, tmp_path, feedback):
-    photo, plain = tmp_path / "a.jpg", write_raster(tmp_path / "a.png", photo_of(LABELS[:SIZE, :SIZE]), transform=None)
-    gdal.Translate(str(photo), str(plain), format="JPEG")
+def test_photos_without_a_model_get_a_warning(localize, jpeg, tmp_path, feedback):
+    photo, words = jpeg(LABELS[:SIZE, :SIZE]), "The images are photos, but no model is selected."
     localize([photo], MODEL=None)
-    assert (
-        "The images are photos, but no model is selected. Their colors are read as class colors." in feedback.textLog()
-    )
-    label_image = write_raster(tmp_path / "b.png", LABELS[:SIZE, :SIZE], transform=None)
-    before = feedback.textLog().count("The images are photos")
-    localize([label_image], MODEL=None)
+    assert f"{words} Their colors are read as class colors." in feedback.textLog()
+    localize([write_raster(tmp_path / "b.png", LABELS[:SIZE, :SIZE], transform=None)], MODEL=None)
     localize([photo])
-    assert feedback.textLog().count("The images are photos") == before
-
-
-def test_photos_are_known_by_their_colors_as_well(localize, tmp_path, feedback):
+    assert feedback.textLog().count(words) == 1
     colors = np.random.default_rng(3).integers(0, 255, (3, SIZE, SIZE), np.uint8)
     localize([write_raster(tmp_path / "a.tif", colors, transform=None)], MODEL=None)
-    assert "The images are photos, but no model is selected." in feedback.textLog()
+    assert feedback.textLog().count(words) == 2
 
 
-def test_a_photo_that_was_cut_short_is_unreadable(localize, tmp_path):
-    photo, plain = tmp_path / "a.jpg", write_raster(tmp_path / "a.png", photo_of(LABELS), transform=None)
-    gdal.Translate(str(photo), str(plain), format="JPEG")
+def test_a_photo_that_was_cut_short_is_unreadable_and_one_with_other_warnings_is_not(localize, jpeg):
+    photo = jpeg(LABELS)
     content = photo.read_bytes()
     photo.write_bytes(content[:2000])
     for model in ({}, {"MODEL": None}):
         (found,) = localize([photo], **model)
         assert found["status"] == "error"
         assert found["reason"] == f"{photo} is damaged or cut short: Premature end of JPEG file."
-
-
-def test_a_photo_with_other_warnings_stays_readable(localize, tmp_path):
-    photo, plain = tmp_path / "a.jpg", write_raster(tmp_path / "a.png", photo_of(LABELS[:SIZE, :SIZE]), transform=None)
-    gdal.Translate(str(photo), str(plain), format="JPEG")
-    content = photo.read_bytes()
     photo.write_bytes(content[:-2] + bytes(9) + content[-2:])
-    (found,) = localize([photo])
-    assert found["status"] != "error"
+    assert localize([photo])[0]["status"] != "error"
 
 
-def test_a_model_without_the_databases_classes_is_refused(localize, tmp_path):
-    model = write_model(tmp_path / "m.onnx", metadata=metadata(class_names=["building", "water", "snow"]))
-    photo = write_raster(tmp_path / "a.png", photo_of(LABELS[:SIZE, :SIZE]), transform=None)
-    with pytest.raises(QgsProcessingException, match="was not trained on the database's class bare_land"):
+@pytest.mark.parametrize(
+    ("names", "words"),
+    [
+        (["building", "water", "snow"], "was not trained on the database's class bare_land"),
+        (None, r"does not name its classes \(metadata key class_names\); choose a model that does"),
+    ],
+)
+def test_a_model_without_the_databases_classes_is_refused(localize, photo, tmp_path, names, words):
+    model = write_model(tmp_path / "m.onnx", metadata=metadata(class_names=names))
+    with pytest.raises(QgsProcessingException, match=words) as error:
         localize([photo], MODEL=str(model))
-    assert not (tmp_path / "positions.gpkg").exists()
-
-
-def test_a_model_without_class_names_is_refused_without_a_key_that_is_not_there(localize, nameless, tmp_path):
-    photo = write_raster(tmp_path / "photo.tif", photo_of(LABELS[:SIZE, :SIZE]))
-    with pytest.raises(QgsProcessingException) as error:
-        localize([photo], MODEL=str(nameless))
-    assert "does not name its classes (metadata key class_names); choose a model that does" in str(error.value)
-    assert "CLASS_TABLE" not in str(error.value)
+    assert "CLASS_TABLE" not in str(error.value) and not (tmp_path / "positions.gpkg").exists()
 
 
 @pytest.fixture

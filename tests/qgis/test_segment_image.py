@@ -69,25 +69,19 @@ def test_a_class_table_gives_values_roles_and_colors(segment, tmp_path):
     assert "40,Building,#d62728,reference" in raster.GetMetadataItem("SEMREF_CLASS_TABLE")
 
 
-def test_pixels_without_data_are_unlabeled(segment, tmp_path):
+def test_pixels_without_data_and_transparent_ones_are_unlabeled(segment, tmp_path):
     photo = PHOTO.copy()
     photo[:, 20:90, 30:180] = 7
     photo[0, 100, 100] = 7  # A single band is not enough.
-    path = write_raster(tmp_path / "a.tif", photo, nodata=7)
-    found = read_pixels(segment(path))
+    found = read_pixels(segment(write_raster(tmp_path / "a.tif", photo, nodata=7)))
     assert (found[20:90, 30:180] == 0).all()
     assert found[100, 100] != 0 and (found == 0).sum() == 70 * 150
-
-
-def test_transparent_pixels_are_unlabeled(segment, tmp_path):
-    alpha = np.full(LABELS.shape, 255, np.uint8)
+    alpha, path = np.full(LABELS.shape, 255, np.uint8), tmp_path / "b.tif"
     alpha[:40, :50] = 0
-    path = tmp_path / "a.tif"
     raster = gdal.GetDriverByName("GTiff").Create(str(path), 230, 170, 4, options=["PHOTOMETRIC=RGB", "ALPHA=YES"])
     raster.WriteArray(np.concatenate([PHOTO, alpha[None]]))
     raster = None
-    found = read_pixels(segment(path))
-    np.testing.assert_array_equal(found, np.where(alpha > 0, SEEN, 0))
+    np.testing.assert_array_equal(read_pixels(segment(path)), np.where(alpha > 0, SEEN, 0))
 
 
 def test_sixteen_bits_are_stretched(segment, tmp_path, feedback):
@@ -97,25 +91,25 @@ def test_sixteen_bits_are_stretched(segment, tmp_path, feedback):
     assert "Stretched to 8 bits from 700–2500" in feedback.textLog()
 
 
-def test_bands_are_found_by_their_wavelength(segment, tmp_path, feedback):
-    path = write_raster(tmp_path / "a.tif", np.concatenate([PHOTO[::-1], PHOTO[:1]]))
+@pytest.mark.parametrize("by_wavelength", [True, False])
+def test_bands_are_found_by_their_wavelength_or_color_interpretation(segment, tmp_path, feedback, by_wavelength):
+    order = [PHOTO[::-1], PHOTO[:1]] if by_wavelength else [PHOTO[:1] * 0, PHOTO[::-1]]
+    path = write_raster(tmp_path / "a.tif", np.concatenate(order))
+    colors = (
+        [gdal.GCI_Undefined] * 4
+        if by_wavelength
+        else [gdal.GCI_Undefined, gdal.GCI_BlueBand, gdal.GCI_GreenBand, gdal.GCI_RedBand]
+    )
     raster = gdal.Open(str(path), gdal.GA_Update)
-    for number, length in enumerate((0.4843, 0.5584, 0.6465, 0.8046), start=1):
-        raster.GetRasterBand(number).SetMetadataItem("wavelength", str(length))
-        raster.GetRasterBand(number).SetMetadataItem("wavelength_units", "Micrometers")
-        raster.GetRasterBand(number).SetColorInterpretation(gdal.GCI_Undefined)
-    raster = None
+    for number, (length, color) in enumerate(zip((0.4843, 0.5584, 0.6465, 0.8046), colors), start=1):
+        band = raster.GetRasterBand(number)
+        if by_wavelength:
+            band.SetMetadataItem("wavelength", str(length))
+            band.SetMetadataItem("wavelength_units", "Micrometers")
+        band.SetColorInterpretation(color)
+    raster = band = None
     np.testing.assert_array_equal(read_pixels(segment(path)), SEEN)
-    assert "bands 3, 2, 1" in feedback.textLog()
-
-
-def test_bands_are_found_by_their_color_interpretation(segment, tmp_path):
-    path = write_raster(tmp_path / "a.tif", np.concatenate([PHOTO[:1] * 0, PHOTO[::-1]]))
-    raster = gdal.Open(str(path), gdal.GA_Update)
-    for number, meaning in enumerate((gdal.GCI_Undefined, gdal.GCI_BlueBand, gdal.GCI_GreenBand, gdal.GCI_RedBand), 1):
-        raster.GetRasterBand(number).SetColorInterpretation(meaning)
-    raster = None
-    np.testing.assert_array_equal(read_pixels(segment(path)), SEEN)
+    assert not by_wavelength or "bands 3, 2, 1" in feedback.textLog()
 
 
 def test_a_paletted_image_is_seen_in_its_colors(segment, tmp_path):
