@@ -1,4 +1,4 @@
-"""Example calls of the guide have valid parameters and run on the sample area."""
+"""Examples of the guide and of CONTRIBUTING have valid parameters and run."""
 
 import ast
 import importlib
@@ -6,11 +6,13 @@ import re
 import shlex
 import shutil
 import sys
+import textwrap
 from pathlib import Path
 
+import numpy as np
 import pytest
 from osgeo import gdal
-from qgis.core import QgsApplication, QgsProcessingParameterDefinition
+from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingParameterDefinition
 
 pytestmark = pytest.mark.newer
 
@@ -85,3 +87,19 @@ def test_the_examples_run_one_after_the_other_on_the_sample_area(
             assert key not in results or not is_file or Path(value).stat().st_size > 100, f"{name}: {value}"
         if name == "localizeimages":
             assert results["FIX_COUNT"] == 12
+
+
+def test_the_algorithm_of_the_walk_counts_landmarks(repository, build_area, feedback, tmp_path):
+    (example,) = re.findall(r"```python\n(.*?)```", (repository / "CONTRIBUTING.md").read_text("utf-8"), re.DOTALL)
+    package = "semref.processing.algorithms"
+    module = {"__name__": f"{package}.count_landmarks", "__package__": package}
+    exec(compile(textwrap.dedent(example), "CONTRIBUTING.md", "exec"), module)
+    labels = np.full((100, 100), 4, np.uint8)
+    labels[10:20, 10:20] = labels[50:60, 30:42] = 1
+    labels[70:90, 70:90] = 2
+    area = build_area(labels, ["unlabeled", "building", "water", "bare_land", "field"], 50, 25)
+    given = {"DATABASE": area, "OUTPUT": str(tmp_path / "count.txt")}
+    results, succeeded = module["CountLandmarks"]().create().run(given, QgsProcessingContext(), feedback)
+    assert succeeded, feedback.textLog()
+    assert results == {"OUTPUT": given["OUTPUT"], "COUNT": 3}
+    assert (tmp_path / "count.txt").read_text() == "3"

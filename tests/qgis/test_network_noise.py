@@ -2,13 +2,20 @@
 
 import numpy as np
 import pytest
-from made_inputs import NAMES, scattered_objects, write_raster
+from made_inputs import NAMES, scattered_objects, write_raster, write_text
 from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingParameterDefinition
 
-from semref.core.errors import ParameterError, SemRefError
+from semref.core.errors import SemRefError
+from semref.core.evaluation.evaluation import TrialRanges
+from semref.core.localization import Method
+from semref.core.simulation.conditions import ASSUMED, LARGEST_LENS, LARGEST_TILT_DEG, conditions_of
 from semref.core.simulation.label_errors import spoil_labels
 from semref.core.simulation.noise import LabelNoise
+from semref.processing.algorithms.evaluate_localization import ORDER
+from semref.processing.algorithms.evaluate_localization import USUAL as RANGES
+from semref.processing.base.assessing import USUAL
 from semref.processing.base.values import Values
+from semref.processing.reports import page
 from semref.processing.reports.network_noise import network_meta
 
 AS_GIVEN, GOOD, USABLE, POOR = range(4)
@@ -93,46 +100,60 @@ def test_the_report_shows_the_landmarks_of_each_class_and_what_to_do(report):
 
 @pytest.mark.parametrize(
     "content",
-    [
-        "",
-        "a page",
-        "<![if x y[",
-        '<meta name="semref-network" content="no JSON">',
-        '<meta name="semref-network" content="[1]">',
-    ],
+    ["", "a page", "<![if x y[", *(f'<meta name="semref-network" content="{text}">' for text in ("no JSON", "[1]"))],
 )
-def test_another_file_is_refused_in_a_sentence(qgis_app, tmp_path, content):
-    page = tmp_path / "page.html"
-    page.write_text(content, encoding="utf-8")
-    given = {"DATABASE": str(tmp_path / "a.gpkg"), "COMPARISON": str(page), "OUTPUT": "memory:"}
-    algorithm = QgsApplication.processingRegistry().createAlgorithmById("semref:assessdatabase")
-    able, said = algorithm.checkParameterValues(given, QgsProcessingContext())
-    assert not able and said.startswith(f"{page} is not a report of “Compare label maps” with landmarks.")
+def test_another_file_is_refused_in_a_sentence(create, tmp_path, content):
+    file = write_text(tmp_path / "page.html", content)
+    given = {"DATABASE": str(tmp_path / "a.gpkg"), "COMPARISON": str(file), "OUTPUT": "memory:"}
+    able, said = create("assessdatabase").checkParameterValues(given, QgsProcessingContext())
+    assert not able and said.startswith(f"{file} is not a report of “Compare label maps” with landmarks.")
 
 
-def test_a_comparison_of_few_landmarks_gives_no_noise(conditions, tmp_path):
-    from semref.processing.reports import page as report
+@pytest.fixture
+def page_of(tmp_path):
+    """`page_of(numbers, landmarks)` writes a report with these numbers of a comparison; returns its path."""
 
-    page = tmp_path / "page.html"
-    page.write_text(report.page("t", "s", meta=network_meta({"MISSED": 20.0}, 5)), encoding="utf-8")
-    with pytest.raises(ParameterError):
-        conditions("semref:assessdatabase", {"COMPARISON": str(page)})
+    def write(numbers, landmarks=50):
+        text = page.page("t", "s", meta=network_meta(numbers, landmarks))
+        return str(write_text(tmp_path / "page.html", text))
+
+    return write
 
 
-def test_lengths_not_measured_by_the_comparison_keep_their_numbers(conditions, tmp_path):
-    from semref.processing.reports import page as report
-
-    page = tmp_path / "page.html"
-    page.write_text(report.page("t", "s", meta=network_meta({"MISSED": 7.0, "RAGGED": None}, 50)), encoding="utf-8")
-    found = conditions("semref:assessdatabase", {"COMPARISON": str(page), "RAGGED": 2.5})
+def test_lengths_not_measured_by_the_comparison_keep_their_numbers(conditions, page_of):
+    given = {"COMPARISON": page_of({"MISSED": 7.0, "RAGGED": None}), "RAGGED": 2.5}
+    found = conditions("semref:assessdatabase", given)
     assert (found.noise.missed, found.noise.jitter) == (0.07, 2.5)
 
 
-@pytest.mark.parametrize(("key", "value"), [("MISSED", 500.0), ("MISNAMED", 101.0)])
-def test_numbers_beyond_what_the_dialogs_take_are_refused(conditions, tmp_path, key, value):
-    from semref.processing.reports import page as report
-
-    page = tmp_path / "page.html"
-    page.write_text(report.page("t", "s", meta=network_meta({key: value}, 50)), encoding="utf-8")
+@pytest.mark.parametrize(
+    ("numbers", "landmarks"), [({"MISSED": 20.0}, 5), ({"MISSED": 500.0}, 50), ({"MISNAMED": 101.0}, 50)]
+)
+def test_few_landmarks_and_numbers_beyond_what_the_dialogs_take_are_refused(conditions, page_of, numbers, landmarks):
     with pytest.raises(SemRefError):
-        conditions("semref:assessdatabase", {"COMPARISON": str(page)})
+        conditions("semref:assessdatabase", {"COMPARISON": page_of(numbers, landmarks)})
+
+
+# --- defaults ---
+
+
+def test_usual_values_are_those_that_assessments_assume():
+    found = conditions_of({key.lower(): value for key, (value, _) in USUAL.items()})
+    for name in ("missed", "spurious", "mislabeled", "jitter", "background", "leaning"):
+        assert getattr(found.noise, name) == pytest.approx(getattr(ASSUMED.noise, name)), name
+    assert found.noise.displaced == pytest.approx(ASSUMED.noise.displaced, abs=0.05)
+    assert (found.class_shift, found.lens, found.tilt_deg) == (ASSUMED.class_shift, ASSUMED.lens, ASSUMED.tilt_deg)
+
+
+def test_the_largest_values_are_those_of_cameras():
+    assert (USUAL["LENS"][1], USUAL["TILT"][1]) == (LARGEST_LENS, LARGEST_TILT_DEG)
+    assert all(most is None or 0 <= value <= most for value, most in USUAL.values())
+
+
+def test_every_range_is_one_of_an_evaluation():
+    ranges = {key.lower(): limits for key, limits in RANGES.items()}
+    assert vars(TrialRanges(**ranges)) == ranges
+
+
+def test_every_method_has_its_place_and_the_published_one_the_last():
+    assert set(ORDER) == set(Method) and len(ORDER) == len(Method) and ORDER[-1] is Method.TOPOLOGY_VECTOR

@@ -4,8 +4,9 @@ import os
 from functools import partial
 
 import pytest
-from made_inputs import NAMES, scattered_objects, write_raster
-from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingException, QgsProject
+from bad_input import BUILD, LABELS, WINDOWS
+from made_inputs import NAMES, write_raster
+from qgis.core import QgsProcessingContext, QgsProcessingException, QgsProject
 
 from semref.core import limits
 from semref.core.errors import SemRefError
@@ -14,8 +15,6 @@ from semref.storage.database.reader import read_database
 from semref.storage.text_tables import read_class_table, read_rules
 from semref.ui.project_state import read_state
 
-LABELS = scattered_objects(150, 200, 40, seed=2)
-
 
 def one_sentence(refused) -> str:
     text = str(refused.value)
@@ -23,17 +22,20 @@ def one_sentence(refused) -> str:
     return text
 
 
+@pytest.fixture
+def check(create):
+    """`check(algorithm, **parameters)` returns whether QGIS takes the values, and the reason."""
+    return lambda name, **given: create(name).checkParameterValues(given, QgsProcessingContext())
+
+
 @pytest.mark.parametrize("cell", ["x" * 140_000, '"' + "x\n" * 70_000], ids=["letters", "lines"])
 def test_a_table_with_a_huge_field_is_refused(qgis_app, tmp_path, cell):
     (tmp_path / "cameras.csv").write_text(f"image,roll,pitch\na.png,{cell},0\n", encoding="utf-8")
     (tmp_path / "classes.csv").write_text(f"value,name\n1,{cell}\n", encoding="utf-8")
-    for read in (lambda: read_cameras(["a.png"], str(tmp_path / "cameras.csv")),):
+    for read, name in ((partial(read_cameras, ["a.png"]), "cameras.csv"), (read_class_table, "classes.csv")):
         with pytest.raises(SemRefError) as refused:
-            read()
+            read(str(tmp_path / name))
         one_sentence(refused)
-    with pytest.raises(SemRefError) as refused:
-        read_class_table(str(tmp_path / "classes.csv"))
-    one_sentence(refused)
 
 
 @pytest.mark.parametrize("kind", ["cameras", "class table", "rules"])
@@ -52,20 +54,9 @@ def test_a_table_is_not_read_that_is_huge_or_no_file(qgis_app, tmp_path, kind):
 
 @pytest.fixture
 def build(run_algorithm, tmp_path):
-    write_raster(tmp_path / "labels.tif", LABELS, names=NAMES)
-
-    def run(**parameters):
-        settings = {
-            "LABELS": str(tmp_path / "labels.tif"),
-            "REFERENCE_CLASSES": "building;water;bare_land",
-            "WINDOW_SIZE": 100,
-            "STRIDE": 50,
-            "MINIMUM_AREA": 30,
-            "DATABASE": str(tmp_path / "area.gpkg"),
-        }
-        return run_algorithm("semref:builddatabase", {**settings, **parameters})["DATABASE"]
-
-    return run
+    given = {"LABELS": str(write_raster(tmp_path / "labels.tif", LABELS, names=NAMES)), **WINDOWS}
+    given["DATABASE"] = str(tmp_path / "area.gpkg")
+    return lambda **parameters: run_algorithm(BUILD, {**given, **parameters})["DATABASE"]
 
 
 @pytest.mark.parametrize(
@@ -98,17 +89,15 @@ def test_a_level_that_is_given_twice_counts_once(build):
 
 @pytest.mark.parametrize("value", [float("nan"), float("inf"), "nan", "-inf"])
 @pytest.mark.parametrize(("name", "key"), [("evaluatelocalization", "MIRRORED"), ("rasterizeannotation", "PIXEL_SIZE")])
-def test_every_algorithm_refuses_nan(qgis_app, name, key, value):
+def test_every_algorithm_refuses_nan(check, name, key, value):
     """QGIS accepts NaN within any limits of a number."""
-    algorithm = QgsApplication.processingRegistry().algorithmById(f"semref:{name}").create()
-    possible, said = algorithm.checkParameterValues({key: value}, QgsProcessingContext())
+    possible, said = check(name, **{key: value})
     assert not possible and said
 
 
 @pytest.mark.parametrize("key", ["INPUT", "CLASS_FIELD", "EXTENT", "TARGET_CRS"])
-def test_a_value_of_any_length_does_not_make_a_sentence_of_any_length(qgis_app, key):
-    algorithm = QgsApplication.processingRegistry().algorithmById("semref:rasterizeannotation").create()
-    possible, said = algorithm.checkParameterValues({key: "[\n" * 50_000}, QgsProcessingContext())
+def test_a_value_of_any_length_does_not_make_a_sentence_of_any_length(check, key):
+    possible, said = check("rasterizeannotation", **{key: "[\n" * 50_000})
     assert not possible and len(said) < 1000 and "\n" not in said
 
 
@@ -149,22 +138,18 @@ def test_a_text_with_a_character_0_is_refused(run_algorithm, tmp_path, given):
     assert text.startswith(f"“{titles[next(iter(given))]}” is “") and "null character" in text
 
 
-def test_a_list_of_images_with_a_character_0_is_refused(run_algorithm, tmp_path, qgis_app):
-    algorithm = QgsApplication.processingRegistry().algorithmById("semref:localizeimages").create()
-    parameters = {"DATABASE": str(tmp_path / "area.gpkg"), "IMAGES": ["a.png", "b\0.png"], "OUTPUT": "memory:"}
-    possible, reason = algorithm.checkParameterValues(parameters, QgsProcessingContext())
+IMAGES = {"DATABASE": "a.gpkg", "IMAGES": ["a.png"], "OUTPUT": "memory:"}
+
+
+def test_a_list_of_images_with_a_character_0_is_refused(check):
+    possible, reason = check("localizeimages", **{**IMAGES, "IMAGES": ["a.png", "b\0.png"]})
     assert not possible and reason.startswith("“Images” is “b\\x00.png”")
 
 
 @pytest.mark.parametrize("text", ["/folder/area.gpkg", "1,5", "x", "0x10", "1_000"])
-def test_a_text_that_is_no_number_is_refused_even_for_optional_numbers(qgis_app, tmp_path, text):
+def test_a_text_that_is_no_number_is_refused_even_for_optional_numbers(check, text):
     """QGIS reads it as 0, which is no valid scale."""
-    algorithm = QgsApplication.processingRegistry().algorithmById("semref:localizeimages").create()
-    parameters = {"DATABASE": str(tmp_path / "a.gpkg"), "IMAGES": ["a.png"], "OUTPUT": "memory:", "SCALE_MINIMUM": text}
-    possible, reason = algorithm.checkParameterValues(parameters, QgsProcessingContext())
+    possible, reason = check("localizeimages", **IMAGES, SCALE_MINIMUM=text)
     assert not possible and reason == f"“Minimum scale” is {text}, which is not a number. Enter a number."
     for number in ("1.5", " 2", "1e-1", ".5", "2."):
-        possible, reason = algorithm.checkParameterValues(
-            {**parameters, "SCALE_MINIMUM": number}, QgsProcessingContext()
-        )
-        assert possible, reason
+        assert check("localizeimages", **IMAGES, SCALE_MINIMUM=number)[0]
