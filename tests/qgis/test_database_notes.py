@@ -13,6 +13,7 @@ from semref.processing.layers.database_layers import add_database_to_map
 from semref.processing.layers.layer_metadata import Note
 
 BUILD, UPDATE, LOCALIZE = "semref:builddatabase", "semref:updatedatabase", "semref:localizeimages"
+LABELS = scattered_objects(600, 600, 300, seed=3)
 TABLES = "references", "windows"
 SOURCES = "Land cover of Erewhon (ODbL 1.0, © OpenStreetMap contributors)"
 
@@ -20,9 +21,8 @@ SOURCES = "Land cover of Erewhon (ODbL 1.0, © OpenStreetMap contributors)"
 @pytest.fixture
 def label_map(qgis_app, tmp_path) -> Path:
     """Return a label map with a license in QGIS's metadata file, like that of “Rasterize annotation”."""
-    path = write_raster(tmp_path / "labels.tif", scattered_objects(600, 600, 300, seed=3), names=NAMES)
-    layer = QgsRasterLayer(str(path), "labels")
-    told = QgsLayerMetadata()
+    path = write_raster(tmp_path / "labels.tif", LABELS, names=NAMES)
+    layer, told = QgsRasterLayer(str(path), "labels"), QgsLayerMetadata()
     told.setTitle("Land cover of Erewhon")
     told.setLicenses(["ODbL 1.0"])
     told.setRights(["© OpenStreetMap contributors"])
@@ -52,7 +52,7 @@ def test_both_tables_have_title_history_and_licenses(database):
 
 
 def test_an_update_adds_itself_to_the_history_and_keeps_the_rest(database, label_map, run_algorithm):
-    labels = scattered_objects(600, 600, 300, seed=3)
+    labels = LABELS.copy()
     labels[300:330, 300:330] = 1
     new = write_raster(label_map.with_name("new.tif"), labels, names=NAMES)
     run_algorithm(UPDATE, {"DATABASE": database, "LABELS": str(new), "OUTPUT": database})
@@ -83,32 +83,26 @@ def test_the_history_of_many_updates_keeps_the_first_line_and_the_newest_ones(qg
 
 
 def test_what_is_made_of_a_database_names_its_sources_once(database, run_algorithm, tmp_path):
-    image = write_raster(tmp_path / "image.png", scattered_objects(600, 600, 300, seed=3)[100:300, 100:300])
+    image = write_raster(tmp_path / "image.png", LABELS[100:300, 100:300])
     output = str(tmp_path / "positions.gpkg")
     run_algorithm(LOCALIZE, {"DATABASE": database, "IMAGES": [str(image)], "OUTPUT": output})
     assert QgsVectorLayer(output, "positions", "ogr").metadata().rights() == [SOURCES]
 
 
-def test_on_the_map_the_overview_has_the_metadata_too(database):
-    project = QgsProject()
-    group = add_database_to_map(database, project)
-    told = {node.name(): node.layer().metadata() for node in group.findLayers()}
-    assert told["Overview"].title() == "Overview"
-    assert told["Overview"].rights() == [SOURCES]
-    assert len(told["Overview"].history()) == 1
-
-
-def test_no_table_is_there_twice_and_no_file_beside_it(database, label_map):
+def test_each_table_has_its_metadata_once_and_the_overview_has_them_on_the_map(database, label_map):
     with contextlib.closing(sqlite3.connect(database)) as connection:
         rows = connection.execute(
             "SELECT table_name, count(*) FROM gpkg_metadata_reference r JOIN gpkg_metadata m ON m.id = r.md_file_id "
             "WHERE m.md_standard_uri = 'http://mrcc.com/qgis.dtd' GROUP BY table_name ORDER BY 1"
         ).fetchall()
         texts = [text for (text,) in connection.execute("SELECT metadata FROM gpkg_metadata")]
-    assert rows == [("references", 1), ("windows", 1)]
     # GDAL would write each metadata entry again as its own.
-    assert sum("builddatabase" in text for text in texts) == 2
+    assert rows == [("references", 1), ("windows", 1)] and sum("builddatabase" in text for text in texts) == 2
     assert sorted(path.name for path in label_map.parent.glob("area*")) == ["area.gpkg"]
+    project = QgsProject()
+    (overview,) = (n.layer() for n in add_database_to_map(database, project).findLayers() if n.name() == "Overview")
+    told = overview.metadata()
+    assert (told.title(), told.rights(), len(told.history())) == ("Overview", [SOURCES], 1)
 
 
 def test_a_damaged_note_of_an_input_costs_nothing(run_algorithm, tmp_path):

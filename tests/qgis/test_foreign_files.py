@@ -38,6 +38,22 @@ def content(folder: Path) -> dict[str, bytes]:
     }
 
 
+@pytest.fixture
+def refuse_replacing(monkeypatch):
+    """`refuse_replacing(path, …)` refuses to replace that path, except by a file from an ``.older`` folder if asked."""
+    replace = os.replace
+
+    def refuse(path: Path, but_older: bool = False) -> None:
+        def run(source, target):
+            if Path(target) == path and not (but_older and ".older" in str(source)):
+                raise PermissionError(13, "Permission denied", str(target))
+            replace(source, target)
+
+        monkeypatch.setattr(os, "replace", run)
+
+    return refuse
+
+
 def localize(run_algorithm, given: Path, output: Path) -> None:
     parameters = {"DATABASE": str(given / "area.gpkg"), "IMAGES": [str(given / "photo.png")], "METHOD": 1}
     run_algorithm(LOCALIZE, {**parameters, "OUTPUT": str(output)})
@@ -52,6 +68,11 @@ def rasterize(run_algorithm, layer: Path, output: object, **more: object) -> Non
     run_algorithm(
         RASTERIZE, {"INPUT": str(layer), "CLASS_FIELD": "class", "PIXEL_SIZE": 1, "OUTPUT": str(output), **more}
     )
+
+
+def reads(path: Path, sql: str) -> list:
+    with closing(sqlite3.connect(path)) as connection:
+        return connection.execute(sql).fetchall()
 
 
 # --- planted files ---
@@ -240,17 +261,11 @@ def test_a_kill_at_any_moment_leaves_each_output_whole_and_the_next_run_works(tm
 
 
 @pytest.mark.parametrize("name", ["a.shp", "a.dbf", "a.prj"])
-def test_parts_of_a_file_go_back_when_one_cant_be_replaced(tmp_path, monkeypatch, name):
+def test_parts_of_a_file_go_back_when_one_cant_be_replaced(tmp_path, refuse_replacing, name):
     for end in ("shp", "dbf"):
         (tmp_path / f"a.{end}").write_bytes(b"\0\0\x27\x0aold")
-    before, replace = content(tmp_path), os.replace
-
-    def refuse(source, target):
-        if Path(target) == tmp_path / name and ".older" not in str(source):
-            raise PermissionError(13, "Permission denied", str(target))
-        replace(source, target)
-
-    monkeypatch.setattr(os, "replace", refuse)
+    before = content(tmp_path)
+    refuse_replacing(tmp_path / name, but_older=True)
     with Batch() as batch, pytest.raises(ParameterError, match="can't be replaced"):
         made = Path(batch.file(str(tmp_path / "a.shp")))
         for end in ("shp", "dbf", "prj"):
@@ -260,20 +275,13 @@ def test_parts_of_a_file_go_back_when_one_cant_be_replaced(tmp_path, monkeypatch
 
 
 @pytest.mark.parametrize("is_folder", [False, True])
-def test_older_files_that_cant_be_renamed_back_are_not_deleted(tmp_path, monkeypatch, is_folder):
+def test_older_files_that_cant_be_renamed_back_are_not_deleted(tmp_path, refuse_replacing, is_folder):
     refused = tmp_path / ("a" if is_folder else "a.dbf")
     folder = refused if is_folder else tmp_path
     folder.mkdir(exist_ok=True)
     for end in ("shp", "dbf"):
         (folder / f"a.{end}").write_bytes(b"\0\0\x27\x0aold" + end.encode())
-    replace = os.replace
-
-    def refuse(source, target):
-        if Path(target) == refused:
-            raise PermissionError(13, "Permission denied", str(target))
-        replace(source, target)
-
-    monkeypatch.setattr(os, "replace", refuse)
+    refuse_replacing(refused)
     with Batch() as batch, pytest.raises(ParameterError, match=r"They are in .*\.older"):
         made = Path(batch.folder(str(folder), replaces=True) if is_folder else batch.file(str(tmp_path / "a.shp")))
         for end in ("shp", "dbf"):
@@ -284,11 +292,6 @@ def test_older_files_that_cant_be_renamed_back_are_not_deleted(tmp_path, monkeyp
 
 
 # --- existing files of the same name ---
-
-
-def tables_of(path: Path) -> set[str]:
-    with closing(sqlite3.connect(path)) as connection:
-        return {name for (name,) in connection.execute("SELECT table_name FROM gpkg_contents")}
 
 
 def writers(folder: Path) -> dict[str, tuple[str, dict, str]]:
@@ -347,24 +350,22 @@ def test_an_older_output_of_the_same_kind_is_replaced(run_algorithm, given, tmp_
     annotation(given)
     suffix = {"rasterize": "tif", "report": "html", "onboard": "npz", "table": "csv"}.get(writer, "gpkg")
     algorithm, parameters, key = writers(given)[writer]
-    target = tmp_path / f"target.{suffix}"
+    target, seen = tmp_path / f"target.{suffix}", []
     for _ in range(2):
         run_algorithm(algorithm, {**parameters, key: str(target)})
-        found = target.stat().st_ino
-    again = target.stat().st_ino
-    run_algorithm(algorithm, {**parameters, key: str(target)})
-    assert found == again != target.stat().st_ino
+        seen.append(target.stat().st_ino)
+    assert seen[0] != seen[1]
 
 
-def test_a_database_to_which_the_user_added_a_layer_is_not_built_over(run_algorithm, given, tmp_path):
-    gdal.VectorTranslate(
-        str(given / "area.gpkg"), str(annotation(given)), format="GPKG", layerName="my notes", accessMode="update"
-    )
-    before = (given / "area.gpkg").read_bytes()
+def test_a_database_to_which_the_user_added_a_layer_is_not_built_over(run_algorithm, given):
+    area = given / "area.gpkg"
+    added = {"format": "GPKG", "layerName": "my notes", "accessMode": "update"}
+    gdal.VectorTranslate(str(area), str(annotation(given)), **added)
+    before = area.read_bytes()
     algorithm, parameters, key = writers(given)["build"]
     with pytest.raises(QgsProcessingException, match="holds other layers .my notes."):
-        run_algorithm(algorithm, {**parameters, key: str(given / "area.gpkg")})
-    assert (given / "area.gpkg").read_bytes() == before
+        run_algorithm(algorithm, {**parameters, key: str(area)})
+    assert area.read_bytes() == before
 
 
 @pytest.mark.parametrize("output", ["{}|layername=windows", "{}|layerid=0", "{}|LayerName=new"])
@@ -495,9 +496,8 @@ def test_changes_that_wait_beside_a_geopackage_are_not_applied_to_the_newer_one(
     os.waitpid(child, 0)
     assert Path(f"{target}-wal").stat().st_size > 0
     localize(run_algorithm, given, target)
-    with closing(sqlite3.connect(target)) as connection:
-        assert connection.execute("PRAGMA integrity_check").fetchone() == ("ok",)
-        assert "stale" not in [name for (name,) in connection.execute("SELECT description FROM gpkg_contents")]
+    assert reads(target, "PRAGMA integrity_check") == [("ok",)]
+    assert ("stale",) not in reads(target, "SELECT description FROM gpkg_contents")
     assert not Path(f"{target}-wal").exists()
 
 
@@ -513,8 +513,7 @@ def test_a_geopackage_that_another_program_writes_to_is_not_replaced(run_algorit
         with pytest.raises(QgsProcessingException, match="open in this or another program"):
             localize(run_algorithm, given, target)
         connection.execute("COMMIT")
-    with closing(sqlite3.connect(target)) as connection:
-        assert ("edited",) in connection.execute("SELECT description FROM gpkg_contents").fetchall()
+    assert ("edited",) in reads(target, "SELECT description FROM gpkg_contents")
 
 
 def test_a_result_that_is_on_the_map_is_replaced(run_algorithm, given, tmp_path, project):
@@ -536,7 +535,7 @@ def test_what_others_wrote_meanwhile_into_a_geopackage_that_gets_a_layer_is_not_
     gdal.VectorTranslate(str(shared), str(annotation(given)), format="GPKG", layerName="roads")
     output = f"ogr:dbname='{shared}' table=\"fixes\" (geom)"
     localize(run_algorithm, given, output)
-    assert {"fixes", "roads"} <= tables_of(shared)
+    assert {("fixes",), ("roads",)} <= set(reads(shared, "SELECT table_name FROM gpkg_contents"))
     commit = Batch.commit
 
     def late(self, *checks):
@@ -547,5 +546,4 @@ def test_what_others_wrote_meanwhile_into_a_geopackage_that_gets_a_layer_is_not_
     monkeypatch.setattr(Batch, "commit", late)
     with pytest.raises(QgsProcessingException, match="changed by another program"):
         localize(run_algorithm, given, output)
-    with closing(sqlite3.connect(shared)) as connection:
-        assert ("mine",) in connection.execute("SELECT description FROM gpkg_contents").fetchall()
+    assert ("mine",) in reads(shared, "SELECT description FROM gpkg_contents")

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from osgeo import gdal, ogr
+from osgeo import gdal
 
 from semref.core.localization import Method
 from semref.core.localizer.localizer import Localizer
@@ -13,20 +13,9 @@ from semref.storage.database.reader import read_database
 def town(real_data, run_algorithm, tmp_path_factory):
     """Return a localizer on the buildings of Banepa, Nepal."""
     folder = tmp_path_factory.mktemp("town")
-    source = ogr.Open(str(real_data("banepa/banepa_buildings.gpkg")))
-    buildings = source.GetLayer(0)
-    layer, labels, database = (str(folder / name) for name in ("b.gpkg", "labels.tif", "town.gpkg"))
-    written = ogr.GetDriverByName("GPKG").CreateDataSource(layer)
-    copied = written.CreateLayer("b", buildings.GetSpatialRef(), ogr.wkbMultiPolygon)
-    copied.CreateField(ogr.FieldDefn("class", ogr.OFTString))
-    for building in buildings:
-        feature = ogr.Feature(copied.GetLayerDefn())
-        feature["class"] = "building"
-        feature.SetGeometry(ogr.ForceToMultiPolygon(building.GetGeometryRef().Clone()))
-        copied.CreateFeature(feature)
-    del copied, written
-    drawn = {"INPUT": layer, "CLASS_FIELD": "class", "PIXEL_SIZE": 0.5, "OUTPUT": labels}
-    run_algorithm("semref:rasterizeannotation", drawn)
+    labels, database = str(folder / "labels.tif"), str(folder / "town.gpkg")
+    drawn = {"INPUT": str(real_data("banepa/banepa_buildings.gpkg")), "CLASS": "building", "PIXEL_SIZE": 0.5}
+    run_algorithm("semref:rasterizeannotation", {**drawn, "OUTPUT": labels})
     sizes = {"WINDOW_SIZE": 150, "STRIDE": 40, "MINIMUM_AREA": 12}
     run_algorithm(
         "semref:builddatabase", {"LABELS": labels, "REFERENCE_CLASSES": "building", "DATABASE": database, **sizes}

@@ -80,51 +80,39 @@ def test_positions_of_this_session_name_images_that_the_user_chose(georeference,
 
 @pytest.mark.parametrize("name", [*UNC, "/vsicurl/{url}/a.tif", "{url}/a.tif"])
 def test_a_map_tip_does_not_ask_whether_a_picture_elsewhere_is_there(qgis_app, host, name):
-    asked = []
     tip = style_document("footprints").documentElement().firstChildElement("mapTip").text()
     template = tip.replace("file_exists", "semref_file_exists")
     layer = QgsVectorLayer("Point?field=image:string", "a", "memory")
     context = QgsExpressionContext(QgsExpressionContextUtils.globalProjectLayerScopes(layer))
-    QgsExpression.registerFunction(_remembering(asked))
+    FileExists.asked.clear()
+    function = FileExists()
+    QgsExpression.registerFunction(function)
     try:
         for image in (name.format(url=host.url), "/home/me/a.jpg"):
-            context.setFields(layer.fields())
-            feature = next(iter(_with_feature(layer, image)))
+            feature = QgsFeature(layer.fields())
+            feature["image"] = image
             context.setFeature(feature)
             shown = QgsExpression.replaceExpressionText(template, context)
             assert ("<img" in shown) == (image == "/home/me/a.jpg"), shown
     finally:
         QgsExpression.unregisterFunction("semref_file_exists")
-    assert asked == ["/home/me/a.jpg"]
+    assert FileExists.asked == ["/home/me/a.jpg"]
 
 
-def _remembering(asked):
-    class FileExists(QgsExpressionFunction):
-        def __init__(self):
-            super().__init__("semref_file_exists", 1, "General", "")
+class FileExists(QgsExpressionFunction):
+    """QGIS's ``file_exists``, which remembers what it was asked; QGIS keeps no reference to it."""
 
-        def func(self, values, context, parent, node):
-            asked.append(values[0])
-            return True
+    asked: list = []
 
-        def clone(self):
-            return FileExists()
+    def __init__(self):
+        super().__init__("semref_file_exists", 1, "General", "")
 
-    function = FileExists()
-    asked.clear()
-    _KEPT.append(function)
-    return function
+    def func(self, values, context, parent, node):
+        self.asked.append(values[0])
+        return True
 
-
-_KEPT = []
-
-
-def _with_feature(layer, image):
-    feature = QgsFeature(layer.fields())
-    feature["image"] = image
-    layer.dataProvider().truncate()
-    layer.dataProvider().addFeatures([feature])
-    return layer.getFeatures()
+    def clone(self):
+        return FileExists()
 
 
 @pytest.mark.parametrize("name", [*UNC, "/vsicurl/http://host/a.gpkg", "http://host/a.gpkg"])

@@ -12,13 +12,9 @@ from semref.processing.packages import install as component_install
 from semref.processing.packages.components import CRYPTOGRAPHY, DASK, ONNXRUNTIME, OPENCV, PILLOW, SHAPELY
 
 
-def test_the_folder_changes_with_the_versions_of_python_and_numpy():
+def test_the_folder_and_opencv_fit_the_versions_of_python_and_numpy():
     assert components.components_key((3, 11, 2), "1.24.2") == "cp311-numpy1.24"
-    assert components.components_key((3, 11, 2), "2.2.4") == "cp311-numpy2.2"
     assert components.components_key((3, 13, 5), "2.2.4") == "cp313-numpy2.2"
-
-
-def test_opencv_fits_the_running_numpy():
     assert OPENCV.requirement("1.24.2") == "opencv-python-headless>=4.5,<4.12"
     assert OPENCV.requirement("2.2.4") == "opencv-python-headless>=4.10,<5.1"
 
@@ -45,30 +41,26 @@ def test_pip_gets_no_dependencies_no_sources_and_no_index_of_ours():
     online = component_install.pip_arguments(["a<2"], "there", "")
     assert {"--no-deps", "--only-binary=:all:", "--no-input"} <= set(online)
     assert not [argument for argument in online if "index" in argument or "http" in argument]
-    assert component_install.pip_arguments(["a<2"], "there", "wheels")[-4:] == [
-        "--no-index",
-        "--find-links",
-        "wheels",
-        "a<2",
-    ]
+    offline = component_install.pip_arguments(["a<2"], "there", "wheels")
+    assert offline[-4:] == ["--no-index", "--find-links", "wheels", "a<2"]
+
+
+HTTP, SOCKS = QNetworkProxy.ProxyType.HttpProxy, QNetworkProxy.ProxyType.Socks5Proxy
 
 
 @pytest.mark.parametrize(
     "proxy, url",
     [
-        (QNetworkProxy(QNetworkProxy.ProxyType.NoProxy), ""),
-        (QNetworkProxy(QNetworkProxy.ProxyType.HttpProxy), ""),
-        (QNetworkProxy(QNetworkProxy.ProxyType.HttpProxy, "host", 3128), "http://host:3128"),
-        (
-            QNetworkProxy(QNetworkProxy.ProxyType.HttpProxy, "host", 3128, "me", "p@ss:/w"),
-            "http://me:p%40ss:%2Fw@host:3128",  # pragma: allowlist secret
-        ),
-        (QNetworkProxy(QNetworkProxy.ProxyType.Socks5Proxy, "host", 1080), "socks5://host:1080"),
+        ([QNetworkProxy.ProxyType.NoProxy], ""),
+        ([HTTP], ""),
+        ([HTTP, "host", 3128], "http://host:3128"),
+        ([HTTP, "host", 3128, "me", "p@ss:/w"], "http://me:p%40ss:%2Fw@host:3128"),  # pragma: allowlist secret
+        ([SOCKS, "host", 1080], "socks5://host:1080"),
     ],
     ids=["none", "no host", "http", "with password", "socks"],
 )
 def test_the_proxy_is_that_of_qgis(proxy, url):
-    assert component_install.proxy_url(proxy) == url
+    assert component_install.proxy_url(QNetworkProxy(*proxy)) == url
 
 
 @pytest.mark.parametrize(

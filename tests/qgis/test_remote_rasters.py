@@ -7,9 +7,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import NORTH, WEST, scattered_objects, write_raster
+from made_inputs import NORTH, WEST, read_rows, scattered_objects, write_raster
 from made_models import metadata, painted, write_model
-from osgeo import gdal, ogr
+from osgeo import gdal
 from qgis.core import QgsRasterLayer
 
 LABELS = scattered_objects(1500, 1500, 900, seed=11, background=0)
@@ -97,20 +97,16 @@ def test_a_part_of_an_orthophoto_on_a_server_is_segmented_without_fetching_the_r
     assert 0 < sum(served.sent) < size / 3
 
 
-def test_a_photo_on_a_server_is_localized_as_one_on_the_disk(run_algorithm, model, served, tmp_path):
+def test_a_photo_on_a_server_is_localized_as_one_on_the_disk(run_algorithm, build_area, model, served, tmp_path):
     labels = np.where(LABELS == 0, 1, LABELS)
-    parameters = {"WINDOW_SIZE": 160, "STRIDE": 80, "MINIMUM_AREA": 30, "REFERENCE_CLASSES": "water;bare_land"}
     names = ["unlabeled", "building", "water", "bare_land"]
-    label_map = str(write_raster(tmp_path / "labels.tif", labels[:600, :800], names=names))
-    database = str(tmp_path / "area.gpkg")
-    run_algorithm("semref:builddatabase", {"LABELS": label_map, "DATABASE": database, **parameters})
+    database = build_area(labels[:600, :800], names, 160, 80, "water;bare_land")
     file = photo(tmp_path / "photo.tif", labels[200:520, 300:620], transform=None)
     rows = []
     for name in (str, served):
         given = {"DATABASE": database, "MODEL": model, "IMAGES": [name(file)], "METHOD": 2}
         found = run_algorithm("semref:localizeimages", {**given, "OUTPUT": str(tmp_path / f"{len(rows)}.gpkg")})
-        source = ogr.Open(found["OUTPUT"])  # a layer does not own its file
-        rows += [feature.items() for feature in source.GetLayer(0)]
+        rows += read_rows(found["OUTPUT"])
     near, far = rows
     assert near["status"] == far["status"] == "fix"
     assert (far["x"], far["y"], far["error_95"]) == (near["x"], near["y"], near["error_95"])

@@ -63,40 +63,14 @@ def forget_building(folder, extent):
 
 
 def rasterize(run_algorithm, folder, layer, extent, output):
-    parameters = {
-        "INPUT": str(folder / layer),
-        "CLASS_FIELD": "class",
-        "PRIORITY_FIELD": "zorder",
-        "CLASS_TABLE": str(folder / "classes.csv"),
-        "EXTENT": extent,
-        "PIXEL_SIZE": 1.0,
-        "OUTPUT": str(folder / output),
-    }
-    run_algorithm("semref:rasterizeannotation", parameters)
+    asked = {"INPUT": str(folder / layer), "CLASS_FIELD": "class", "PRIORITY_FIELD": "zorder", "PIXEL_SIZE": 1.0}
+    asked |= {"CLASS_TABLE": str(folder / "classes.csv"), "EXTENT": extent, "OUTPUT": str(folder / output)}
+    run_algorithm("semref:rasterizeannotation", asked)
 
 
 def build(run_algorithm, folder, name):
-    parameters = {
-        "LABELS": str(folder / f"{name}.tif"),
-        "WINDOW_SIZE": 120,
-        "STRIDE": 50,
-        "MINIMUM_AREA": 40,
-        "DATABASE": str(folder / f"{name}.gpkg"),
-    }
-    run_algorithm("semref:builddatabase", parameters)
-
-
-def find(run_algorithm, repository, folder, output):
-    parameters = {
-        "IMAGE": str(folder / "orthophoto.tif"),
-        "MODEL": str(repository / "models" / "sample_area.onnx"),
-        "LABELS": str(folder / "old.tif"),
-        "MINIMUM_AREA": 30,
-        "segment:Predicted label map": str(output / "predicted.tif"),
-        "compare:Disagreements": str(output / "disagreements.gpkg"),
-        "compare:Report": str(output / "report.html"),
-    }
-    return run_algorithm(FIND, parameters)
+    asked = {"LABELS": str(folder / f"{name}.tif"), "WINDOW_SIZE": 120, "STRIDE": 50, "MINIMUM_AREA": 40}
+    run_algorithm("semref:builddatabase", {**asked, "DATABASE": str(folder / f"{name}.gpkg")})
 
 
 def apply(run_algorithm, folder, output, layer="landcover.shp", **parameters):
@@ -121,7 +95,11 @@ def windows(path):
 def test_what_the_annotation_lacks_is_found_and_the_correction_reaches_the_database(
     run_algorithm, repository, folder, tmp_path
 ):
-    results = find(run_algorithm, repository, folder, tmp_path)
+    asked = {"IMAGE": str(folder / "orthophoto.tif"), "MODEL": str(repository / "models" / "sample_area.onnx")}
+    outputs = {"segment:Predicted label map": "predicted.tif", "compare:Disagreements": "disagreements.gpkg"}
+    outputs["compare:Report"] = "report.html"
+    outputs = {key: str(tmp_path / name) for key, name in outputs.items()}
+    results = run_algorithm(FIND, {**asked, "LABELS": str(folder / "old.tif"), "MINIMUM_AREA": 30, **outputs})
     assert Path(results["segment:Predicted label map"]).exists() and Path(results["compare:Report"]).exists()
     west, east, south, north = map(float, (folder / "building.txt").read_text().split(","))
     source = ogr.Open(results["compare:Disagreements"])
