@@ -25,8 +25,8 @@ LAYERS = {
     "parameters": (ogr.wkbNone, "key String, value String"),
 }
 
-NAME, LEVEL, SIZE_COLUMN, LONGITUDE, VECTOR = 2, 3, 4, 7, 10
-"""Columns of the table windows, after fid and geom."""
+LONGITUDE = 7
+"""Column of the table windows, after fid and geom."""
 
 
 def map_labels() -> np.ndarray:

@@ -38,15 +38,11 @@ def wrapper_in(plugin):
     kept.clear()
 
 
-def test_a_dialog_begins_with_the_docks_database_and_a_batch_does_not(wrapper_in, dock, area):
+def test_a_dialog_begins_with_the_docks_database_and_opens_what_it_builds_and_a_batch_does_not(wrapper_in, dock, area):
     dock.content.database.file.setFilePath(area.database)
-    assert wrapper_in("AlgorithmDialog", "semref:assessdatabase", "DATABASE").parameterValue() == area.database
-    assert wrapper_in("BatchAlgorithmDialog", "semref:assessdatabase", "DATABASE").parameterValue() in ("", None)
-
-
-@pytest.mark.parametrize(("dialog", "ticked"), [("AlgorithmDialog", True), ("BatchAlgorithmDialog", False)])
-def test_a_dialog_opens_the_database_that_it_builds_and_a_batch_does_not(wrapper_in, dialog, ticked):
-    assert wrapper_in(dialog, "semref:builddatabase", "OPEN_OUTPUT").parameterValue() is ticked
+    for dialog, database, ticked in (("AlgorithmDialog", area.database, True), ("BatchAlgorithmDialog", "", False)):
+        assert (wrapper_in(dialog, "semref:assessdatabase", "DATABASE").parameterValue() or "") == database
+        assert wrapper_in(dialog, "semref:builddatabase", "OPEN_OUTPUT").parameterValue() is ticked
 
 
 def test_a_database_that_was_opened_is_the_docks_choice_also_in_a_dock_that_was_never_shown(plugin, iface, area):

@@ -55,16 +55,10 @@ KINDS = ("text", lambda n: ["forest", "water", "field"][n % 3])
 UNIQUE = ("text", lambda n: f"polygon {n}")
 
 
-def test_texts_that_repeat_are_classes_and_unique_ones_are_not(guess, layer):
-    assert guess(layer(number=("integer", lambda n: n), label=UNIQUE, kind=KINDS)) == ("kind", "")
-
-
-def test_without_a_suitable_field_none_is_chosen(guess, layer):
-    yes = ("text", lambda n: ["yes", "no"][n % 2])
-    assert guess(layer(number=("integer", lambda n: 7 * n), label=UNIQUE, checked=yes)) == ("", "")
-
-
-def test_a_code_that_numbers_the_polygons_is_no_class(guess, layer):
+def test_texts_that_repeat_are_classes_and_unique_ones_numbers_and_flags_are_not(guess, layer):
+    numbers, yes = ("integer", lambda n: 7 * n), ("text", lambda n: ["yes", "no"][n % 2])
+    assert guess(layer(number=numbers, label=UNIQUE, kind=KINDS)) == ("kind", "")
+    assert guess(layer(number=numbers, label=UNIQUE, checked=yes)) == ("", "")
     assert guess(layer(code=UNIQUE, kind=KINDS)) == ("kind", "")
     assert guess(layer(code=KINDS, kind=KINDS)) == ("code", "")
 

@@ -14,8 +14,9 @@ from qgis.PyQt.QtWidgets import QGraphicsPixmapItem
 
 from semref.processing.inspection.image import ImageInspector
 
+pytestmark = pytest.mark.slow
 
-@pytest.mark.slow
+
 def test_the_selected_image_is_shown_with_its_landmarks(dock, area, tab):
     localize(dock, area.database, [area.image])
     canvas = tab.results.image.canvas
@@ -27,13 +28,11 @@ def test_the_selected_image_is_shown_with_its_landmarks(dock, area, tab):
     assert not canvas._landmarks.isVisible()
 
 
-@pytest.mark.slow
 def test_the_view_shows_why_an_image_cannot_be_shown(dock, area, tab):
     localize(dock, area.database, [area.unreadable])
     wait_until(lambda: "can't be read" in tab.results.image.canvas._text, "the reason")
 
 
-@pytest.mark.slow
 def test_a_photo_is_shown_with_what_the_model_makes_of_it(dock, area, tmp_path, tab):
     model = write_model(tmp_path / "colors.onnx", metadata=metadata(class_names={"0": "1", "1": "2", "2": "3"}))
     labels = np.zeros((80, 120), np.uint8)
@@ -53,7 +52,6 @@ def test_a_photo_is_shown_with_what_the_model_makes_of_it(dock, area, tmp_path, 
     assert QColor(shown_labels.pixel(45, 30)) != QColor(shown_labels.pixel(5, 5))
 
 
-@pytest.mark.slow
 def test_landmarks_that_agree_are_joined_between_the_image_and_the_map(dock, iface, area, tab):
     choose_method(dock, CONSTELLATION)
     localize(dock, area.database, [area.image])
@@ -74,7 +72,6 @@ def test_landmarks_that_agree_are_joined_between_the_image_and_the_map(dock, ifa
     iface.canvas.grab()
 
 
-@pytest.mark.slow
 def test_going_through_many_images_quickly_reads_the_first_and_the_last(dock, area, monkeypatch, tmp_path, tab):
     images = [str(shutil.copy(area.image, tmp_path / f"{number:02d}.tif")) for number in range(30)]
     read, inspect, go_on = [], ImageInspector.inspect, threading.Event()

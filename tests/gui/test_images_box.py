@@ -15,23 +15,17 @@ from semref.processing.inspection.models import PHOTO_MODEL
 from semref.storage.pictures import write_jpeg, write_png
 
 
-def test_dropped_files_are_added_once_and_selected_ones_removed(dock, area, tab):
-    data = QMimeData()
+def test_dropped_files_and_layers_are_added_once_and_selected_ones_removed(dock, iface, area, issues, tab):
+    data, images = QMimeData(), tab.images
     data.setUrls([QUrl.fromLocalFile(area.image), QUrl("https://example.org/image.png")])
-    for _ in range(2):
-        assert dropped(tab.images.list, data)
-    assert tab.images.paths() == [area.image]
-    tab.images.list.add([area.unreadable])
-    tab.images.list.setCurrentRow(0)
-    tab.images.remove.click()
-    assert tab.images.paths() == [area.unreadable]
-
-
-def test_layers_dropped_on_the_list_become_images_and_others_are_reported(dock, iface, area, issues, tab):
     layer = add_raster_layer(area.image, "aerial image")
-    assert dropped(tab.images.list, from_the_layer_tree(layer, issues))
-    assert tab.images.paths() == [area.image]
-    assert "not image files: issues" in messages(iface)[0]
+    for dragged in (data, data, from_the_layer_tree(layer, issues)):
+        assert dropped(images.list, dragged)
+    assert images.paths() == [area.image] and "not image files: issues" in messages(iface)[0]
+    images.list.add([area.unreadable])
+    images.list.setCurrentRow(0)
+    images.remove.click()
+    assert images.paths() == [area.unreadable]
 
 
 @pytest.fixture

@@ -63,22 +63,19 @@ def test_the_tables_fit_a_narrow_dock(dock, area):
     assert last.length() == inspect.look_alikes.viewport().width()
 
 
-def test_an_unknown_window_name_is_reported(dock, iface, area):
-    dock.content.database.file.setFilePath(area.database)
-    dock.content.inspect.show_window("1_2")
+@pytest.mark.slow
+def test_an_image_is_compared_with_the_window_and_an_unknown_name_is_reported(dock, iface, area):
+    inspect = dock.content.inspect
+    localize(dock, area.database, [area.image])
+    wait_until(inspect.compare.isEnabled, "the image's vector")
+    inspect.show_window("150_250")
+    wait_until(lambda: inspect.numbers.rowCount(), "the window")
+    inspect.compare.click()
+    assert "distance 0.000, confidence 1.00" in inspect.title.text()
+    assert {inspect.numbers.item(row, 3).text() for row in range(10)} == {"0.000"}
+    inspect.show_window("1_2")
     wait_until(lambda: messages(iface), "a message")
     assert "no window “1_2”" in messages(iface)[0]
-
-
-@pytest.mark.slow
-def test_an_image_is_compared_with_the_window_element_by_element(dock, area):
-    localize(dock, area.database, [area.image])
-    wait_until(dock.content.inspect.compare.isEnabled, "the image's vector")
-    dock.content.inspect.show_window("150_250")
-    wait_until(lambda: dock.content.inspect.numbers.rowCount(), "the window")
-    dock.content.inspect.compare.click()
-    assert "distance 0.000, confidence 1.00" in dock.content.inspect.title.text()
-    assert {dock.content.inspect.numbers.item(row, 3).text() for row in range(10)} == {"0.000"}
 
 
 def test_names_of_windows_are_read_from_left_to_right_in_every_language(dock):

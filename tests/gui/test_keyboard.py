@@ -6,6 +6,8 @@ from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QLabel, QWidget
 
+pytestmark = pytest.mark.slow
+
 MOST_STEPS = 80
 
 
@@ -57,20 +59,17 @@ def filled(request, dock, area, issues, tab):
     return dock
 
 
-@pytest.mark.slow
 def test_tab_walks_through_everything(filled):
     expected = reachable(filled.content)
     seen = walked(expected[0])
     assert [f"{type(w).__name__} {name_of(w)}" for w in expected if w not in seen] == []
 
 
-@pytest.mark.slow
 def test_everything_has_a_name(filled):
     nameless = [w for w in reachable(filled.content) if not name_of(w)]
     assert [f"{type(w).__name__} {w.objectName()} in {type(w.parent()).__name__}" for w in nameless] == []
 
 
-@pytest.mark.slow
 def test_a_mirrored_dock_shows_everything(filled, qgis_app):
     filled.setLayoutDirection(Qt.LayoutDirection.RightToLeft)
     settle()

@@ -16,17 +16,11 @@ def line(qgis_app):
     line.close()
 
 
-def test_a_wide_line_shows_both_sentences(line):
+def test_a_narrow_line_shows_the_second_sentence_in_the_tool_tip_and_is_shortened_in_the_middle(line):
     line.resize(2000, 20)
     assert line.text() == f"{SAID} {ASIDE}"
-
-
-def test_a_narrow_line_shows_the_second_sentence_in_the_tool_tip_only(line):
     line.resize(line.fontMetrics().horizontalAdvance(SAID) + 5, 20)
     assert line.text() == SAID
     assert line.toolTip() == line.text_shown == f"{SAID} {ASIDE}"
-
-
-def test_a_line_too_narrow_for_either_is_shortened_in_the_middle(line):
     line.resize(line.fontMetrics().horizontalAdvance(SAID) // 2, 20)
     assert "…" in line.text() and line.text().startswith("2 of") and line.text().endswith("ition.")

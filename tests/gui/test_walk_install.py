@@ -87,24 +87,14 @@ def comes_with_pages(package):
         pytest.skip("the guide's pages were not made of these docs: tools/docs/build_site.py")
 
 
-def test_the_walk_is_without_a_network_where_that_can_be_had(walk):
+def test_the_zip_installs_into_a_bare_qgis_without_a_network_and_without_python_errors(walk):
     assert walk["reached"] is False or not can_go_offline()
-
-
-def test_the_zip_installs_into_a_bare_qgis_and_is_active_at_once(walk):
     assert (walk["was_there"], walk["found"], walk["active"]) == (False, [], True)
-
-
-def test_nothing_on_the_way_is_a_python_error(walk):
     assert walk["messages"] == [] and walk["errors"] == [] and "Traceback" not in walk["output"]
 
 
-def test_the_dock_names_what_is_missing(walk):
-    assert "OpenCV, Pillow, Shapely, ONNX Runtime" in walk["notice"]
-
-
-def test_every_menu_entry_answers(walk):
-    assert len(walk["menu"]) == 5
+def test_every_menu_entry_answers_and_the_dock_names_what_is_missing(walk):
+    assert "OpenCV, Pillow, Shapely, ONNX Runtime" in walk["notice"] and len(walk["menu"]) == 5
     said = " ".join(walk["bar"])
     assert "Diagnostics are on the clipboard" in said and "The sample project needs OpenCV" in said
 
@@ -115,10 +105,10 @@ def test_every_algorithm_opens_and_the_toolbox_shows_where_to_install_missing_pa
     assert walk["dialogs"]["shown"].endswith("Install it under Settings ▸ Options ▸ SemRef.")
 
 
-def test_the_button_installs_the_packages_and_the_dock_fills_itself(whole_walk):
+def test_the_button_installs_the_packages_and_all_photos_are_localized_without_a_restart(whole_walk):
     state, log = whole_walk["packages"]
     assert "You do not need to restart QGIS" in state, log
-    assert whole_walk["filled"]
+    assert whole_walk["filled"] and whole_walk["rows"] == 12
     assert [text for text in whole_walk["left"] if "needs" in text] == []
 
 
@@ -134,10 +124,6 @@ def test_every_help_opens_a_page_that_came_with_the_zip(whole_walk, comes_with_p
     names = [Path(unquote(urlparse(address).path)).name for address in whole_walk["help"]]
     assert names == ["index.html", "index.html", "builddatabase.html"]
     assert [address for address in whole_walk["help"] if not address.startswith("file:///")] == []
-
-
-def test_all_photos_of_the_sample_are_localized_without_a_restart(whole_walk):
-    assert whole_walk["rows"] == 12
 
 
 def test_qgis_quits_at_once_though_the_dock_still_reads(walk):

@@ -22,7 +22,6 @@ TABLE = class_table_from_csv(CLASSES_CSV)
 NOISE = np.random.default_rng(6).normal(0, 25, (150, 190, 3))
 PHOTO = np.clip(painted(scattered_objects(150, 190, 70, seed=6, background=0)) + NOISE, 0, 255).astype(np.uint8)
 BANDS = np.moveaxis(PHOTO, 2, 0)
-DEGREE_M = 111_320.0
 HOLE = np.full((1, *PHOTO.shape[:2]), 255, np.uint8)
 HOLE[:, 30:90, 50:120] = 0
 

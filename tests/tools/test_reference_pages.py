@@ -23,27 +23,16 @@ def sentences() -> dict[str, str]:
     return list_messages.sentences()
 
 
-def test_the_page_of_messages_has_every_message(sentences):
-    page = list_messages.page(sentences)
+def test_the_page_of_messages_has_every_message_and_notes_of_all_reasons(sentences):
+    page, notes = list_messages.page(sentences), set(list_messages.notes())
     assert [template for template in sentences if list_messages.shown(template) not in page] == []
+    assert notes <= set(sentences) and list_messages.reasons() <= notes
 
 
-def test_every_note_belongs_to_a_message(sentences):
-    assert set(list_messages.notes()) - set(sentences) == set()
-
-
-def test_every_reason_that_an_image_has_no_position_has_a_note():
-    assert list_messages.reasons() - set(list_messages.notes()) == set()
-
-
-def test_messages_of_an_unknown_folder_come_last():
-    page = list_messages.page({"Something new.": "novel/x.py"})
+def test_messages_of_an_unknown_folder_come_last_with_names_of_values_in_italics():
+    page = list_messages.page({"Something new.": "novel/x.py", "{path} has {size_mb:.1f} MB.": "storage/x.py"})
     assert page.index(f"## {list_messages.OTHERS}") < page.index("- Something new.")
-
-
-def test_names_of_values_are_in_italics():
-    template = "{path} has {size_mb:.1f} MB; choose another."
-    assert "- *path* has *size mb* MB; choose another.\n" in list_messages.page({template: "storage/x.py"})
+    assert "- *path* has *size mb* MB.\n" in page
 
 
 def test_the_page_of_commands_has_every_option():
