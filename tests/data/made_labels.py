@@ -23,6 +23,16 @@ def blobs(seed: int, shape_hw: tuple[int, int], values=(0, 2, 3, 5), scale: floa
     return np.array(values, np.uint8)[smooth.argmax(axis=0)]
 
 
+def snakes(seed: int, shape_hw: tuple[int, int], values=(2, 5, 9)) -> np.ndarray:
+    """Return (H, W) uint8: thin and thick lines across the map over small blobs, which enter a window many times."""
+    rng = np.random.default_rng(seed)
+    labels = blobs(seed, shape_hw, (0, *values), 1.0)
+    for thickness in (1, 1, 1, 2, 3):
+        points = np.stack([rng.integers(0, size, 12) for size in shape_hw[::-1]], axis=1).astype(np.int32)
+        cv2.polylines(labels, [points], False, int(rng.choice(values)), thickness)
+    return labels
+
+
 def squares(size: int = 400) -> np.ndarray:
     """Return (size, size) uint8: 100 squares of classes 1 and 2 on class 7, with the usual size."""
     labels = np.full((size, size), 7, np.uint8)

@@ -3,6 +3,7 @@
 import shutil
 
 import numpy as np
+from onboard_blobs import linear
 
 from semref.core.database.build import BuildSettings, build_from_labels
 from semref.core.geometry.frame import MapFrame
@@ -42,10 +43,6 @@ SMALL = np.ascontiguousarray(HERE[:110, :110])
 LIKELY = ("--method", "constellation", "--risk", "1e-12")
 """A part of HERE, and the options with which it is a likely position: its error probability is about 5e-5."""
 NOTHING = np.full((SIZE, SIZE), 4, np.uint8)
-
-
-def linear(points_xy):
-    return 9 + (points_xy[:, 0] - 600000) / 80000, 47 + (points_xy[:, 1] - 5200000) / 111000
 
 
 def write_area(path):

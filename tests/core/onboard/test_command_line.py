@@ -12,7 +12,8 @@ import cv2
 import numpy as np
 import pytest
 from made_models import metadata, write_model
-from onboard_area import CENTER, HERE, LIKELY, NOTHING, SMALL, copy_core, linear
+from onboard_area import CENTER, HERE, LIKELY, NOTHING, SMALL, copy_core
+from onboard_blobs import linear
 
 from semref.core.localization import Method
 from semref.core.localizer.localizer import Localizer

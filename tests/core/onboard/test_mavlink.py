@@ -11,7 +11,8 @@ from datetime import datetime, timezone
 import cv2
 import numpy as np
 import pytest
-from onboard_area import CENTER, HERE, linear
+from onboard_area import CENTER, HERE
+from onboard_blobs import linear
 
 from semref.core.errors import ParameterError
 from semref.core.geometry.lon_lat import fit_lon_lat, local_axes, meters_from

@@ -105,13 +105,7 @@ def specks(seed, height, width):
 
 
 def snakes(seed, height, width):
-    """Return thin and thick lines across the map over small blobs: regions enter a window many times."""
-    rng = np.random.default_rng(seed)
-    labels = blobs(seed, height, width, 1.0)
-    for _ in range(6):
-        points = np.stack([rng.integers(0, width, 8), rng.integers(0, height, 8)], axis=1).astype(np.int32)
-        cv2.polylines(labels, [points], False, int(rng.choice(VALUES)), int(rng.integers(1, 4)))
-    return labels
+    return made_labels.snakes(seed, (height, width), VALUES)
 
 
 def rings(seed, height, width):
