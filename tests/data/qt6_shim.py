@@ -8,6 +8,8 @@ import importlib
 import sys
 import types
 
+MODULES = "QtCore", "QtGui", "QtWidgets", "QtNetwork", "QtXml"
+
 ACTIONS = ("QAction", "QActionGroup", "QShortcut")
 """Qt 6 moved these to QtGui; QGIS still has them in QtWidgets."""
 
