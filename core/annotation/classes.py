@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 
@@ -45,7 +46,7 @@ class ClassLookup:
         known_raws = [raw for raw, known in self._known.items() if known == value]
         texts = known_raws if self._fixed else [*names, str(value)]
         if as_numbers:
-            return [int(text) for text in texts if text.lstrip("-").isdigit()]
+            return [int(text) for text in texts if is_whole(text)]
         return list(texts)
 
 
@@ -56,13 +57,18 @@ def raw_text(raw: object) -> str:
     return str(raw).strip()
 
 
+def is_whole(text: str) -> bool:
+    """Return whether a text is a whole number that ``int`` reads: not “²”, not thousands of digits."""
+    return re.fullmatch(r"-?\d{1,20}", text) is not None
+
+
 def distinct(raws: Iterable[object]) -> list[object]:
     """Return each attribute once, in the order of their numbers or texts, without empty ones."""
     found: dict[str, object] = {}
     for raw in raws:
         if raw_text(raw):
             found.setdefault(raw_text(raw), raw)
-    numeric = all(text.lstrip("-").isdigit() for text in found)
+    numeric = all(map(is_whole, found))
     return [found[text] for text in sorted(found, key=int if numeric else None)]
 
 
@@ -78,7 +84,7 @@ def lookup_of(found: Sequence[StyledClass], is_number: bool) -> ClassLookup:
     """
     require_class_count(len(found))
     texts = [raw_text(values[0]) for values, _, _ in found]
-    as_values = is_number and all(t.isdigit() and 1 <= int(t) <= 255 for t in texts)
+    as_values = is_number and all(is_whole(t) and 1 <= int(t) <= 255 for t in texts)
     labels = [label for _, label, _ in found]
     if len(set(labels)) < len(labels):
         labels = texts

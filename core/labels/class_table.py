@@ -282,6 +282,8 @@ def class_table_from_csv(text: str, source: str = "the class table") -> ClassTab
         raise ClassTableError(
             "{source} has no classes. It needs a header value,name,color,role and one line per class.", source=source
         )
+    if len(found) > MAXIMUM_VALUE + 1:  # value 0 may have a name, too
+        require_class_count(len(found))
     colorless = [one for one, has_color in found if not has_color]
     chosen = dict(zip(map(id, colorless), chosen_colors((one.value, one.name) for one in colorless)))
     return ClassTable(tuple(replace(one, color=chosen.get(id(one), one.color)) for one, _ in found))
@@ -369,7 +371,9 @@ def _hsv(text: str, where: Sentence) -> Hsv | None:
         return None
     parts = text.split()
     limits = (180, 255, 255)
-    if len(parts) != 3 or not all(p.isdecimal() for p in parts) or any(int(p) > m for p, m in zip(parts, limits)):
+    # Python refuses to convert thousands of digits.
+    are_short = all(part.isdecimal() and len(part) < 10 for part in parts)
+    if len(parts) != 3 or not are_short or any(int(p) > m for p, m in zip(parts, limits)):
         raise ClassTableError(
             "{where}: “{text}” is not three numbers “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).",
             where=where,

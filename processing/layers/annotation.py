@@ -23,7 +23,7 @@ from qgis.core import (
     QgsWkbTypes,
 )
 
-from ...core.annotation.classes import ClassLookup, StyledClass, distinct, lookup_of, raw_text
+from ...core.annotation.classes import ClassLookup, StyledClass, distinct, is_whole, lookup_of, raw_text
 from ...core.errors import AnnotationError
 from ...core.labels.class_proposal import FoundClass
 from ...core.labels.class_table import ClassTable
@@ -216,7 +216,7 @@ def class_texts(source: AnnotationSource, canceled: Callable[[], bool]) -> list[
     texts += [text for text in styles if text not in texts]
     if not texts and not canceled():
         raise AnnotationError("No feature of “{source}” has a class. Fill the class field first.", source=source.name)
-    is_value = source.class_is_number and all(text.isdigit() and 1 <= int(text) <= 255 for text in texts)
+    is_value = source.class_is_number and all(is_whole(text) and 1 <= int(text) <= 255 for text in texts)
     return [FoundClass(t, *styles.get(t, (t, "")), int(t) if is_value else None) for t in texts]
 
 

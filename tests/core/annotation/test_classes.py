@@ -30,6 +30,11 @@ def test_texts_are_numbered_in_their_order_and_numbers_keep_theirs():
     assert numbers.value(7) == 7 and numbers.raw_values(7, as_numbers=True) == [7]
 
 
+@pytest.mark.parametrize("odd", ["²", "--5", "9" * 5000])
+def test_texts_that_look_like_numbers_are_texts(odd):
+    assert set(distinct([odd, "7"])) == {odd, "7"}
+
+
 def test_classes_of_a_style_may_share_a_label_or_have_several_values():
     lookup = lookup_of([(("a", "b"), "Wood", "#112233"), (("c",), "Wood", "")], False)
     assert [c.name for c in lookup.table] == ["a", "c"]
