@@ -35,28 +35,28 @@ def broken(monkeypatch):
     monkeypatch.setattr(RasterizeAnnotation, "read_layers", read_layers)
 
 
+def ended(run) -> list:
+    wait_until(lambda: not run.running, "the end")
+    settle()
+    return run.ends
+
+
 @pytest.mark.slow
 def test_an_error_in_preparation_is_reported_and_ends_the_run(run, broken):
     assert run.start_algorithm(ALGORITHM, {}, "Rasterizing")
-    wait_until(lambda: not run.running, "the end")
-    settle()
-    ((name, report),) = run.ends
+    ((name, report),) = ended(run)
     assert name == "broke" and "a fault in preparing" in report
 
 
 def test_a_run_that_is_canceled_before_its_error_is_reported_is_canceled(run, broken):
     assert run.start_algorithm(ALGORITHM, {}, "Rasterizing")
     run.cancel()
-    wait_until(lambda: not run.running, "the end")
-    settle()
-    assert run.ends == [("canceled",)]
+    assert ended(run) == [("canceled",)]
 
 
 def test_missing_parameters_are_reported(run):
     assert run.start_algorithm(ALGORITHM, {}, "Rasterizing")
-    wait_until(lambda: not run.running, "the end")
-    settle()
-    ((name, sentence),) = run.ends
+    ((name, sentence),) = ended(run)
     assert name == "failed" and sentence
 
 
@@ -66,7 +66,5 @@ def test_a_run_whose_task_qgis_never_starts_is_started_again_and_ends_once(run, 
     monkeypatch.setattr(run, "start_algorithm", lambda *asked: begun.append(asked) or whole(*asked))
     asked = (SUCCEEDS, parameters, "Points along nothing")
     assert run.start_algorithm(*asked)
-    wait_until(lambda: not run.running, "the end")
-    settle()
+    assert [name for name, *_ in ended(run)] == ["done"]
     assert begun == [asked, asked] and len(first_task_lost) == 1
-    assert [name for name, *_ in run.ends] == ["done"]

@@ -29,11 +29,6 @@ def ended(reader) -> list:
     return reader.said
 
 
-def test_what_was_asked_is_answered_once(reader):
-    reader.read("Reading", len, "four")
-    assert ended(reader) == [("answered", 4)]
-
-
 def test_errors_for_the_user_and_bugs_have_different_signals(reader):
     def refuses():
         raise LabelMapError("Image {path} can't be read: {reason}.", path="photo.jpg", reason="no image")
@@ -68,19 +63,13 @@ def test_a_function_whose_task_qgis_never_starts_is_started_again(reader, first_
     assert len(first_task_lost) == 1
 
 
-def test_what_was_asked_since_is_read_instead_of_a_lost_one(reader, first_task_lost):
+@pytest.mark.parametrize("is_discarded", [False, True])
+def test_what_was_asked_since_is_read_instead_of_a_lost_or_discarded_one(reader, first_task_lost, is_discarded):
     read = []
     reader.read("Reading", read.append, 1)
+    if is_discarded:
+        reader.forget()
+        wait_until(lambda: reader._task is None, "the loss to be seen")
     reader.read("Reading", read.append, 2)
     assert ended(reader) == [("answered", None)]
     assert read == [2] and len(first_task_lost) == 1
-
-
-def test_a_lost_task_that_was_discarded_is_not_restarted_and_the_next_one_runs(reader, first_task_lost):
-    read = []
-    reader.read("Reading", read.append, 1)
-    reader.forget()
-    wait_until(lambda: reader._task is None, "the loss to be seen")
-    reader.read("Reading", read.append, 2)
-    assert ended(reader) == [("answered", None)]
-    assert read == [2]

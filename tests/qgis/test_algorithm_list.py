@@ -41,13 +41,11 @@ def test_help_opens_pages_that_come_with_the_plugin(provider, tmp_path):
         assert algorithm.helpUrl() == algorithm_help_url(algorithm.name())
 
 
-def test_without_built_pages_help_opens_the_index_as_text(tmp_path):
+def test_without_built_pages_help_opens_the_index_as_text_or_the_web_page(tmp_path, monkeypatch):
     text = tmp_path / "docs" / "README.md"
     text.parent.mkdir()
     text.write_text("", encoding="utf-8")
     assert version.guide_url(root=tmp_path) == version.algorithm_help_url("builddatabase", tmp_path) == text.as_uri()
-
-
-def test_without_built_pages_help_opens_the_web_page_if_there_is_one(tmp_path, monkeypatch):
+    text.unlink()
     monkeypatch.setattr(version, "_metadata", lambda: {"homepage": "https://forge.net/semref"})
     assert version.guide_url(root=tmp_path) == "https://forge.net/semref/blob/main/docs/README.md"

@@ -12,8 +12,6 @@ pytestmark = pytest.mark.newer
 
 DATA = Path(__file__).resolve().parents[1] / "data"
 TIMEOUT_S = 120
-WITHOUT_PACKAGES = {"classifyopenstreetmap"}
-"""Algorithms that run in any QGIS."""
 
 
 @pytest.fixture(scope="module")
@@ -26,30 +24,19 @@ def start() -> dict:
     return json.loads(done.stdout.splitlines()[-1])
 
 
-@pytest.mark.slow
-def test_nothing_that_starts_with_qgis_imports_a_package_that_qgis_may_lack(start):
-    assert start["errors"] == []
+def test_nothing_that_starts_with_qgis_imports_numpy_or_a_package_that_qgis_may_lack(start):
+    assert start["errors"] == [] and not start["loads_numpy"]
 
 
-def test_what_starts_with_qgis_leaves_numpy_to_the_first_use(start):
-    assert not start["loads_numpy"]
-
-
-def test_the_dock_names_missing_packages_and_opens_the_installer(start):
+def test_dock_and_sample_project_name_missing_packages_and_the_dock_opens_the_installer(start):
     assert "OpenCV, Pillow, Shapely, ONNX Runtime" in start["notice"]
     assert start["options"] == ["SemRefOptions"]
-
-
-def test_the_sample_project_asks_for_its_package(start):
     assert [text for text in start["bar"] if "The sample project needs OpenCV, Pillow" in text]
 
 
-def test_each_algorithm_names_the_missing_package_and_the_installer(start):
-    assert {name for name, told in start["refusals"].items() if not told} == WITHOUT_PACKAGES
+def test_each_algorithm_but_that_of_openstreetmap_names_the_missing_package_and_the_installer(start):
+    assert {name for name, told in start["refusals"].items() if not told} == {"classifyopenstreetmap"}
+    assert start["classified"] == 2
     for name, told in start["refusals"].items():
         assert all("Settings ▸ Options ▸ SemRef" in sentence for sentence in told), (name, told)
         assert len(set(told)) <= 1, (name, told)
-
-
-def test_openstreetmap_is_classified_in_any_qgis(start):
-    assert start["classified"] == 2

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from made_inputs import read_pixels, square, write_layer
+from made_inputs import read_pixels, read_rows, square, write_layer
 from qgis.core import QgsProcessingException, QgsVectorLayer
 
 from semref.core.labels.class_table import class_table_from_csv
@@ -22,12 +22,12 @@ def houses(tmp_path):
 
 def test_a_database_of_buildings_needs_a_layer_and_a_name(run_algorithm, houses, tmp_path):
     given = {"INPUT": houses, "CLASS": "building", "WINDOW_SIZE": 200, "STRIDE": 50}
-    label_map = {"rasterize:Label map": str(tmp_path / "labels.tif")}
-    database = {"build:Reference database": str(tmp_path / "area.gpkg")}
-    run_algorithm("semref:annotationtodatabase", {**given, **label_map, **database})
-    references = QgsVectorLayer(f"{tmp_path / 'area.gpkg'}|layername=references", "references", "ogr")
-    assert {feature["class"] for feature in references.getFeatures()} == {1}
-    assert references.featureCount() == 25
+    labels, area = str(tmp_path / "labels.tif"), str(tmp_path / "area.gpkg")
+    outputs = {"rasterize:Label map": labels, "build:Reference database": area}
+    run_algorithm("semref:annotationtodatabase", {**given, **outputs})
+    assert [row["class"] for row in read_rows(area, "references")] == [1] * 25
+    # The only class of a layer is that of the landmarks.
+    assert [one.name for one in stored_class_table(open_raster(labels), labels).references] == ["building"]
 
 
 def test_the_name_is_found_in_a_class_table_and_counts_more_than_a_field(run_algorithm, houses, tmp_path):
@@ -56,10 +56,3 @@ def test_check_repair_and_class_table_take_it_as_well(run_algorithm, houses, tmp
 def test_without_a_field_and_a_name_nothing_runs(run_algorithm, houses, tmp_path):
     with pytest.raises(QgsProcessingException, match="class field"):
         run_algorithm(RASTERIZE, {"INPUT": houses, "OUTPUT": str(tmp_path / "labels.tif")})
-
-
-def test_the_only_class_of_a_layer_is_that_of_the_landmarks(run_algorithm, houses, tmp_path):
-    given = {"INPUT": houses, "CLASS": "building", "OUTPUT": str(tmp_path / "labels.tif")}
-    run_algorithm(RASTERIZE, given)
-    table = stored_class_table(open_raster(given["OUTPUT"]), given["OUTPUT"])
-    assert [one.name for one in table.references] == ["building"]

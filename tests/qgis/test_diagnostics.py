@@ -32,6 +32,7 @@ def test_diagnostics_have_versions_packages_settings_and_messages(qgis_app):
     assert [told for told in (*versions, "OpenCV: ", "ONNX Runtime: ") if told not in text] == []
     assert "Device: auto chosen" in text and "Training: " in text
     assert text.endswith("Last messages:\nSemRef: ~/x.gpkg can't be read.\n")
+    assert diagnostics().endswith("Last messages:\n(none)\n")
 
 
 def test_nobody_is_led_to_a_tracker_that_nobody_filled_in(qgis_app, monkeypatch):
@@ -39,7 +40,3 @@ def test_nobody_is_led_to_a_tracker_that_nobody_filled_in(qgis_app, monkeypatch)
     assert version.tracker_url() == ""
     monkeypatch.setattr(version, "_metadata", lambda: {"tracker": "https://forge.net/semref/issues"})
     assert version.tracker_url() == "https://forge.net/semref/issues"
-
-
-def test_diagnostics_show_that_there_are_no_messages(qgis_app):
-    assert diagnostics().endswith("Last messages:\n(none)\n")

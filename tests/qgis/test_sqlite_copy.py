@@ -38,10 +38,17 @@ def copied(file, target):
     return raised[0] if raised else None
 
 
-def test_a_copy_contains_what_was_committed(file, tmp_path):
-    target = tmp_path / "copy.gpkg"
-    assert copied(file, target) is None
-    with closing(sqlite3.connect(target)) as copy:
+@pytest.mark.parametrize("is_written", [False, True])
+def test_a_copy_waits_for_a_writer_that_ends_soon_and_contains_what_was_committed(file, tmp_path, is_written):
+    with closing(sqlite3.connect(file, isolation_level=None, check_same_thread=False)) as other:
+        timer = threading.Timer(0.3, other.rollback)
+        if is_written:
+            other.execute("BEGIN EXCLUSIVE")
+            timer.start()
+        assert copied(file, tmp_path / "copy.gpkg") is None
+        if is_written:
+            timer.join()
+    with closing(sqlite3.connect(tmp_path / "copy.gpkg")) as copy:
         assert copy.execute("SELECT number FROM numbers").fetchall() == [(7,)]
 
 
@@ -51,12 +58,3 @@ def test_a_file_that_another_program_keeps_locked_is_reported(file, tmp_path):
         other.execute("BEGIN EXCLUSIVE")
         error = copied(file, tmp_path / "copy.gpkg")
     assert isinstance(error, sqlite3.OperationalError) and "locked" in str(error)
-
-
-def test_a_copy_waits_for_a_writer_that_ends_soon(file, tmp_path):
-    with closing(sqlite3.connect(file, isolation_level=None, check_same_thread=False)) as other:
-        other.execute("BEGIN EXCLUSIVE")
-        timer = threading.Timer(0.3, other.rollback)
-        timer.start()
-        assert copied(file, tmp_path / "copy.gpkg") is None
-        timer.join()

@@ -1,6 +1,7 @@
 """The training environment: the selected Python, and the commands that create it, without running them."""
 
 import os
+import shutil
 import sys
 
 import pytest
@@ -56,13 +57,11 @@ def test_an_environment_is_made_filled_checked_and_then_used(folder):
     assert training_environment.training_python() == seen[2].program
 
 
-def test_a_folder_of_wheels_needs_no_index(folder):
+def test_wheels_need_no_index_and_without_graphics_cards_torch_comes_first_from_its_makers(folder):
     seen = drive(training_environment.making_environment("/wheels", True), making(folder))
     assert len(seen) == 4
     assert "--no-index" in seen[2].arguments and "/wheels" in seen[2].arguments
-
-
-def test_without_graphics_cards_torch_comes_first_from_its_makers(folder):
+    shutil.rmtree(folder)
     seen = drive(training_environment.making_environment("", True), making(folder))
     assert "--index-url" in seen[2].arguments and any(a.startswith("torch==") for a in seen[2].arguments)
     assert not any(a.startswith(("timm", "#")) for a in seen[2].arguments)

@@ -62,14 +62,10 @@ def test_an_algorithm_has_its_parameters_with_their_help_and_its_outputs(read):
 
 
 @pytest.mark.parametrize("nothing", [{}, {"left_out": None}, {"left_out": ""}])
-def test_an_optional_number_that_is_left_out_is_none_or_the_default_asked_for(read, nothing):
+def test_an_optional_number_that_is_left_out_is_none_or_the_default_asked_for_and_may_be_zero(read, nothing):
     values = read(**nothing)
-    assert not values.has("left_out")
-    assert values.optional_number("left_out") is None
+    assert not values.has("left_out") and values.optional_number("left_out") is None
     assert values.optional_number("left_out", 7.0) == 7.0
-
-
-def test_an_optional_number_may_be_zero(read):
     assert read(left_out=0).optional_number("left_out", 7.0) == 0.0
 
 
@@ -86,13 +82,10 @@ def test_what_is_left_out_is_the_default(read):
     assert (values.text("text"), values.file("file"), values.class_table("file")) == ("", "", None)
 
 
-def test_lists_are_separated_by_semicolons_without_empty_parts(read):
+def test_lists_are_separated_by_semicolons_without_empty_parts_and_other_than_numbers_are_refused(read):
     assert read().parts("text") == []
     assert read(text=" building; water;;").parts("text") == ["building", "water"]
     assert read(text="1; 2,5").numbers("text") == [1.0, 2.5]
-
-
-def test_a_list_that_holds_no_numbers_is_refused_with_its_key(read):
     with pytest.raises(ParameterError, match="“text” is “1;x”, which is not a list of numbers"):
         read(text="1;x").numbers("text")
 
