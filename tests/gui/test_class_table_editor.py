@@ -91,11 +91,17 @@ def test_a_nomenclature_fills_the_table(editor, accepted):
     assert accepted().find("311").color == "#80ff00"
 
 
-def test_the_button_beside_a_file_box_edits_the_file_in_place(plugin, file, tmp_path, monkeypatch):
+@pytest.fixture
+def button(plugin, file):
+    """The button beside a box that names the file."""
     box = QgsFileWidget()
-    button = class_table.EditButton(box)
+    made = class_table.EditButton(box)
     box.setFilePath(str(file))
+    yield made
+    box.deleteLater()
 
+
+def test_the_button_beside_a_file_box_edits_the_file_in_place(button, file, tmp_path, monkeypatch):
     def edited(window):
         window.rows.item(1, class_table.NAME).setText("wood")
         window.accept()
@@ -107,13 +113,10 @@ def test_the_button_beside_a_file_box_edits_the_file_in_place(plugin, file, tmp_
     assert [path.name for path in tmp_path.iterdir()] == ["classes.csv"]
 
 
-def test_a_table_that_cannot_be_read_is_reported_and_not_changed(plugin, file, monkeypatch):
+def test_a_table_that_cannot_be_read_is_reported_and_not_changed(button, file, monkeypatch):
     file.write_text("no table", encoding="utf-8")
     said = []
     monkeypatch.setattr(class_table.QMessageBox, "warning", lambda *arguments: said.append(arguments[2]))
-    box = QgsFileWidget()
-    button = class_table.EditButton(box)
-    box.setFilePath(str(file))
     button.click()
     assert len(said) == 1 and "classes.csv" in said[0]
     assert file.read_text(encoding="utf-8") == "no table"

@@ -60,17 +60,13 @@ def test_models_are_listed_with_classes_pixels_and_how_good_they_are(dialog):
     assert listed[4][0] == "Sample area (made up)" and listed[4][2:] == ["1 m", "80 %"]
 
 
-def test_a_click_shows_the_card(dialog):
+def test_a_click_shows_the_card_and_a_file_that_is_not_a_model_can_t_be_used(dialog):
     text = dialog.card.toPlainText()
-    for part in ("Houses of two towns", "Uganda: houses and sheds", "Kenya", "61", "Ships & <boats>", "ODbL"):
-        assert part in text
-    dialog.list.setCurrentItem(dialog.list.topLevelItem(1))
-    assert "does not state its training" in dialog.card.toPlainText()
-
-
-def test_a_file_that_is_not_a_model_is_marked_and_can_t_be_used(dialog):
-    dialog.list.setCurrentItem(dialog.list.topLevelItem(2))
-    assert "is not an ONNX model" in dialog.card.toPlainText()
+    parts = "Houses of two towns", "Uganda: houses and sheds", "Kenya", "61", "Ships & <boats>", "ODbL"
+    assert [part for part in parts if part not in text] == []
+    for row, words in ((1, "does not state its training"), (2, "is not an ONNX model")):
+        dialog.list.setCurrentItem(dialog.list.topLevelItem(row))
+        assert words in dialog.card.toPlainText()
     assert not dialog.use.isEnabled() and dialog.path() == ""
 
 

@@ -105,23 +105,17 @@ def test_an_extent_in_web_mercator_is_drawn_true_to_scale(segment, tiles):
     assert agreement(raster) > 0.95
 
 
-def test_tiles_without_an_extent_or_a_resolution_are_refused(segment, tiles, tmp_path):
-    with pytest.raises(QgsProcessingException, match="“tiles” has no extent of its own"):
-        segment(tiles(), EXTENT=None)
+def test_tiles_that_cannot_be_drawn_are_refused(segment, tiles, tmp_path):
+    far = f"{WEST},{WEST + 90_000},{NORTH - 90_000},{NORTH} [EPSG:32632]"
     nameless = str(write_model(tmp_path / "any.onnx"))
-    with pytest.raises(QgsProcessingException, match="has no resolution of its own"):
-        segment(tiles(), MODEL=nameless)
-
-
-def test_more_ground_than_may_be_drawn_is_refused_before_any_tile(segment, tiles):
-    extent = f"{WEST},{WEST + 90_000},{NORTH - 90_000},{NORTH} [EPSG:32632]"
-    with pytest.raises(QgsProcessingException, match="more than 64 million. Choose a smaller extent"):
-        segment(tiles(), EXTENT=extent)
-
-
-def test_a_server_without_tiles_is_reported(segment, tiles, tmp_path):
-    with pytest.raises(QgsProcessingException, match="“tiles” shows nothing in the extent"):
-        segment(tiles(status=404))
+    for server, given, words in (
+        ({}, {"EXTENT": None}, "“tiles” has no extent of its own"),
+        ({}, {"MODEL": nameless}, "has no resolution of its own"),
+        ({}, {"EXTENT": far}, "more than 64 million. Choose a smaller extent"),
+        ({"status": 404}, {}, "“tiles” shows nothing in the extent"),
+    ):
+        with pytest.raises(QgsProcessingException, match=words):
+            segment(tiles(**server), **given)
     assert not (tmp_path / "labels.tif").exists()
 
 

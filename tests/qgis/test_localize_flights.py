@@ -69,10 +69,14 @@ def test_the_camera_is_behind_what_its_center_shows(localize):
     assert (found["camera_x"], found["camera_y"]) == pytest.approx(expected, abs=2)
 
 
-def test_what_is_not_leveled_has_no_camera_position(localize):
+def test_what_is_not_leveled_has_no_camera_position(localize, feedback):
     (found,), _, _ = localize([ahead(tilt=0)])
     assert found["status"] == "fix"
     assert found["camera_x"] is None and found["camera_y"] is None and found["jump"] is None
+    # The published method takes images as they are.
+    (found,), _, _ = localize([ahead()], TABLE, METHOD=1)
+    assert found["method"] == "topology vector" and found["camera_x"] is None
+    assert "Leveled" not in feedback.textLog()
 
 
 def test_a_radius_is_about_the_center_of_the_image_though_it_is_tilted(localize):
@@ -80,12 +84,6 @@ def test_a_radius_is_about_the_center_of_the_image_though_it_is_tilted(localize)
     point = f"{view.x},{view.y} [EPSG:32632]"
     (found,), _, _ = localize([view], TABLE, PRIOR_POINT=point, PRIOR_RADIUS=5)
     assert found["status"] == "fix"
-
-
-def test_the_published_method_takes_images_as_they_are(localize, feedback):
-    (found,), _, _ = localize([ahead()], TABLE, METHOD=1)
-    assert found["method"] == "topology vector" and found["camera_x"] is None
-    assert "Leveled" not in feedback.textLog()
 
 
 def test_a_view_of_the_horizon_is_an_error_of_its_row(localize):
@@ -107,6 +105,7 @@ def test_a_rough_heading_is_a_prior(localize, heading):
     assert found["status"] == "fix"
 
 
+SMALL = View(WEST + 490, NORTH - 400, 90, 1.0, 78, 78)
 FLIGHT = [ahead(300 + 20 * step, 400, 90, 0) for step in range(4)]
 TIMES = "image,time\n0,0\n1,1\n2,2\n3,3\n"
 
@@ -122,19 +121,17 @@ def test_a_fix_that_can_not_be_reached_is_marked_and_stays_a_fix(localize, feedb
 
 @pytest.mark.parametrize("algorithm", [LOCALIZE, "semref:localizeflight"])
 def test_an_image_of_few_landmarks_is_found_within_reach_of_another(localize, feedback, algorithm):
-    small = View(WEST + 490, NORTH - 400, 90, 1.0, 78, 78)
     asked = {"algorithm": algorithm, "SCALE_MINIMUM": 0.2, "SCALE_MAXIMUM": 1.1, "RISK": 0.006}
-    alone, _, _ = localize([FLIGHT[0], small], TIMES, **asked)
-    rows, _, results = localize([FLIGHT[0], small], TIMES, MAXIMUM_SPEED=194, **asked)
+    alone, _, _ = localize([FLIGHT[0], SMALL], TIMES, **asked)
+    rows, _, results = localize([FLIGHT[0], SMALL], TIMES, MAXIMUM_SPEED=194, **asked)
     assert alone[1]["status"] != "fix"
     assert [row["status"] for row in rows] == ["fix", "fix"] and results["FIX_COUNT"] == 2
-    assert (rows[1]["x"], rows[1]["y"]) == pytest.approx(small.position, abs=2)
+    assert (rows[1]["x"], rows[1]["y"]) == pytest.approx(SMALL.position, abs=2)
     assert rows[1]["confidence"] < rows[0]["confidence"] and rows[1]["jump"] == 0
     assert "1.png: found within 19" in feedback.textLog() and "of 0.png" in feedback.textLog()
 
 
 def test_an_image_that_is_gone_at_the_second_search_stays_without_a_position(localize, monkeypatch):
-    small = View(WEST + 490, NORTH - 400, 90, 1.0, 78, 78)
     read, paths = LabelImageReader.__call__, []
 
     def read_once(reader, path, *others):
@@ -145,5 +142,5 @@ def test_an_image_that_is_gone_at_the_second_search_stays_without_a_position(loc
 
     monkeypatch.setattr(LabelImageReader, "__call__", read_once)
     asked = {"SCALE_MINIMUM": 0.2, "SCALE_MAXIMUM": 1.1, "RISK": 0.006}
-    rows, _, _ = localize([FLIGHT[0], small], TIMES, MAXIMUM_SPEED=194, **asked)
+    rows, _, _ = localize([FLIGHT[0], SMALL], TIMES, MAXIMUM_SPEED=194, **asked)
     assert [row["status"] for row in rows] == ["fix", "likely"]
