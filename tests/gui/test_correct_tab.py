@@ -49,12 +49,15 @@ def add_layer(qgis_app):
 
 
 @pytest.mark.parametrize("others", [[], ["A land cover"], ["Z land cover"]])
-def test_when_the_layer_is_removed_no_other_one_takes_its_place(tab, iface, add_layer, others):
-    for name in others:
-        add_layer(name)
+def test_other_layers_may_be_removed_and_none_takes_the_place_of_the_layer(tab, iface, add_layer, others):
+    layers = [add_layer(name) for name in ("B land cover", *others)]
     issues = add_layer("issues")
     tab.layer.setLayer(issues)
-    tab.places.selectRow(0)
+    tab.places.selectRow(1)
+    QgsProject.instance().removeMapLayer(layers[0].id())
+    assert tab.layer.currentLayer() == issues
+    assert tab.text.text() == "invalid geometry · 100.0 m · 550050, 5420050"
+    assert tab.progress.text() == "0 of 2 done" and tab.progress.isTextVisible()
     QgsProject.instance().removeMapLayer(issues.id())
     assert tab.layer.currentLayer() is None
     assert tab.places.rowCount() == 0 and rubber_bands(iface, "Polygon") == []
@@ -73,16 +76,6 @@ def test_the_list_has_the_words_of_each_kind_and_nothing_of_a_file_is_taken_for_
     tab.places.selectRow(0)
     assert tab.text.text() == "outside the area of the CRS · <b>far</b> away · 550000, 5420000"
     assert tab.text.textFormat() == Qt.TextFormat.PlainText
-
-
-def test_other_layers_may_be_removed(tab, add_layer):
-    issues, other = add_layer("issues"), add_layer("A land cover")
-    tab.layer.setLayer(issues)
-    tab.places.selectRow(1)
-    QgsProject.instance().removeMapLayer(other.id())
-    assert tab.layer.currentLayer() == issues
-    assert tab.text.text() == "invalid geometry · 100.0 m · 550050, 5420050"
-    assert tab.progress.text() == "0 of 2 done" and tab.progress.isTextVisible()
 
 
 def test_what_is_left_out_of_the_lists_is_forgotten_with_its_layer(tab, add_layer):

@@ -78,14 +78,18 @@ def test_closing_the_dock_takes_the_hit_off_the_map_until_it_is_opened_again(doc
     assert corners(shown_outline(iface)) == pytest.approx(corners(cut_extent()), abs=1e-6)
 
 
-def test_the_database_goes_to_the_map_as_a_group_with_the_overview_below(dock, area):
-    dock.content.database.file.setFilePath(area.database)
-    dock.content.database.add_to_map.click()
+def test_the_database_goes_to_the_map_as_a_group_with_the_overview_below_and_can_be_dropped(dock, area):
+    box = dock.content.database
+    box.file.setFilePath(area.database)
+    box.add_to_map.click()
     (group,) = QgsProject.instance().layerTreeRoot().children()
     assert group.name() == "area"
     layers = [node.layer() for node in group.children()]
     assert [layer.name() for layer in layers] == ["Landmarks", "Windows", "Overview"]
     assert [entry.value for entry in layers[2].renderer().classes()] == [1, 2, 3]
+    settle()
+    box.file.setFilePath("")
+    assert dropped(box, from_the_layer_tree(layers[1])) and box.path() == area.database
 
 
 def test_a_dock_that_was_open_is_open_again_after_a_reload(plugin, dock, iface, area):
@@ -99,16 +103,6 @@ def test_a_dock_that_was_open_is_open_again_after_a_reload(plugin, dock, iface, 
         assert iface.docks[-1].content.localize.images.paths() == []
     finally:
         QgsSettings().remove("semref/dock/visible")
-
-
-def test_a_database_of_the_project_can_be_dropped(dock, area):
-    dock.content.database.file.setFilePath(area.database)
-    dock.content.database.add_to_map.click()
-    settle()
-    dock.content.database.file.setFilePath("")
-    windows = QgsProject.instance().mapLayersByName("Windows")[0]
-    assert dropped(dock.content.database, from_the_layer_tree(windows))
-    assert dock.content.database.path() == area.database
 
 
 def test_a_dock_that_is_opened_first_has_room_for_the_titles_of_its_tabs(plugin, iface):

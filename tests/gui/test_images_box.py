@@ -14,6 +14,8 @@ from qgis.PyQt.QtWidgets import QDialog, QPushButton
 from semref.processing.inspection.models import PHOTO_MODEL
 from semref.storage.pictures import write_jpeg, write_png
 
+COLORS = np.random.default_rng(3).integers(0, 255, (3, 40, 40), np.uint8)
+
 
 def test_dropped_files_and_layers_are_added_once_and_selected_ones_removed(dock, iface, area, issues, tab):
     data, images = QMimeData(), tab.images
@@ -79,9 +81,8 @@ def photo_folder(tmp_path):
     """Three photos and a text."""
     folder = tmp_path / "photos"
     folder.mkdir()
-    bands = np.random.default_rng(3).integers(0, 255, (3, 40, 40), np.uint8)
     for number in range(3):
-        write_jpeg(folder / f"{number}.jpg", bands)
+        write_jpeg(folder / f"{number}.jpg", COLORS)
     (folder / "notes.txt").write_text("of the flight", encoding="utf-8")
     return folder
 
@@ -100,9 +101,8 @@ def test_photos_get_the_model_of_buildings_and_are_not_ready_without_it(dock, ar
 
 def test_pictures_with_the_colors_of_photos_are_photos_whatever_their_names(dock, area, tab, tmp_path):
     photo, labels = tmp_path / "photo.png", tmp_path / "labels.png"
-    colors = np.random.default_rng(3).integers(0, 255, (3, 40, 40), np.uint8)
-    write_png(photo, colors)
-    write_png(labels, colors // 100 * 100)
+    write_png(photo, COLORS)
+    write_png(labels, COLORS // 100 * 100)
     dock.content.database.file.setFilePath(area.database)
     tab.images.list.show_only([str(labels)])
     wait_until(lambda: not tab.images._reader.reading, "the look")

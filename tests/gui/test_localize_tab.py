@@ -211,18 +211,17 @@ def show_in(iface):
 
 
 @pytest.mark.slow
-def test_a_circle_in_a_custom_crs_is_measured_in_meters_and_ignored_outside_its_area(dock, tab, show_in):
+def test_circles_in_custom_crs_are_measured_in_meters_and_without_crs_have_the_coordinates_of_the_database(
+    dock, tab, show_in
+):
     globe = QgsCoordinateReferenceSystem.fromProj("+proj=ortho +lat_0=48 +lon_0=8 +datum=WGS84")
     assert globe.isValid() and not globe.authid()
     show_in(globe)
+    # Outside of the area of the CRS.
     tab.prior.set_circle(QgsPointXY(9e6, 9e6), QgsPointXY(9.1e6, 9e6))
     assert tab.prior.parameters() == {}
     tab.prior.set_circle(QgsPointXY(0, 0), QgsPointXY(60, 0))
     assert tab.prior.parameters()["PRIOR_RADIUS"] == pytest.approx(60, abs=0.1)
-
-
-@pytest.mark.slow
-def test_a_circle_in_a_project_without_crs_has_the_coordinates_of_the_database(dock, tab, show_in):
     show_in(QgsCoordinateReferenceSystem())
     tab.prior.set_circle(QgsPointXY(400100, 5399900), QgsPointXY(400160, 5399900))
     assert tab.prior.parameters() == {"PRIOR_POINT": "400100.0,5399900.0 []", "PRIOR_RADIUS": 60}

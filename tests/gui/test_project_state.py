@@ -86,8 +86,7 @@ def test_a_project_without_the_dock_gets_an_empty_one(dock, area, tmp_path):
     (tmp_path / "other.qgs").write_text("<qgis version='3.22.0'/>", encoding="utf-8")
     localize(dock, area.database, [area.image])
     QgsProject.instance().read(str(tmp_path / "other.qgs"))
-    assert results_of(dock) == []
-    assert dock.content.database.path() == ""
+    assert (results_of(dock), dock.content.database.path()) == ([], "")
 
 
 def test_a_project_of_another_profile_works_with_the_model_that_ships_here(dock, tab, tmp_path):
@@ -101,18 +100,15 @@ def test_a_project_of_another_profile_works_with_the_model_that_ships_here(dock,
         assert tab.images.model_path() == str(expected)
 
 
-def test_results_go_with_their_database_and_come_back_with_it(dock, iface, area, tab, tmp_path):
+def test_results_go_with_their_database_and_come_back_with_it_and_stay_with_other_images(
+    dock, iface, area, tab, tmp_path
+):
     localize(dock, area.database, [area.image])
     shown, other = results_of(dock), str(shutil.copy(area.database, tmp_path / "other.gpkg"))
     dock.content.database.file.setFilePath(other)
     assert (results_of(dock), shown_outline(iface), tab.state_now().results) == ([], None, "")
     dock.content.database.file.setFilePath(area.database)
     assert results_of(dock) == shown and shown_outline(iface) is not None and tab.state_now().results
-
-
-def test_other_images_leave_the_results_where_they_are(dock, area, tab):
-    localize(dock, area.database, [area.image])
-    shown = results_of(dock)
     tab.images.list.add([area.unreadable])
     assert results_of(dock) == shown
 

@@ -194,25 +194,6 @@ def test_a_mistake_in_the_odometry_stops_before_any_work(localize, tmp_path, tab
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("percent", [10, 70])
-def test_a_cancel_stops_at_once_and_leaves_nothing(localize, tmp_path, percent):
-    class CancelAt(QgsProcessingFeedback):
-        canceled_at = None
-
-        def look(self, progress):
-            if progress >= percent and self.canceled_at is None:
-                self.canceled_at = time.process_time()
-                self.cancel()
-
-    feedback = CancelAt(False)
-    feedback.progressChanged.connect(feedback.look)
-    with pytest.raises(QgsProcessingException, match="Canceled"):
-        localize(feedback, OUTPUT=str(tmp_path / "positions.gpkg"))
-    assert time.process_time() - feedback.canceled_at < 1.0
-    assert list(tmp_path.iterdir()) == []
-
-
-@pytest.mark.slow
 def test_reading_a_long_log_ends_at_a_cancel_and_its_thread_with_it(localize, tmp_path):
     zeros = b"ULog\x01\x12\x35\x01" + bytes(60_000_000)
     (tmp_path / "zeros.ulg").write_bytes(zeros)

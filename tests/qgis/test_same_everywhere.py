@@ -133,10 +133,6 @@ def test_what_is_compared_has_content(expected):
     assert statuses == ["fix", "fix"]
 
 
-def test_a_second_run_gives_the_same(run_algorithm, inputs, settings, expected, tmp_path):
-    assert_same(run_chain(run_algorithm, settings, tmp_path, inputs), expected)
-
-
 def test_a_background_task_as_of_toolbox_and_batch_gives_the_same(qgis_app, inputs, settings, expected, tmp_path):
     def run(algorithm_id, parameters):
         algorithm = QgsApplication.processingRegistry().createAlgorithmById(algorithm_id)
