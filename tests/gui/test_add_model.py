@@ -84,16 +84,14 @@ def test_the_test_picture_is_the_photo_of_the_project_not_its_label_map(models, 
     dialog.close()
 
 
-def test_a_preset_fills_the_fields(dialog):
+def test_a_preset_fills_the_fields_and_a_checkpoint_asks_for_its_architecture(dialog, tmp_path):
     dialog.preset.setCurrentIndex(1)
     assert dialog.classes.rowCount() == 19 and dialog.classes.item(2, 0).text() == "road"
     assert dialog.mean.text() == "0.4121; 0.4348; 0.3993" and dialog.resolution_cm.value() == 20
     assert dialog.license.text().startswith("Etalab 2.0")
     dialog.preset.setCurrentIndex(2)
     assert dialog.classes.rowCount() == 1 and dialog.threshold.isEnabled()
-
-
-def test_a_checkpoint_asks_for_its_architecture(dialog, tmp_path):
+    dialog.preset.setCurrentIndex(0)
     assert dialog.architecture.isHidden() and dialog.outputs.isHidden()
     (tmp_path / "others.pth").write_bytes(b"PK")
     dialog.file.setFilePath(str(tmp_path / "others.pth"))

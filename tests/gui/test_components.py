@@ -64,22 +64,17 @@ def test_the_dock_shows_missing_packages_until_they_are_installed(plugin, iface,
     assert not dock.notice.isVisible() and dock.findChild(QTabWidget).isVisible()
 
 
-def test_the_page_keeps_which_python_trains(page):
-    assert "no training environment" in page.training.state.text()
-    assert page.training.make.isEnabled() and not page.training.remove.isEnabled()
-    page.training.python.setFilePath("/opt/torch/bin/python")
-    page.apply()
-    assert QgsSettings().value(PYTHON_SETTING) == "/opt/torch/bin/python"
-    page.training.python.setFilePath("")
-    page.apply()
-
-
-def test_errors_of_the_environment_are_shown_and_the_user_can_try_again(page, iface, plugin):
-    installer = plugin._entry._training_installer
+def test_the_page_keeps_which_python_trains_and_shows_errors_of_the_environment(page, iface, plugin):
+    box, installer = page.training, plugin._entry._training_installer
+    assert "no training environment" in box.state.text() and box.make.isEnabled() and not box.remove.isEnabled()
+    for path in ("/opt/torch/bin/python", ""):
+        box.python.setFilePath(path)
+        page.apply()
+        assert (QgsSettings().value(PYTHON_SETTING) or "") == path
     installer.began.emit("Making the training environment…")
-    assert page.training.state.text() == "Making the training environment…"
+    assert box.state.text() == "Making the training environment…"
     installer.failed.emit("The packages of the training environment could not be installed: no network.")
-    assert "no network" in page.training.state.text() and page.training.make.isEnabled()
+    assert "no network" in box.state.text() and box.make.isEnabled()
     assert "no network" in iface.bar.currentItem().text()
 
 

@@ -51,10 +51,14 @@ def test_the_only_polygons_and_the_only_photo_are_taken_with_their_fields_and_ta
     assert found == {"IMAGE": photo.id(), "INPUT": layer.id(), **fields}
 
 
-def test_of_several_layers_the_one_with_classes_is_taken(add, project):
+def test_of_several_layers_the_one_with_classes_is_taken_and_none_where_it_could_be_several(add, project):
     add("parcels", [("owner", "text")])
     layer = add("cover", [("class", "text")])
     assert annotation_at_hand(project) == {"INPUT": layer.id(), "CLASS_FIELD": "class"}
+    add("south", [("class", "text")])
+    for name in ("north_photo", "south_photo"):
+        add.photo(name)
+    assert list(training_at_hand(project)) == ["OUTPUT"]
 
 
 @pytest.fixture
@@ -86,13 +90,6 @@ def test_a_model_of_another_area_with_the_same_classes_is_the_base(add, project,
     assert training_at_hand(project, other)["BASE_MODEL"] == other
 
 
-def test_where_it_could_be_several_nothing_is_taken(add, project):
-    for name in ("north", "south"):
-        add(name, [("class", "text")])
-        add.photo(f"{name}_photo")
-    assert list(training_at_hand(project)) == ["OUTPUT"]
-
-
 def test_the_layers_of_a_database_are_no_annotation(area, dock, project):
     dock.content.database.file.setFilePath(area.database)
     dock.content.database.add_to_map.click()
@@ -119,16 +116,14 @@ def test_a_new_model_is_a_file_of_the_models_folder_that_no_model_has(add, proje
 
 @pytest.fixture
 def ground(project, tmp_path):
-    """`ground(widths, kind)` adds a photo of 10 cm and rectangles of these widths, all of them twice as long."""
+    """`ground(widths)` adds a photo of 10 cm and buildings of these widths, all of them twice as long."""
 
-    def make(widths, kinds=None):
+    def make(widths):
         fine = (WEST, 0.1, 0, NORTH, 0, -0.1)
         file = write_raster(tmp_path / "orthophoto.tif", np.full((3, 20, 20), 9, np.uint8), transform=fine)
-        project.addMapLayer(QgsRasterLayer(str(file), "orthophoto"))
-        shapes = [rectangle(30 * n, 0, width, 2 * width) for n, width in enumerate(widths)]
-        rows = list(zip(shapes, kinds or ["building"] * len(shapes)))
+        rows = [(rectangle(30 * n, 0, width, 2 * width), "building") for n, width in enumerate(widths)]
         layer = QgsVectorLayer(str(write_layer(tmp_path / "cover.gpkg", rows)), "cover", "ogr")
-        project.addMapLayer(layer)
+        project.addMapLayers([QgsRasterLayer(str(file), "orthophoto"), layer])
 
     return make
 

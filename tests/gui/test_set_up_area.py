@@ -34,26 +34,23 @@ def test_a_dock_without_a_database_offers_it(dock):
 
 
 def test_it_asks_for_what_is_missing_and_shows_the_sizes_before_it_starts(
-    project_map, dialog, sample, repository, tmp_path
+    project_map, dialog, sample, repository, tmp_path, monkeypatch
 ):
     dialog.model.setFilePath(str(repository / "models" / "sample_area.onnx"))
     shows(dialog, "enter the ground width of a typical photo")
     assert not dialog.start.isEnabled()
     dialog.width_m.setValue(640)
     shows(dialog, "0 photos. Window 480 m")
-    shows(dialog, "Choose a folder for the results")
-    assert not dialog.start.isEnabled()
-    dialog.folder.setFilePath(str(tmp_path / "results"))
-    wait_until(dialog.start.isEnabled, "the button Run")
-
-
-def test_several_photos_are_chosen_at_once(project_map, dialog, sample, monkeypatch):
+    # Several photos are chosen at once.
     chosen = [str(sample / "photos" / f"photo_{n:02d}.jpg") for n in (1, 3)]
     monkeypatch.setattr(QFileDialog, "getOpenFileNames", lambda *_: (chosen, ""))
     dialog.add_files.click()
     assert dialog.parameters()["PHOTOS"] == chosen
-    dialog.width_m.setValue(640)
     shows(dialog, "2 photos.")
+    shows(dialog, "Choose a folder for the results")
+    assert not dialog.start.isEnabled()
+    dialog.folder.setFilePath(str(tmp_path / "results"))
+    wait_until(dialog.start.isEnabled, "the button Run")
 
 
 def test_the_only_map_and_orthophoto_of_the_project_are_chosen(project_map, dock, sample):
