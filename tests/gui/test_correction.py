@@ -100,7 +100,7 @@ def test_one_button_makes_the_database_that_a_full_build_would(
 
 
 def test_the_next_update_rasterizes_and_compares_only_what_was_changed_since(
-    dock, iface, box, annotation, database, run_algorithm, tmp_path, monkeypatch
+    dock, iface, box, annotation, database, run_algorithm, tmp_path
 ):
     run, extents = dock.content.correct.run, []
     start = run._run.start_algorithm

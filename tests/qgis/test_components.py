@@ -132,10 +132,9 @@ def test_what_cannot_be_imported_is_removed_and_explained_and_the_others_are_ins
     assert [path.name for path in components.components_folder().iterdir()] == [GOOD.pip_name]
 
 
-def test_a_cancel_leaves_nothing_and_what_was_there_as_it_was(root, tmp_path, wheels, installer, monkeypatch):
+def test_a_cancel_leaves_nothing_and_what_was_there_as_it_was(root, wheels, installer, use_python):
     script = f'case "$1" in -c) {answers()};; *) touch "${{@: -1}}"; exec sleep 60;; esac'
-    python = python_that_answers(tmp_path, script)
-    monkeypatch.setattr(component_install, "python_candidates", lambda *a: [python])
+    use_python(script)
     path = list(sys.path)
     installer.start([GOOD], str(wheels))
     deadline = time.monotonic() + DEADLINE_S
@@ -149,13 +148,23 @@ def test_a_cancel_leaves_nothing_and_what_was_there_as_it_was(root, tmp_path, wh
     assert is_tidy(root) and sys.path == path
 
 
-def test_a_python_without_pip_is_explained(root, tmp_path, installer, monkeypatch):
-    python = python_that_answers(tmp_path, answers(pip=False))
-    monkeypatch.setattr(component_install, "python_candidates", lambda *a: [python])
+@pytest.fixture
+def use_python(tmp_path, monkeypatch):
+    """`use_python(script)` makes a shell script the Python of QGIS; returns its path."""
+
+    def use(script: str) -> str:
+        python = python_that_answers(tmp_path, script)
+        monkeypatch.setattr(component_install, "python_candidates", lambda *a: [python, str(tmp_path / "missing")])
+        return python
+
+    return use
+
+
+def test_a_python_without_pip_is_explained(root, installer, use_python):
+    python = use_python(answers(pip=False))
     installer.start([GOOD])
     sentence = end_of(installer)
-    assert f"{python}, the Python of QGIS, has no pip" in sentence
-    assert "install it with “" in sentence
+    assert f"{python}, the Python of QGIS, has no pip" in sentence and "install it with “" in sentence
     assert is_tidy(root)
 
 
@@ -173,13 +182,11 @@ OTHER_BUILDS = [
 
 
 @pytest.mark.parametrize("script", [*OTHER_BUILDS, "exit 3", "kill -9 $$"])
-def test_a_python_of_another_build_or_a_broken_one_is_not_used(root, tmp_path, installer, monkeypatch, script):
-    python = python_that_answers(tmp_path, script)
-    monkeypatch.setattr(component_install, "python_candidates", lambda *a: [python, str(tmp_path / "missing")])
+def test_a_python_of_another_build_or_a_broken_one_is_not_used(root, installer, use_python, script):
+    python = use_python(script)
     installer.start([GOOD])
     sentence = end_of(installer)
-    assert sentence.startswith("The Python 3.") and python in sentence
-    assert is_tidy(root)
+    assert sentence.startswith("The Python 3.") and python in sentence and is_tidy(root)
 
 
 @needs_pip
@@ -252,15 +259,15 @@ def test_only_a_wheel_with_the_pinned_hash_is_installed(root, wheels, installer,
 
 def test_a_package_without_its_newest_part_is_too_old(qgis_app, tmp_path, monkeypatch):
     old = Package("Old", "semref_old", "old", newest_part="newest")
-    (tmp_path / "semref_old").mkdir()
-    (tmp_path / "semref_old" / "__init__.py").write_text("raise ImportError('is not imported')\n")
+    folder = tmp_path / "semref_old"
+    folder.mkdir()
+    (folder / "__init__.py").write_text("raise ImportError('is not imported')\n")
     monkeypatch.setattr(sys, "path", [*sys.path, str(tmp_path)])
     importlib.invalidate_caches()
     assert components.is_missing(old) and components.is_too_old(old)
-    (tmp_path / "semref_old" / "newest.py").write_text("")
+    (folder / "newest.py").write_text("")
     importlib.invalidate_caches()
-    assert not components.is_missing(old)
-    assert components.installed_version(old) == ""
+    assert not components.is_missing(old) and components.installed_version(old) == ""
 
 
 def test_the_plugin_adds_what_is_installed_to_the_end_of_the_path(root, without_provider):

@@ -65,15 +65,21 @@ def model(tmp_path_factory):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", PHOTOS)
-def test_a_photo_has_the_same_labels_and_shares_in_qgis_and_on_board(qgis_app, model, tmp_path, name):
+def test_a_photo_has_the_same_labels_and_shares_in_qgis_and_on_board(qgis_app, model, tmp_path, name, monkeypatch):
     path = str(PHOTOS[name](tmp_path / "photo.tif"))
-    reader = PhotoLabelReader(model, TABLE, QgsProcessingFeedback(False))
-    seen = reader(path)
-    in_qgis = seen.labels_hw
-    on_board = label_reader(model, 1, TABLE)(path)
-    np.testing.assert_array_equal(on_board.labels_hw, in_qgis)
-    np.testing.assert_array_equal(on_board.shares.shares, seen.shares.shares)
-    assert in_qgis.shape == PHOTO.shape[:2] and len(np.unique(in_qgis)) >= (1 if name == "gray" else 3)
+    reader, read, opened = PhotoLabelReader(model, TABLE, QgsProcessingFeedback(False)), GdalImage.read, []
+    seen, on_board = reader(path), label_reader(model, 1, TABLE)(path)
+    assert seen.labels_hw.shape == PHOTO.shape[:2]
+    assert len(np.unique(seen.labels_hw)) >= (1 if name == "gray" else 3)
+    # A photo is read once for labels and motion.
+    monkeypatch.setattr(GdalImage, "read", lambda self, *window: opened.append(window) or read(self, *window))
+    again = reader(path, with_pixels=True)
+    pixels, has_data = again.pixels
+    assert opened == [(0, 0, PHOTO.shape[1], PHOTO.shape[0])]
+    assert pixels.shape == PHOTO.shape and (has_data is None or has_data.shape == PHOTO.shape[:2])
+    for other in (on_board, again):
+        np.testing.assert_array_equal(other.labels_hw, seen.labels_hw)
+        np.testing.assert_array_equal(other.shares.shares, seen.shares.shares)
 
 
 def test_height_and_lens_give_the_same_scale_in_qgis_and_on_board(qgis_app, model, tmp_path):
@@ -85,22 +91,6 @@ def test_height_and_lens_give_the_same_scale_in_qgis_and_on_board(qgis_app, mode
     np.testing.assert_array_equal(on_board.shares.shares, in_qgis.shares.shares)
     height, width = PHOTO.shape[:2]
     assert in_qgis.shares.shares.shape[:2] == (round(0.4 * height), round(0.4 * width))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", PHOTOS)
-def test_a_photo_read_once_for_labels_and_motion_is_the_same(qgis_app, model, tmp_path, name, monkeypatch):
-    path = str(PHOTOS[name](tmp_path / "photo.tif"))
-    reader, opened = PhotoLabelReader(model, TABLE, QgsProcessingFeedback(False)), []
-    apart = reader(path)
-    read = GdalImage.read
-    monkeypatch.setattr(GdalImage, "read", lambda self, *window: opened.append(window) or read(self, *window))
-    seen = reader(path, with_pixels=True)
-    pixels, has_data = seen.pixels
-    assert opened == [(0, 0, PHOTO.shape[1], PHOTO.shape[0])]
-    np.testing.assert_array_equal(seen.labels_hw, apart.labels_hw)
-    np.testing.assert_array_equal(seen.shares.shares, apart.shares.shares)
-    assert pixels.shape == PHOTO.shape and (has_data is None or has_data.shape == PHOTO.shape[:2])
 
 
 def test_what_a_model_states_of_its_classes_is_known_in_qgis_as_on_board(qgis_app, model, tmp_path):
