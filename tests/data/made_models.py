@@ -47,6 +47,14 @@ def brightest_color(kernel: int = 1, external: str = "", bands: int = 3, bias=(0
     return writer.Network().convolution(kernels, np.array(bias), external=external)
 
 
+def ground_and_colors() -> writer.Network:
+    """Return a network with the channels ground (the same everywhere), red, blue and green."""
+    kernels = np.zeros((4, 3, 1, 1), np.float32)
+    for channel, band in ((1, 0), (2, 2), (3, 1)):
+        kernels[channel, band] = 1
+    return writer.Network().convolution(kernels, np.array([0.2, 0, 0, 0]))
+
+
 def write_model(path: Path, network=None, *, size=("height", "width"), classes="classes", batch=1, **options) -> Path:
     """Write ``network`` as an ONNX file; ``options`` are those of ``writer.model_bytes``."""
     network = network or brightest_color()

@@ -11,7 +11,7 @@ import cv2
 import numpy as np
 import pytest
 from made_inputs import NAMES, NORTH, WEST, read_rows, scattered_objects, turned_view, write_layer, write_raster
-from made_models import metadata, painted, write_model, writer
+from made_models import ground_and_colors, metadata, painted, write_model
 from osgeo import gdal
 from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsProcessingException
 
@@ -175,14 +175,6 @@ def test_images_have_the_same_fixes_with_and_without_qgis(
             assert np.hypot(mine["x"] - theirs["x"], mine["y"] - theirs["y"]) < 0.02
             assert mine["longitude"] == pytest.approx(theirs["longitude"], abs=3e-7)
             assert mine["latitude"] == pytest.approx(theirs["latitude"], abs=3e-7)
-
-
-def ground_and_colors():
-    """Return a network with the channels ground (the same everywhere), red, blue and green."""
-    kernels = np.zeros((4, 3, 1, 1), np.float32)
-    for channel, band in ((1, 0), (2, 2), (3, 1)):
-        kernels[channel, band] = 1
-    return writer.Network().convolution(kernels, np.array([0.2, 0, 0, 0]))
 
 
 @pytest.mark.slow

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from made_inputs import NORTH, WEST, read_rows, scattered_objects, turned_view, write_raster
-from made_models import metadata, painted, write_model, writer
+from made_models import ground_and_colors, metadata, painted, write_model
 from osgeo import gdal
 from qgis.core import QgsProcessingException
 
@@ -24,14 +24,6 @@ TO_MODEL = np.array([0, 2, 1, 3], np.uint8)
 
 
 CLASSES = ["ground", "building", "water", "bare_land"]
-
-
-def ground_and_colors():
-    """Return a network with the channels ground (the same everywhere), red, blue and green."""
-    kernels = np.zeros((4, 3, 1, 1), np.float32)
-    for channel, band in ((1, 0), (2, 2), (3, 1)):
-        kernels[channel, band] = 1
-    return writer.Network().convolution(kernels, np.array([0.2, 0, 0, 0]))
 
 
 @pytest.fixture(scope="module")
