@@ -165,7 +165,7 @@ def test_layers_of_databases_and_of_places_are_no_annotation(dock, box, annotati
     dock.content.database.add_to_map.click()
     settle()
     offered = [box.annotation.layer(row) for row in range(box.annotation.count())]
-    assert [layer.id() for layer in offered if layer is not None] == [annotation.id()]
+    assert [layer for layer in offered if layer is not None] == [annotation]
 
 
 def drawn(layer) -> bytes:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from made_inputs import CLASSES_CSV, NORTH, WEST, read_pixels, scattered_objects, write_raster, write_text
 from osgeo import gdal
-from qgis.core import QgsProcessingException, QgsRasterLayer
+from qgis.core import QgsRasterLayer
 
 from semref.processing.algorithms import decode_color_labels
 
@@ -88,10 +88,3 @@ def test_the_label_map_has_the_place_of_the_image_and_the_format_of_label_maps(d
     assert raster.GetMetadataItem("COMPRESSION", "IMAGE_STRUCTURE") == "DEFLATE"
     assert band.GetRasterCategoryNames()[1:] == ["building", "water", "bare_land", "field"]
     assert band.GetRasterColorTable().GetColorEntry(2)[:3] == COLORS[2]
-
-
-def test_a_label_map_never_replaces_its_color_image(decode, tmp_path):
-    image = write_raster(tmp_path / "a.tif", painted(LABELS))
-    with pytest.raises(QgsProcessingException, match="the same file"):
-        decode(image, OUTPUT=str(image))
-    np.testing.assert_array_equal(read_pixels(image), painted(LABELS))

@@ -36,7 +36,10 @@ def onto_input(folder: Path) -> dict:
     of_class = {"INPUT": annotation, "CLASS_FIELD": "class"}
     with_table = {**of_class, "CLASS_TABLE": classes, "ISSUES": str(folder / "i.gpkg")}
     described = {"INPUT": photo, "DATABASE": area, "VECTOR": str(folder / "v.json")}
+    segmented = {"INPUT": color, "MODEL": str(folder / "colors.onnx"), "OUTPUT": str(folder / "o.tif")}
     return {
+        "labels onto the photo": ("semref:segmentimage", segmented, "OUTPUT", color),
+        "certainty onto the photo": ("semref:segmentimage", segmented, "CONFIDENCE", color),
         "positions onto the database": (LOCALIZE, {"DATABASE": area, "IMAGES": [photo]}, "OUTPUT", area),
         "a database onto its label map": (BUILD, {"LABELS": labels, **WINDOWS}, "DATABASE", labels),
         "a label map onto its annotation": (RASTERIZE, {**of_class, "PIXEL_SIZE": 1}, "OUTPUT", annotation),

@@ -81,11 +81,6 @@ def test_pixels_without_data_have_no_percent(segment, tmp_path):
     np.testing.assert_array_equal((read_pixels(found["PROBABILITIES"]) == 255).all(axis=0), hole)
 
 
-def test_certainty_never_replaces_its_photo(segment, image):
-    with pytest.raises(QgsProcessingException, match="the same file"):
-        segment(image, CONFIDENCE=str(image))
-
-
 # --- the mask ---
 
 

@@ -135,10 +135,14 @@ def test_the_image_is_brought_to_the_models_resolution(segment, tmp_path, pixel_
     assert (back == SEEN)[LABELS > 0].mean() > 0.9
 
 
-def test_a_resampled_label_map_has_square_pixels_as_a_database_needs_them(segment, tmp_path):
-    image = write_raster(tmp_path / "a.tif", PHOTO, transform=(WEST, 0.25, 0, NORTH, 0, -0.25))
+def test_a_resampled_label_map_has_square_pixels_as_databases_need_them_and_keeps_holes(segment, tmp_path):
+    photo = PHOTO.copy()
+    photo[:, :, :100] = 0
+    image = write_raster(tmp_path / "a.tif", photo, nodata=0, transform=(WEST, 0.25, 0, NORTH, 0, -0.25))
     path = segment(image, RESOLUTION=37)
     require_map_grid(gdal.Open(path).GetGeoTransform(), path)
+    found = read_pixels(segment(image, RESOLUTION=50))
+    assert (found[:, :50] == 0).all() and (found[:, 50:] > 0).all()
 
 
 def test_degrees_are_turned_into_meters(segment, tmp_path):
@@ -150,24 +154,9 @@ def test_degrees_are_turned_into_meters(segment, tmp_path):
     assert (raster.RasterXSize, raster.RasterYSize) == pytest.approx((230 / 4, 170 / 2), abs=1)
 
 
-def test_a_resampled_image_keeps_its_pixels_without_data(segment, tmp_path):
-    photo = PHOTO.copy()
-    photo[:, :, :100] = 0
-    image = write_raster(tmp_path / "a.tif", photo, nodata=0, transform=(WEST, 0.25, 0, NORTH, 0, -0.25))
-    found = read_pixels(segment(image, RESOLUTION=50))
-    assert (found[:, :50] == 0).all() and (found[:, 50:] > 0).all()
-
-
 def test_the_log_names_provider_and_classes(segment, tmp_path, feedback):
     segment(write_raster(tmp_path / "a.tif", PHOTO))
     assert "building, water, bare_land. Device: CPU, tiles of 64 × 64 pixels" in feedback.textLog()
-
-
-def test_a_label_map_never_replaces_its_photo(segment, tmp_path):
-    image = write_raster(tmp_path / "a.tif", PHOTO)
-    with pytest.raises(QgsProcessingException, match="the same file"):
-        segment(image, OUTPUT=str(image))
-    np.testing.assert_array_equal(read_pixels(image), PHOTO)
 
 
 def test_a_label_map_of_many_rows_is_written_whole(segment, tmp_path):
