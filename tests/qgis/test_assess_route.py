@@ -17,7 +17,6 @@ from qgis.core import (
     QgsProcessingContext,
     QgsProcessingException,
     QgsProcessingFeatureSourceDefinition,
-    QgsVectorLayer,
 )
 from qgis.PyQt.QtGui import QImage
 
@@ -233,11 +232,6 @@ def test_a_sketch_shows_the_extent_that_is_drawn_below_it(qgis_app):
     assert ground.at((x_min, y_max)) == pytest.approx((0, 0), abs=1e-6)
     assert ground.at((x_max, y_min)) == pytest.approx((WIDTH, ground.height))
     assert ground.at((1300, 230)) == pytest.approx((WIDTH / 2, ground.height / 2))
-
-
-@pytest.mark.slow
-def test_the_layer_brings_its_style(assessed):
-    assert QgsVectorLayer(assessed[0]["OUTPUT"], "points", "ogr").renderer().type() == "graduatedSymbol"
 
 
 @pytest.mark.slow

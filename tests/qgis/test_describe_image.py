@@ -105,11 +105,3 @@ def test_a_label_map_that_carries_its_classes_needs_no_table(describe, tmp_path)
     labels.SetMetadataItem("SEMREF_CLASS_TABLE", CLASSES_CSV)
     del labels
     assert len(describe(path, CLASS_TABLE=None)[0]) > 10
-
-
-def test_color_images_are_decoded_by_the_class_table(describe, tmp_path):
-    palette = np.zeros((5, 3), np.uint8)
-    palette[1:] = [(0xD6, 0x27, 0x28), (0x1F, 0x77, 0xB4), (0xBC, 0xBD, 0x22), (0x2C, 0xA0, 0x2C)]
-    plain, vector, _ = describe(write_raster(tmp_path / "labels.png", WIDE, transform=None))
-    colored = write_raster(tmp_path / "color.png", np.moveaxis(palette[WIDE], 2, 0), transform=None)
-    assert describe(colored)[:2] == (plain, vector)

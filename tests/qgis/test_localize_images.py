@@ -182,19 +182,6 @@ def test_a_georeference_is_not_needed_and_not_used(localize, tmp_path):
     assert localize([str(path)])[0][0]["window"] == "160_200"
 
 
-def test_the_values_of_a_paletted_image_are_its_classes_whatever_its_colors(localize, tmp_path):
-    memory = gdal.GetDriverByName("MEM").Create("", SIZE, SIZE, 1)
-    memory.GetRasterBand(1).WriteArray(window(160, 200))
-    colors = gdal.ColorTable()
-    for value in range(5):
-        colors.SetColorEntry(value, (200 - value, 10, 10, 255))
-    memory.GetRasterBand(1).SetColorTable(colors)
-    for driver, name in (("PNG", "a.png"), ("GTiff", "a.tif")):
-        gdal.GetDriverByName(driver).CreateCopy(str(tmp_path / name), memory)
-    found, _ = localize([str(tmp_path / "a.png"), str(tmp_path / "a.tif")])
-    assert [row["window"] for row in found] == ["160_200", "160_200"]
-
-
 def test_one_row_images_and_single_pixels_are_no_crash(localize, tmp_path):
     line = image(tmp_path, "line.png", np.ones((1, 50), np.uint8))
     pixel = image(tmp_path, "pixel.png", np.ones((1, 1), np.uint8))
