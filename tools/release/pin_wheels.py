@@ -1,10 +1,11 @@
-"""Write which wheels *Settings ▸ Options ▸ SemRef* installs, with the hashes in the package index of today.
+"""Pin the wheels that *Settings ▸ Options ▸ SemRef* installs, with their hashes in the package index of today.
 
     .venv/bin/python tools/release/pin_wheels.py [--check]
 
-The files in processing/packages/ have one requirement per line in pip's format, for numpy 1 and for numpy 2. The
-versions below passed the tests (tools/requirements.txt, tools/test_newest.sh). ``--check`` writes nothing
-and exits with 1 if the index has another hash for a wheel, or does not have the wheel.
+The files in processing/packages/ have one requirement per line in pip's format, for numpy 1 and for numpy 2. To pin
+another version, edit it there and run this script, which writes the hashes of all lines again. Pin versions that passed
+the tests (tools/requirements.txt, tools/test_newest.sh). ``--check`` writes nothing and exits with 1 if the index has
+another hash for a wheel, or does not have the wheel.
 """
 
 from __future__ import annotations
@@ -18,56 +19,9 @@ import urllib.request
 from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parents[2] / "processing" / "packages"
+FILES = ("wheels_numpy1.txt", "wheels_numpy2.txt")
 INDEX = "https://pypi.org/simple/{name}/"
 FORMAT = "application/vnd.pypi.simple.v1+json"
-OLD, MIDDLE, NEW = 'python_version < "3.10"', 'python_version >= "3.10"', 'python_version >= "3.14"'
-BEFORE_NEW = 'python_version >= "3.10" and python_version < "3.14"'
-DASK = (
-    ("distributed", "2024.8.0", OLD),
-    ("dask", "2024.8.0", OLD),
-    ("msgpack", "1.1.2", OLD),
-    ("urllib3", "2.8.0", OLD),
-    ("distributed", "2026.8.0", MIDDLE),
-    ("dask", "2026.8.0", MIDDLE),
-    ("msgpack", "1.2.4", MIDDLE),
-    *(("click", "8.5.0", ""), ("cloudpickle", "3.1.2", ""), ("fsspec", "2026.9.0", ""), ("jinja2", "3.1.6", "")),
-    *(
-        ("importlib_metadata", "9.0.1", ""),
-        ("locket", "1.0.0", ""),
-        ("markupsafe", "3.0.4", ""),
-        ("tblib", "3.2.2", ""),
-    ),
-    *(("packaging", "26.3", ""), ("partd", "1.4.2", ""), ("psutil", "7.2.2", ""), ("pyyaml", "6.0.3", "")),
-    *(("sortedcontainers", "2.4.0", ""), ("toolz", "1.2.0", ""), ("tornado", "6.5.10", ""), ("zict", "3.0.0", "")),
-    ("zipp", "4.1.0", ""),
-)
-"""Packages, each with its dependencies."""
-CRYPTOGRAPHY = (
-    *(("cryptography", "46.0.7", ""), ("cffi", "2.0.0", ""), ("pycparser", "2.23", "")),
-    ("typing_extensions", "4.15.0", ""),
-)
-SHARED = (
-    ("pillow", "11.3.0", OLD),
-    ("pillow", "12.3.0", MIDDLE),
-    *DASK,
-    *CRYPTOGRAPHY,
-    ("shapely", "2.0.7", OLD),
-    ("shapely", "2.1.2", MIDDLE),
-    ("onnxruntime", "1.19.2", OLD),
-)
-PINS = {
-    "wheels_numpy1.txt": (
-        ("opencv-python-headless", "4.11.0.86", ""),
-        *SHARED,
-        ("onnxruntime", "1.23.2", MIDDLE),
-    ),
-    "wheels_numpy2.txt": (
-        ("opencv-python-headless", "5.0.0.93", ""),
-        *SHARED,
-        ("onnxruntime", "1.23.2", BEFORE_NEW),
-        ("onnxruntime", "1.31.1", NEW),
-    ),
-}
 _NO_SYSTEM_OF_QGIS = re.compile(r"-(cp3[678]|pp\d+)-|-cp3\d+t-|musllinux|win32\.whl")
 """Wheels that are not pinned: Python before 3.9, PyPy, free-threaded Python, and systems without QGIS."""
 
@@ -91,10 +45,12 @@ def wheel_hashes(name: str, version: str) -> list[str]:
     return [wheels[n] for n in sorted(wheels) if "abi3" in n or not _NO_SYSTEM_OF_QGIS.search(n)]
 
 
-def line(name: str, version: str, marker: str) -> str:
-    """Return a requirement in pip's format."""
-    condition = f" ; {marker}" if marker else ""
-    return f"{name}=={version}{condition} " + " ".join(f"--hash=sha256:{text}" for text in wheel_hashes(name, version))
+def pinned(line: str) -> str:
+    """Return a requirement with the hashes of the index; a comment is unchanged."""
+    requirement = re.match(r"(?P<name>[\w.-]+)==(?P<version>\S+)[^#]*?(?= --hash|$)", line)
+    if requirement is None:
+        return line
+    return " --hash=sha256:".join([requirement[0], *wheel_hashes(requirement["name"], requirement["version"])])
 
 
 def main() -> int:
@@ -103,10 +59,11 @@ def main() -> int:
     parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
     status = 0
-    for file, pins in PINS.items():
-        text = "\n".join(["# Written by tools/release/pin_wheels.py.", *(line(*pin) for pin in pins)]) + "\n"
+    for file in FILES:
+        before = (FOLDER / file).read_text(encoding="ascii")
+        text = "\n".join(map(pinned, before.splitlines())) + "\n"
         if options.check:
-            lacking = set((FOLDER / file).read_text(encoding="ascii").split()) - set(text.split())
+            lacking = set(before.split()) - set(text.split())
             print(f"{file}: {'all wheels are in the index' if not lacking else f'not in the index: {sorted(lacking)}'}")
             status |= bool(lacking)
         else:
