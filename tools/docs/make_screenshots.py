@@ -47,21 +47,11 @@ class Variant:
         scenes: (scene, suffix of the names of its pictures) of each scene.
         theme: Theme of QGIS.
         language: Name of the language in QGIS.
-        scale: Scale of the desktop.
-        palette: One of ``screenshot_window.PALETTES``; empty for the palette of the theme.
-        font_pt: Size of QGIS's font; 0 for the default.
-        reverse: Layout from right to left.
-        module: Module with the scenes.
     """
 
     scenes: tuple[tuple[str, str], ...]
     theme: str = "default"
     language: str = "en_US"
-    scale: int = 1
-    palette: str = ""
-    font_pt: int = 0
-    reverse: bool = False
-    module: str = "screenshot_scenes"
 
 
 LIGHT = (
@@ -78,7 +68,6 @@ LIGHT = (
     "add_model",
     "model_designer",
     "options",
-    "narrow",
 )
 FILMS = ("moving_fix", "moving_flight")
 
@@ -87,7 +76,6 @@ VARIANTS: dict[str, Variant] = {
     "films": Variant(tuple((scene, "") for scene in FILMS)),
     "dark": Variant((("whole_window", "_dark"),), theme="Night Mapping"),
     "chinese": Variant((("whole_window", "_chinese"),), language="zh-Hans"),
-    "scale_200": Variant((("dock_localize", "_scale_200"),), scale=2),
 }
 
 
@@ -95,8 +83,6 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("only", nargs="*", help="scenes or variants; default: all")
     parser.add_argument("--output", type=Path, default=IMAGES)
-    parser.add_argument("--samples", type=Path, help="folder for the sample projects, one per language")
-    parser.add_argument("--models", default="", help="folder of further models to list")
     parser.add_argument("--language", action="append", default=[], help="of the scenes, or of all tabs of the dock")
     arguments = parser.parse_args()
     variants = chosen(arguments.only, arguments.language)
@@ -109,8 +95,9 @@ def main() -> None:
             [sys.executable, str(ROOT / "tools" / "release" / "package.py"), "--output", str(package)], check=True
         )
         for number, variant in enumerate(variants):
-            sample = sample_folder(arguments.samples or work / "samples", variant.language)
-            keep(take(variant, package, sample, work / str(number), arguments.models), arguments.output)
+            sample = sample_folder(work / "samples", variant.language)
+            seen = in_desktop(variant, package, work / str(number), {"sample": str(sample)})
+            keep([work / str(number) / "pictures" / name for name in seen["taken"]], arguments.output)
 
 
 def keep(pictures: list[Path], folder: Path) -> None:
@@ -160,41 +147,14 @@ def say_what_is_missing(variants: list[Variant]) -> None:
             sys.exit(f"No font has Chinese characters: apt-get install {CHINESE_FONT}")
 
 
-def take(variant: Variant, package: Path, sample: Path, home: Path, models: str = "") -> list[Path]:
-    """Take the pictures of one session in screen size."""
-    pictures, job, result = home / "pictures", home / "job.json", home / "result.json"
-    home.mkdir(parents=True)
-    job.write_text(
-        json.dumps(
-            {
-                "tools": str(SESSION.parent),
-                "sample": str(sample),
-                "pictures": str(pictures),
-                "models": models and str(Path(models).absolute()),
-                "scenes": variant.scenes,
-                "module": variant.module,
-                "palette": variant.palette,
-                "reverse": variant.reverse,
-                "result": str(result),
-            }
-        ),
-        encoding="utf-8",
-    )
-    seen = in_desktop(variant, package, home, SESSION, {"SEMREF_SCREENSHOTS": str(job)})
-    return [pictures / name for name in seen["taken"]]
-
-
-def in_desktop(
-    variant: Variant, package: Path, home: Path, session: Path, variables: dict[str, str], limit_s: int = LIMIT_S
-) -> dict:
-    """Run a session in desktop QGIS with a new profile and return its ``home/result.json``; exit at a failure.
+def in_desktop(variant: Variant, package: Path, home: Path, job: dict, limit_s: int = LIMIT_S) -> dict:
+    """Run the scenes in desktop QGIS with a new profile and return the result of the session; exit at a failure.
 
     Args:
-        variant: Language, theme and scale.
+        variant: Scenes, language and theme.
         package: The plugin's zip.
         home: Folder of the user, also for ``pictures``.
-        session: The script that QGIS runs.
-        variables: Additional environment variables.
+        job: Further keys of the job (screenshot_session.py).
         limit_s: Time limit of the session.
     """
     profile = home / "profiles" / "default"
@@ -205,6 +165,8 @@ def in_desktop(
     with zipfile.ZipFile(package) as archive:
         archive.extractall(profile / "python" / "plugins")
     (profile / "QGIS" / "QGIS3.ini").write_text(settings(variant), encoding="utf-8")
+    job |= {"tools": str(SESSION.parent), "pictures": str(home / "pictures"), "result": str(result)}
+    (home / "job.json").write_text(json.dumps({**job, "scenes": variant.scenes}), encoding="utf-8")
     environment = {
         "PATH": os.environ["PATH"],
         "LANG": "C.UTF-8",
@@ -214,8 +176,7 @@ def in_desktop(
         "TMPDIR": str(temporary),
         # OpenCV of the virtual environment, because QGIS runs the system's Python.
         "PYTHONPATH": sysconfig.get_path("purelib"),
-        "QT_SCALE_FACTOR": str(variant.scale),
-        **variables,
+        "SEMREF_SCREENSHOTS": str(home / "job.json"),
     }
     command = [
         "xvfb-run",
@@ -227,7 +188,7 @@ def in_desktop(
         "--profiles-path",
         str(home),
         "--code",
-        str(session),
+        str(SESSION),
     ]
     said = run(command, environment, home / "output.txt", result, limit_s)
     if not result.exists():
@@ -246,9 +207,7 @@ def settings(variant: Variant) -> str:
         f"[locale]\noverrideFlag=true\nuserLocale={variant.language}\nglobalLocale={variant.language}\n\n"
         f"[UI]\nUITheme={variant.theme}\n\n"
         "[qgis]\ncheckVersion=false\naskToSaveProjectChanges=false\n"
-        + (f"stylesheet\\fontPointSize={variant.font_pt}\n" if variant.font_pt else "")
-        + "\n"
-        "[app]\naskToSaveMemoryLayers=false\n"
+        "\n[app]\naskToSaveMemoryLayers=false\n"
     )
 
 

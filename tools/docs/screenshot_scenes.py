@@ -168,14 +168,6 @@ def dock_localize(session: Session) -> None:
     session.resize(*WINDOW)
 
 
-def narrow(session: Session) -> None:
-    """Show the dock as narrow as possible."""
-    session.resize(WINDOW[0], TALL, NARROW)
-    localized(session)
-    session.take("narrow_localize", session.dock)
-    session.resize(*WINDOW)
-
-
 def own_photos(session: Session) -> None:
     """Show three photos in the dock: with a position, with another position in its EXIF, with a small footprint."""
     session.resize(WINDOW[0], TALL)
@@ -289,12 +281,9 @@ def algorithm_dialog(session: Session) -> None:
 
 def models(session: Session) -> None:
     """Show the list of models with their cards."""
-    from semref.processing.inspection.models import choose_models_folder
     from semref.ui.model_list import ModelsDialog
 
-    choose_models_folder(session.job["models"])
-    dialog = ModelsDialog()
-    show_dialog(session, dialog, 960, 520, "models")
+    show_dialog(session, ModelsDialog(), 960, 520, "models")
 
 
 def add_model(session: Session) -> None:

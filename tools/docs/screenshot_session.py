@@ -1,13 +1,12 @@
-"""Take the pictures of a job inside desktop QGIS (--code).
+"""Run the scenes of a job inside desktop QGIS (--code).
 
 SEMREF_SCREENSHOTS names the job, a JSON file that make_screenshots.py writes. Its keys are:
 
 - ``tools``: the folder of this file;
-- ``sample``: the folder of the sample project, created here if missing;
-- ``pictures``: the folder of the pictures;
-- ``scenes``: names of functions of ``module``, each with a suffix for its pictures;
-- ``palette``, ``reverse``: the look of the session;
-- ``result``: the JSON file that is written at the end.
+- ``pictures``, ``result``: the folder of the pictures, and the JSON file that is written at the end;
+- ``scenes``: functions of screenshot_scenes.py, or ``module.function``, each with a suffix for its pictures;
+- ``sample``: the folder of the sample project, created here if missing; may be left out;
+- others for the scenes.
 """
 
 import importlib
@@ -26,23 +25,20 @@ messages = []
 
 def run() -> None:
     job = json.loads(Path(os.environ["SEMREF_SCREENSHOTS"]).read_text(encoding="utf-8"))
-    session = None
-    result = {}
+    result = {"messages": messages}
     try:
         sys.path.append(job["tools"])
-        scenes = importlib.import_module(job["module"])
         from screenshot_window import Session
 
         session = Session(job)
         session.open()
-        for scene, suffix in job["scenes"]:
-            session.suffix = suffix
+        for scene, session.suffix in job["scenes"]:
             print(scene, flush=True)
-            getattr(scenes, scene)(session)
+            module, _, name = scene.rpartition(".")
+            getattr(importlib.import_module(module or "screenshot_scenes"), name)(session)
+        result |= {"taken": session.taken, **session.seen}
     except Exception:
         result["error"] = traceback.format_exc()
-    result["taken"] = session.taken if session else []
-    result["messages"] = messages
     Path(job["result"]).write_text(json.dumps(result, indent=1), encoding="utf-8")
     QgsProject.instance().setDirty(False)
     qgis.utils.iface.actionExit().trigger()

@@ -9,8 +9,8 @@ import qgis.utils
 from moving_webp import frame_name
 from qgis.core import QgsProject
 from qgis.PyQt.QtCore import QCoreApplication, QPoint, QRect, Qt
-from qgis.PyQt.QtGui import QColor, QGuiApplication, QPalette
-from qgis.PyQt.QtWidgets import QApplication, QDockWidget, QToolBar
+from qgis.PyQt.QtGui import QGuiApplication
+from qgis.PyQt.QtWidgets import QDockWidget, QToolBar
 
 WINDOW = 1280, 900
 """Size of QGIS's window, in device-independent pixels."""
@@ -21,29 +21,13 @@ LIMIT_S = 300
 KEPT_TOOLBARS = ("mFileToolBar", "mMapNavToolBar", "mAttributesToolBar", "mPluginToolBar")
 
 
-PALETTES = {
-    "contrast": {
-        "Window": "#000000",
-        "WindowText": "#ffffff",
-        "Base": "#000000",
-        "AlternateBase": "#202020",
-        "Text": "#ffffff",
-        "Button": "#000000",
-        "ButtonText": "#ffffff",
-        "BrightText": "#ffff00",
-        "ToolTipBase": "#000000",
-        "ToolTipText": "#ffffff",
-        "Highlight": "#1aebff",
-        "HighlightedText": "#000000",
-        "Link": "#ffff00",
-        "PlaceholderText": "#c0c0c0",
-    }
-}
-"""Roles of a palette and their colors, as in “High contrast black” of Windows."""
-
-
 class Session:
-    """The window and the dock with the sample project."""
+    """The window and the dock with the sample project.
+
+    Attributes:
+        taken: File names of the pictures.
+        seen: Further results, for the caller of the session.
+    """
 
     def __init__(self, job: dict) -> None:
         self.job = job
@@ -55,6 +39,7 @@ class Session:
         self.suffix = ""
         self.localized = False
         self.taken = []
+        self.seen = {}
 
     def tidy(self) -> None:
         """Hide parts of the window that SemRef's users do not need."""
@@ -69,9 +54,10 @@ class Session:
         self.resize(*WINDOW)
 
     def open(self) -> None:
-        """Open the sample project; create it if it is missing."""
-        dress(self.job)
+        """Open the sample project of the job; create it if it is missing."""
         self.tidy()
+        if "sample" not in self.job:
+            return
         self.plugin._entry._sample_project().make(Path(self.job["sample"]))
         wait_until(lambda: self.is_open() or failures(), "the sample project")
         if failures():
@@ -81,7 +67,7 @@ class Session:
         self.show_everything()
 
     def is_open(self) -> bool:
-        """Restore the state of the sample project, with the images in the dock."""
+        """Return whether the sample project is open and its images are in the dock."""
         return bool(QgsProject.instance().fileName()) and bool(self.dock.content.localize.images.paths())
 
     def resize(self, width: int, height: int, dock_width: int = DOCK_WIDTH) -> None:
@@ -109,11 +95,6 @@ class Session:
         self.dock.content.inspect.use(None)
         self.iface.mapCanvas().setReferencedExtent(QgsProject.instance().viewSettings().defaultViewExtent())
         self.iface.mapCanvas().refresh()
-
-    def layer(self, position_from_top: int):
-        return QgsProject.instance().layerTreeRoot().findLayers()[position_from_top]
-
-    # --- pictures ---
 
     def take(self, name: str, *widgets) -> None:
         """Take a picture of these widgets, or of the whole window without arguments."""
@@ -143,26 +124,6 @@ class Session:
         if picture.isNull() or not picture.save(str(file)):
             raise RuntimeError(f"{file} could not be written")
         self.taken.append(file.name)
-
-
-def dress(job: dict) -> None:
-    """Set the palette and the layout direction of the session."""
-    application = QApplication.instance()
-    if job.get("reverse"):
-        application.setLayoutDirection(Qt.LayoutDirection.RightToLeft)
-    colors = PALETTES.get(job.get("palette", ""))
-    if colors:
-        palette = QPalette()
-        for role, color in colors.items():
-            palette.setColor(getattr(QPalette.ColorRole, role), QColor(color))
-        for role in ("WindowText", "Text", "ButtonText"):
-            palette.setColor(QPalette.ColorGroup.Disabled, getattr(QPalette.ColorRole, role), QColor("#3ff23f"))
-        # With a style sheet a palette applies to new windows only.
-        sheet = application.styleSheet()
-        application.setStyleSheet("")
-        application.setStyle("Fusion")
-        application.setPalette(palette)
-        application.setStyleSheet(sheet)
 
 
 def settle(seconds: float) -> None:

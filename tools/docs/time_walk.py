@@ -17,8 +17,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from make_screenshots import IMAGES, LARGEST_BYTES, ROOT, Variant, in_desktop, say_what_is_missing
-from palette_png import shrink
+from make_screenshots import IMAGES, ROOT, Variant, in_desktop, keep, say_what_is_missing
 from walk_ground import PLACES, fill, lacks
 
 sys.path.append(str(ROOT / "tools"))
@@ -27,7 +26,6 @@ from plugin_package import load_plugin_package
 load_plugin_package()
 from benchmarks import results  # noqa: E402
 
-SESSION = Path(__file__).with_name("walk_session.py")
 GUIDE = ROOT / "docs" / "tutorials" / "own_area_and_photos.md"
 SECTION = "own area walk"
 LIMIT_S = 7200
@@ -67,7 +65,10 @@ def main() -> None:
             ground.mkdir()
             fill(place, arguments.data, ground)
         seen = walk(package, work / "home", ground, arguments.python, arguments.minutes)
-        keep(work / "home" / "pictures", IMAGES if arguments.write else arguments.pictures)
+        target = IMAGES if arguments.write else arguments.pictures
+        if target is not None:
+            target.mkdir(parents=True, exist_ok=True)
+            keep([work / "home" / "pictures" / name for name in seen.pop("taken")], target)
     print(json.dumps(seen, indent=1))
     command = f"tools/docs/time_walk.py --minutes {arguments.minutes:g}"
     command += " --python PYTHON" if arguments.minutes else ""
@@ -94,23 +95,10 @@ def walk(package: Path, home: Path, ground: Path | None, python: str, minutes: f
     work.mkdir(parents=True)
     # Packaging created it.
     shutil.copytree(ROOT / "sample", made, ignore=shutil.ignore_patterns(".*"))
-    job = {"tools": str(SESSION.parent), "ground": str(ground or made), "work": str(work)}
-    job |= {"python": str(python), "minutes": minutes, "pictures": str(home / "pictures")}
+    job = {"ground": str(ground or made), "work": str(work), "python": str(python), "minutes": minutes}
     job |= {"polygons": "buildings.gpkg" if ground else "landcover.shp"}
     job |= {"model": "" if ground else str(ROOT / SAMPLE_MODEL)}
-    (home / "walk.json").write_text(json.dumps(job), encoding="utf-8")
-    variables = {"SEMREF_WALK": str(home / "walk.json"), "SEMREF_DESKTOP_RESULT": str(home / "result.json")}
-    return in_desktop(Variant(()), package, home, SESSION, variables, LIMIT_S)
-
-
-def keep(pictures: Path, folder: Path | None) -> None:
-    """Write small pictures to the folder; nothing without a folder."""
-    if folder is None:
-        return
-    folder.mkdir(parents=True, exist_ok=True)
-    for picture in sorted(pictures.glob("*.png")):
-        shutil.copy(picture, folder)
-        shrink(picture, folder / picture.name, LARGEST_BYTES)
+    return in_desktop(Variant((("walk_session.walk", ""),)), package, home, job, LIMIT_S)
 
 
 def walk_table(seen: dict, minutes: float) -> str:

@@ -1,44 +1,38 @@
-"""Walk with *Set up an area* to the first position inside desktop QGIS (--code), and count clicks.
+"""The walk with *Set up an area* to the first position as a scene of screenshot_session.py, with counted clicks.
 
-SEMREF_WALK names the job, a JSON file that time_walk.py writes. Its keys are:
+Keys of its job, which time_walk.py writes:
 
-- ``tools``: the folder of this file;
 - ``ground``: a folder with orthophoto.tif, photos and photos.csv;
 - ``polygons``: the name of the polygon file in it;
 - ``work``: an empty folder for outputs;
 - ``python``, ``minutes``: the Python of the training environment, and the time limit of the training, 0 for none;
-- ``model``: a model to choose in the dialog; may be empty;
-- ``pictures``: the folder of the pictures.
+- ``model``: a model to choose in the dialog; may be empty.
 
-SEMREF_DESKTOP_RESULT names the JSON file that is written at the end: the clicks and seconds of each step.
+The result has ``steps``: name, clicks, seconds and processor seconds of each.
 """
 
+from __future__ import annotations
+
 import csv
-import json
 import math
-import os
 import re
 import resource
-import sys
 import time
-import traceback
 from contextlib import contextmanager
 from pathlib import Path
 
-import qgis.utils
 from qgis.core import QgsProject, QgsSettings
-from qgis.PyQt.QtCore import QMimeData, QPointF, Qt, QTimer, QUrl
+from qgis.PyQt.QtCore import QMimeData, QPointF, Qt, QUrl
 from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QAction, QApplication, QLineEdit
+from screenshot_window import WINDOW, Session, settle, wait_until
 
-JOB = json.loads(Path(os.environ["SEMREF_WALK"]).read_text(encoding="utf-8"))
-sys.path.append(JOB["tools"])
-from screenshot_window import Session, settle, wait_until  # noqa: E402 - its folder is in the job
+DIALOG_PX, LIMIT_S = (620, 480), 3600
 
-WINDOW_PX, DIALOG_PX = (1280, 900), (620, 480)
-LIMIT_S = 3600
-messages = []
+
+def walk(session: Session) -> None:
+    Walk(session).go()
 
 
 class Hand:
@@ -78,11 +72,11 @@ class Hand:
 class Walk:
     """The steps of the walk."""
 
-    def __init__(self, session, job: dict) -> None:
-        self.session, self.job, self.hand = session, job, Hand()
-        self.ground, self.work = Path(job["ground"]), Path(job["work"])
-        self.steps = []
-        self.seen = {}
+    def __init__(self, session: Session) -> None:
+        self.session, self.job, self.hand = session, session.job, Hand()
+        self.ground, self.work = Path(self.job["ground"]), Path(self.job["work"])
+        self.seen = session.seen
+        self.steps = self.seen["steps"] = []
 
     @contextmanager
     def step(self, name: str):
@@ -91,13 +85,12 @@ class Walk:
         used = round(processor_seconds() - processor, 1)
         self.steps.append([name, self.hand.clicks - before, round(time.monotonic() - begun, 1), used])
 
-    def go(self) -> dict:
+    def go(self) -> None:
         # The training environment is installed.
         QgsSettings().setValue("semref/options/training_python", self.job["python"])
         self.open_layers()
         self.set_up()
         self.look()
-        return {"steps": self.steps, **self.seen}
 
     def open_layers(self) -> None:
         with self.step("layers"):
@@ -107,7 +100,7 @@ class Walk:
             self.hand.clicks += 3
             self.session.window.findChild(QAction, "SemRefSetUpAction").trigger()
             wait_until(lambda: self.session.dock.setting_up is not None, "the dialog")
-        self.session.resize(*WINDOW_PX)
+        self.session.resize(*WINDOW)
 
     def set_up(self) -> None:
         dialog = self.session.dock.setting_up
@@ -167,33 +160,3 @@ def processor_seconds() -> float:
     """Return the processor time of QGIS and of the trainings that have ended."""
     used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
     return sum(one.ru_utime + one.ru_stime for one in used)
-
-
-def run() -> None:
-    try:
-        result = session()
-    except Exception:
-        result = {"error": traceback.format_exc()}
-    result["messages"] = messages
-    Path(os.environ["SEMREF_DESKTOP_RESULT"]).write_text(json.dumps(result, indent=1), encoding="utf-8")
-    # Do not ask whether to save the project.
-    QgsSettings().setValue("app/askToSaveMemoryLayers", False)
-    QgsSettings().setValue("qgis/askToSaveProjectChanges", False)
-    QgsProject.instance().clear()
-    qgis.utils.iface.actionExit().trigger()
-
-
-def session() -> dict:
-    window = Session(JOB)
-    window.tidy()
-    return {**Walk(window, JOB).go(), "taken": window.taken}
-
-
-def note_exception(kind, value, trace, text, *arguments, **options) -> None:
-    """Replace QGIS's dialog, which would wait for a click."""
-    messages.append("".join(traceback.format_exception(kind, value, trace)))
-
-
-qgis.utils.showException = note_exception
-# The window is complete only while its event loop runs.
-QTimer.singleShot(3000, run)

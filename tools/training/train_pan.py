@@ -12,7 +12,9 @@ from __future__ import annotations
 
 import argparse
 import json
+import re
 import sys
+from dataclasses import fields
 from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parents[1]))
@@ -23,53 +25,33 @@ from semref.core.errors import SemRefError  # noqa: E402
 from semref.training.job import Job  # noqa: E402
 
 
-def main(arguments: list[str] | None = None) -> int:
-    """Run the command line and return the exit status."""
-    options = parse(arguments)
+def main() -> None:
+    options = parse()
     try:
         train(options)
     except ImportError as error:
-        print(
-            f"train_pan: {error}. Run it with the Python that tools/training/setup_training.sh installs.",
-            file=sys.stderr,
-        )
-        return 1
+        sys.exit(f"train_pan: {error}. Run it with the Python that tools/training/setup_training.sh installs.")
     except SemRefError as error:
-        print(f"train_pan: {error}", file=sys.stderr)
-        return 1
-    return 0
+        sys.exit(f"train_pan: {error}")
 
 
-def parse(arguments: list[str] | None) -> argparse.Namespace:
+def parse() -> argparse.Namespace:
+    """Return the options: those below, and all numbers, texts and switches of ``Job`` with their description there."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("tiles", type=Path, nargs="+", metavar="TILES")
     parser.add_argument("--output", type=Path, required=True, help="ONNX file to write")
     parser.add_argument("--test", type=Path, nargs="+", default=[], metavar="TILES", help="tiles of another place")
-    parser.add_argument("--base-model", default="", metavar="FILE", help="continue from this model (.onnx or best.pt)")
-    parser.add_argument("--encoder", default="tu-mobilenetv3_small_100", help="default %(default)s")
-    parser.add_argument("--depth", type=int, choices=(3, 4, 5), default=5, help="of the encoder; default %(default)s")
-    parser.add_argument("--pretrained", action="store_true", help="start from ImageNet's weights (downloads them)")
-    parser.add_argument("--encoder-weights", default="", metavar="FILE", help="start from these: a torch state dict")
-    parser.add_argument("--learn-unlabeled", action="store_true", help="value 0 is a class, not unknown")
-    parser.add_argument("--epochs", type=int, default=60)
-    parser.add_argument("--minutes", type=float, default=0.0, help="limit in minutes; default: no limit")
-    parser.add_argument("--processor-time", action="store_true", help="count processor time instead of elapsed time")
-    parser.add_argument("--pieces", type=int, default=0, help="an epoch; default: as many as cover the tiles once")
-    parser.add_argument("--piece-size", type=int, default=256, help="pixels, a multiple of 32; default %(default)s")
-    parser.add_argument("--batch", type=int, default=8)
-    parser.add_argument("--learning-rate", type=float, default=1e-3)
-    parser.add_argument("--light", type=float, default=1.0, help="how much light and color vary; default %(default)s")
-    parser.add_argument("--patience", type=int, default=20, help="epochs without progress; 0: train to the end")
-    parser.add_argument("--mixed-precision", choices=("auto", "on", "off"), default="auto", help="auto: with a GPU")
-    parser.add_argument("--channels-last", action="store_true", help="twice as fast for mobile encoders on a CPU")
-    parser.add_argument("--resolution", type=float, help="meters a pixel; default: as the tiles say")
-    parser.add_argument("--overlap", type=int, default=15, help="percent of a tile, for the metadata")
-    parser.add_argument("--workers", type=int, default=0, help="processes that read tiles")
-    parser.add_argument("--threads", type=int, default=0, help="of torch on the CPU")
-    parser.add_argument("--seed", type=int, default=1671)
     parser.add_argument("--card", type=Path, metavar="FILE", help="JSON with further entries of the model's card")
-    parser.add_argument("--resume", action="store_true", help="continue the run next to the output")
-    options = parser.parse_args(arguments)
+    kinds = {"str": str, "int": int, "float": float, "float | None": float}
+    helps = dict(re.findall(r"^ {8}(\w+): (.*(?:\n {12}.*)*)", Job.__doc__, re.MULTILINE))
+    for field in (one for one in fields(Job) if one.type in (*kinds, "bool") and one.name not in ("output", "folder")):
+        if field.type == "bool":
+            how = {"action": argparse.BooleanOptionalAction}
+        else:
+            how = {"type": kinds[field.type], "metavar": field.type.split(" ")[0].upper()}
+        about = f"{' '.join(helps.get(field.name, '').split())} Default: {field.default}".replace("%", "%%")
+        parser.add_argument(f"--{field.name.replace('_', '-')}", default=field.default, help=about, **how)
+    options = parser.parse_args()
     if options.pretrained and options.encoder_weights:
         parser.error("--pretrained and --encoder-weights exclude each other")
     return options
@@ -120,4 +102,4 @@ def say_test(folder: Path, trainer: object, job: Job) -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

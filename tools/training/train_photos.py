@@ -4,7 +4,7 @@
         [--leave-out PLACE …] [--minutes 10] [--seed 1671]
 
 The script reads banepa, oam_buildings and dubai_aerial ($SEMREF_DATA or ../shared/data). It writes
-OUTPUT_FOLDER/photos.onnx (buildings.onnx with --without-dubai) with the model's card, also as .json and .md.
+OUTPUT_FOLDER/photos.onnx (buildings.onnx with --without-dubai) with the model's card, also as .json.
 --leave-out trains without a place and tests on it: NAME_without_PLACE.onnx. The card of the network of all places has
 the results. buildings.onnx has 16-bit weights and is models/buildings.onnx of SemRef. Confirm the licenses of Dubai's
 mosaics before you share photos.onnx (docs/reference/networks.md).
@@ -14,33 +14,22 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
-import subprocess
-import sys
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).resolve().parents[1]))
-from plugin_package import ROOT, load_plugin_package
+import numpy as np
+from common import DATA, Job, cut, parser_of, prepare, read_class_table
+from common import train as run_training
+from half_weights import halve_weights
 
-load_plugin_package()
-import numpy as np  # noqa: E402
-from training.card_page import card_page  # noqa: E402
-from training.half_weights import halve_weights  # noqa: E402
+from benchmarks import places
+from benchmarks.places import ALL_CLASSES, BUILDINGS, PLACES, Place
+from semref.core.labels.image_source import ArrayImage
+from semref.core.segmentation.model import SegmentationModel
+from semref.core.segmentation.model_card import KEY
+from semref.core.segmentation.onnx_file import read_metadata, with_metadata
+from semref.core.segmentation.photo_labels import PhotoLabels
+from semref.training.job import LITE0, PACKAGED
 
-from benchmarks import places  # noqa: E402
-from benchmarks.places import ALL_CLASSES, BUILDINGS, PLACES, Place  # noqa: E402
-from semref.core.errors import ParameterError  # noqa: E402
-from semref.core.labels.image_source import ArrayImage  # noqa: E402
-from semref.core.segmentation.model import SegmentationModel  # noqa: E402
-from semref.core.segmentation.model_card import KEY, card_of_texts  # noqa: E402
-from semref.core.segmentation.onnx_file import read_metadata, with_metadata  # noqa: E402
-from semref.core.segmentation.photo_labels import PhotoLabels  # noqa: E402
-from semref.storage.label_maps import RasterFile  # noqa: E402
-from semref.storage.text_tables import read_class_table  # noqa: E402
-from semref.storage.training_tiles import TileExport  # noqa: E402
-from semref.training.job import LITE0, PACKAGED, Job  # noqa: E402
-
-DATA = Path(os.environ.get("SEMREF_DATA") or ROOT.parent / "shared" / "data")
 PHOTOS, BUILDINGS_ONLY = "photos", "buildings"
 RESOLUTIONS_M = {PHOTOS: 0.5, BUILDINGS_ONLY: 0.25}
 """Pixel sizes in m. At 0.5 m houses of Dubai's mosaics and of drone photos have similar widths in pixels. Without
@@ -69,10 +58,16 @@ NOT_FOR = {
 
 
 def main() -> None:
-    options = parse()
+    parser = parser_of(__doc__)
+    parser.add_argument("--without-dubai", action="store_true", help="buildings only; no unconfirmed license")
+    names = [one.name for one in PLACES]
+    parser.add_argument("--leave-out", nargs="+", default=[], choices=names, help="tested without training on it")
+    parser.add_argument("--minutes", type=float, default=10.0, help="minutes of processor time; default %(default)s")
+    parser.add_argument("--threads", type=int, default=0, help="of torch")
+    parser.add_argument("--seed", type=int, default=1671)
+    options = parser.parse_args()
+    folder = prepare(parser, options, "oam_buildings")
     name = BUILDINGS_ONLY if options.without_dubai else PHOTOS
-    folder = options.output_folder.absolute()
-    folder.mkdir(parents=True, exist_ok=True)
     not_wanted = {*options.leave_out, *(["dubai"] if options.without_dubai else [])}
     trained_on = [one for one in PLACES if one.name not in not_wanted]
     stem = f"{name}_without_{'_and_'.join(options.leave_out)}" if options.leave_out else name
@@ -86,58 +81,25 @@ def main() -> None:
         write_card(folder, name)
 
 
-def parse() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("output_folder", type=Path)
-    parser.add_argument("--python", type=Path, default=ROOT / ".venv-train" / "bin" / "python", help="with torch")
-    parser.add_argument("--without-dubai", action="store_true", help="buildings only; no unconfirmed license")
-    names = [one.name for one in PLACES]
-    parser.add_argument("--leave-out", nargs="+", default=[], choices=names, help="tested without training on it")
-    parser.add_argument("--minutes", type=float, default=10.0, help="minutes of processor time; default %(default)s")
-    parser.add_argument("--threads", type=int, default=0, help="of torch")
-    parser.add_argument("--seed", type=int, default=1671)
-    options = parser.parse_args()
-    if not options.python.exists():
-        parser.error(f"{options.python} is missing; run bash tools/training/setup_training.sh first")
-    if not (DATA / "oam_buildings").is_dir():
-        parser.error(f"there is no data at {DATA}")
-    return options
-
-
 def tiles_of(one: Place, name: str, folder: Path) -> list[Path]:
-    """Return the folders of training tiles of a place's photos; keep existing tiles."""
-    classes = ALL_CLASSES if name == PHOTOS else BUILDINGS
+    """Return the folders of training tiles of a place's photos."""
     table = folder / f"classes_{name}.csv"
-    table.write_text(places.class_table(classes), encoding="utf-8")
-    found = []
-    for photo in one.photos:
-        tiles = folder / f"tiles_{name}" / photo.name
-        found.append(tiles)
-        if not (tiles / "manifest.json").exists():
-            pair = places.prepared(photo, DATA, RESOLUTIONS_M[name], folder / "places")
-            size, stride = (DUBAI_TILE_PX,) * 2 if one.name == "dubai" else (TILE_PX, STRIDE_PX)
-            cut(*map(str, pair), tiles, str(table), size, stride)
-    return found
-
-
-def cut(image: str, labels: str, tiles: Path, table: str, size: int, stride: int) -> None:
-    """Export tiles of a photo. All tiles of a small photo are for training, without validation."""
-    for fraction in (VALIDATION_FRACTION, 0.0):
-        made = tiles.with_name(f"{tiles.name}_{fraction:g}")
-        made.mkdir(parents=True)
-        try:
-            for _ in TileExport(RasterFile(image), RasterFile(labels), size, stride, fraction).steps(
-                made, read_class_table(table)
-            ):
-                pass
-        except ParameterError:
-            continue
-        made.rename(tiles)
-        return
+    table.write_text(places.class_table(ALL_CLASSES if name == PHOTOS else BUILDINGS), encoding="utf-8")
+    grid = (DUBAI_TILE_PX,) * 2 if one.name == "dubai" else (TILE_PX, STRIDE_PX)
+    return [
+        cut(
+            *places.prepared(photo, DATA, RESOLUTIONS_M[name], folder / "places"),
+            table,
+            folder / f"tiles_{name}" / photo.name,
+            grid,
+            VALIDATION_FRACTION,
+        )
+        for photo in one.photos
+    ]
 
 
 def train(options: argparse.Namespace, name: str, model: Path, tiles: dict[str, Place]) -> None:
-    """Run the training of semref:trainmodel; exit if it fails."""
+    """Train a network on tiles of places."""
     complete = {path: list(one.drawn) for path, one in tiles.items() if one.drawn != ALL_CLASSES}
     job = Job(
         tuple(tiles),
@@ -160,11 +122,7 @@ def train(options: argparse.Namespace, name: str, model: Path, tiles: dict[str, 
         resume=True,
         card=card_of(name, model.stem, list(tiles.values())),
     )
-    asked = model.with_suffix(".job.json")
-    job.write(asked)
-    status = subprocess.run([str(options.python), str(ROOT / "program.py"), "training.command", str(asked)]).returncode
-    if status:
-        sys.exit(status)
+    run_training(options.python, job)
 
 
 def card_of(name: str, title: str, places: list[Place]) -> dict:
@@ -206,7 +164,7 @@ def pixels(path: Path) -> np.ndarray:
 
 
 def write_card(folder: Path, name: str) -> None:
-    """Add the results of networks without a place to the card of the network of all places; write card and page."""
+    """Add the results of networks without a place to the card of the network of all places."""
     path = folder / f"{name}.onnx"
     data = path.read_bytes()
     card = json.loads(read_metadata(data)[KEY])
@@ -217,8 +175,6 @@ def write_card(folder: Path, name: str) -> None:
     path.write_bytes(data)
     halve_weights(path)
     path.with_suffix(".json").write_text(json.dumps(card, indent=1) + "\n", encoding="utf-8")
-    page = card_page(card_of_texts(read_metadata(data), path.name))
-    path.with_suffix(".md").write_text(page, encoding="utf-8")
 
 
 if __name__ == "__main__":
