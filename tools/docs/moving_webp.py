@@ -42,7 +42,6 @@ def join(frames: list[Path], target: Path, largest_bytes: int) -> None:
             break
     else:
         print(
-            f"{target} has {content.tell() / 1000:.0f} kB; the limit is {largest_bytes / 1000:.0f} kB",
-            file=sys.stderr,
+            f"{target} has {content.tell() / 1000:.0f} kB; the limit is {largest_bytes / 1000:.0f} kB", file=sys.stderr
         )
     target.write_bytes(content.getvalue())

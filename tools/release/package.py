@@ -62,10 +62,7 @@ def compiled_translations(root: Path = ROOT) -> dict[Path, bytes]:
         return {}
     lrelease = next(filter(None, map(shutil.which, LRELEASE_NAMES)), None)
     if lrelease is None:
-        print(
-            "The zip has no translations: lrelease (Debian: qttools5-dev-tools) is missing.",
-            file=sys.stderr,
-        )
+        print("The zip has no translations: lrelease (Debian: qttools5-dev-tools) is missing.", file=sys.stderr)
         return {}
     translations = {}
     with tempfile.TemporaryDirectory() as folder:
