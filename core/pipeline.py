@@ -117,14 +117,18 @@ def localize_with(
     labels_hw = seen.labels_hw
     if leveling is not None:
         seen, prior = level_labels(seen, leveling), of_leveled(prior, leveling)
-    return ImageResult(labels_hw, seen, leveling, prior, _found(localizer, search, seen, prior))
+    return ImageResult(labels_hw, seen, leveling, prior, _found(localizer, search, seen, prior, leveling))
 
 
 def localize_again(localizer: Localizer, search: Search, result: ImageResult, prior: Prior) -> ImageResult:
     """Localize an image that was read and leveled before with another prior, of the leveled image."""
-    return replace(result, prior=prior, level=_found(localizer, search, result.seen, prior))
+    return replace(result, prior=prior, level=_found(localizer, search, result.seen, prior, result.leveling))
 
 
-def _found(localizer: Localizer, search: Search, seen: SeenLabels, prior: Prior) -> Localization:
+def _found(
+    localizer: Localizer, search: Search, seen: SeenLabels, prior: Prior, leveling: Leveling | None
+) -> Localization:
+    if leveling is not None:
+        localizer = localizer.with_view(leveling.corners - leveling.middle)
     found = localizer.localize(seen.labels_hw, search.method, prior, search.with_matches, seen.shares, seen.biases)
     return name_network(found, seen.trained_on, localizer.landmark_classes)

@@ -47,6 +47,7 @@ def localize(  # noqa: PLR0913 - the image, the map, the prior and the settings
     minimum_area_px: float | None = None,
     allowed_risk: float = RISK,
     errors: SharedErrors | None = None,
+    view: np.ndarray | None = None,
 ) -> Localization:
     """Return position, heading and pixel size of an image from its landmarks, or the reason for no fix. Deterministic.
 
@@ -56,6 +57,7 @@ def localize(  # noqa: PLR0913 - the image, the map, the prior and the settings
         minimum_area_px: Minimum contour area of the extracted landmarks; by default that of the smallest one.
         allowed_risk: Maximum error probability of a fix.
         errors: Prior knowledge of errors that landmarks share; defaults without it.
+        view: As in ``Verifier``.
     """
     settings = index.settings
     query = make_query(objects, index, size_wh)
@@ -63,7 +65,7 @@ def localize(  # noqa: PLR0913 - the image, the map, the prior and the settings
     if count < MINIMUM_OBJECTS:
         return _too_few(count, index, False)
     smallest = minimum_area_px if minimum_area_px is not None else float(objects.areas_px.min())
-    verifier = Verifier(index, *size_wh, float(full_area(smallest, 1.0)))
+    verifier = Verifier(index, *size_wh, float(full_area(smallest, 1.0)), view=view)
     searched = _search_for(query, verifier, prior, allowed_risk, errors or SharedErrors())
     decided = _decide(objects, query, verifier, searched, allowed_risk)
     if decided.best is None or not decided.is_fix:

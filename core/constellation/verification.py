@@ -97,6 +97,7 @@ class Verifier:
     Attributes:
         minimum_area_px: Smallest area, px², of landmarks extracted from the image.
         side: The part of the image to verify; None for all of it.
+        view: (4,) complex corners of what a leveled image shows, pixels from its center, clockwise; None for all of it.
     """
 
     index: ConstellationIndex
@@ -104,6 +105,7 @@ class Verifier:
     height_px: float
     minimum_area_px: float
     side: Side | None = None
+    view: np.ndarray | None = None
 
 
 def match_ratios(
@@ -371,6 +373,13 @@ def weigh_all(
     return found
 
 
+def depth_in_view(view: np.ndarray, points: np.ndarray) -> np.ndarray:
+    """Return (n,) distances of points (n,) from the border of a convex polygon of clockwise corners; outside < 0."""
+    edges = np.roll(view, -1) - view
+    away = (points - view[:, None]) * (edges.conj() / np.abs(edges))[:, None]
+    return -away.imag.max(axis=0)
+
+
 def expected_objects(verifier: Verifier, query: SeenLandmarks, numbers: np.ndarray) -> list[np.ndarray]:
     """Return landmarks of the map, (M,) each, that an image should show whole, no smaller than in ``query``.
 
@@ -393,6 +402,8 @@ def expected_objects(verifier: Verifier, query: SeenLandmarks, numbers: np.ndarr
     seen = (np.abs(inside.real) < half.real - edge) & (np.abs(inside.imag) < half.imag - edge)
     if verifier.side is not None:
         seen &= verifier.side.contains(inside)
+    if verifier.view is not None:
+        seen &= depth_in_view(verifier.view, inside) > edge
     smallest = np.log(max(verifier.minimum_area_px, 1e-12))
     if len(query.points) >= settings.limits.largest_objects:
         smallest = max(smallest, float(query.log_areas.min()))

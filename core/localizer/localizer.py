@@ -95,6 +95,14 @@ def describe_image(
     return DescribedImage((column, row), size, objects, vector)
 
 
+@dataclass
+class _Indexes:
+    """Indexes of a database, once they are needed; copies of a localizer share them."""
+
+    constellation: ConstellationIndex | None = None
+    pyramid: MapPyramid | None = None
+
+
 class Localizer:
     """Localizes label images in one database."""
 
@@ -115,9 +123,9 @@ class Localizer:
         known = database.parameters.map_accuracy, database.parameters.pixel_size
         self.errors = SharedErrors(*known, settings=settings.errors, sun_deg=sun_deg)
         self._database = database
+        self._view: np.ndarray | None = None
         windows = database.windows
-        self._index: ConstellationIndex | None = None
-        self._pyramid: MapPyramid | None = None
+        self._indexes = _Indexes()
         self._levels = []
         for size in np.unique(windows.sizes[windows.described]):
             index = np.flatnonzero(windows.described & (windows.sizes == size))
@@ -127,6 +135,16 @@ class Localizer:
         """Return this localizer with another maximum error probability; the indexes are shared."""
         other = copy.copy(self)
         other.settings = replace(self.settings, allowed_risk=allowed_risk)
+        return other
+
+    def with_view(self, view: np.ndarray) -> Localizer:
+        """Return this localizer for one leveled image; the indexes are shared.
+
+        Args:
+            view: (4,) complex corners of what the image shows, pixels from its center, clockwise.
+        """
+        other = copy.copy(self)
+        other._view = view
         return other
 
     @property
@@ -195,13 +213,13 @@ class Localizer:
     @property
     def index(self) -> ConstellationIndex:
         """The triangle index of the map, from the cache or built, which takes seconds for 10⁵ landmarks."""
-        if self._index is None:
+        if self._indexes.constellation is None:
             settings, database = self.settings.constellation, self._database
             # An index for calibration is not reused.
             is_cached = database.source is not None and settings == CONSTELLATION
             of = cached_index if is_cached else build_index
-            self._index = of(database.references, database.parameters.pixel_size, settings)
-        return self._index
+            self._indexes.constellation = of(database.references, database.parameters.pixel_size, settings)
+        return self._indexes.constellation
 
     def localize_by_constellation(
         self, labels_hw: np.ndarray, prior: Prior | None = None, biases: KnownBiases = UNBIASED
@@ -224,7 +242,7 @@ class Localizer:
         prior = replace(prior, pixel_size_range=sizes)
         objects, smallest = self._objects(labels_hw, sizes[1])
         allowed_risk, errors = self.settings.allowed_risk, self.errors.with_biases(biases)
-        return solve(objects, (width, height), self.index, prior, smallest, allowed_risk, errors)
+        return solve(objects, (width, height), self.index, prior, smallest, allowed_risk, errors, self._view)
 
     def _objects(self, labels_hw: np.ndarray, largest_pixel_size: float) -> tuple[Landmarks, float]:
         """Return the image's landmarks, and the smallest contour area, px², of the map's landmarks in it."""
@@ -239,14 +257,14 @@ class Localizer:
         Raises:
             DatabaseError: The database was read without its overview.
         """
-        if self._pyramid is None:
+        if self._indexes.pyramid is None:
             database = self._database
             if database.overview is None:
                 raise DatabaseError("The database was read without its overview, which map correlation searches.")
             settings, frame = self.settings.correlation, database.parameters.overview_frame
             is_cached = database.source is not None and settings == CORRELATION
-            self._pyramid = (cached_pyramid if is_cached else MapPyramid)(database.overview, frame, settings)
-        return self._pyramid
+            self._indexes.pyramid = (cached_pyramid if is_cached else MapPyramid)(database.overview, frame, settings)
+        return self._indexes.pyramid
 
     def localize_by_map_correlation(
         self,

@@ -20,7 +20,11 @@ class Localizer:
     landmark_classes = ("building",)
 
     def __init__(self):
-        self.asked = []
+        self.asked, self.view = [], None
+
+    def with_view(self, view):
+        self.view = view
+        return self
 
     def pixel_sizes(self, shape_hw, scales):
         return tuple(scale * 100 / min(shape_hw) for scale in scales)
@@ -53,7 +57,11 @@ def test_camera_data_count_if_no_value_is_given():
 def test_a_tilted_image_is_leveled_first():
     localizer, camera = Localizer(), Camera(Attitude(10.0, 5.0), Lens("field_of_view", 60.0))
     result = localize_labels(localizer, Search(Method.CONSTELLATION), SeenLabels(LABELS), camera)
-    assert localizer.asked[0][0] == result.seen.labels_hw.shape != LABELS.shape == result.shape_hw
+    height, width = result.seen.labels_hw.shape
+    assert localizer.asked[0][0] == (height, width) != LABELS.shape == result.shape_hw
+    # What the photo shows of the leveled image reaches its four sides.
+    assert np.allclose([localizer.view.real.max(), -localizer.view.real.min()], width / 2, atol=1)
+    assert np.allclose([localizer.view.imag.max(), -localizer.view.imag.min()], height / 2, atol=1)
 
 
 def test_a_photo_that_is_not_found_names_its_network():

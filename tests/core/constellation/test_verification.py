@@ -177,6 +177,14 @@ def test_expected_are_whole_objects_well_inside_that_are_large_enough(index, ver
     there = expected_objects(replace(verifier, side=side), made.query, numbers_of([made.pose]))[0]
     assert sorted(there) == np.flatnonzero(inside & (seen.imag > 50.0)).tolist()
     assert 0 < len(there) < inside.sum()
+    # Of a leveled image, a trapezoid, only objects that the photo shows whole: not those of the corners.
+    half = EDGE / 2
+    view = np.array([-half + half * 1j, half + half * 1j, half / 4 - half * 1j, -half / 4 - half * 1j])
+    there = expected_objects(replace(verifier, view=view), made.query, numbers_of([made.pose]))[0]
+    slant = np.hypot(2, 0.75)
+    shown = (2 * np.abs(seen.real) - 0.75 * seen.imag - 1.25 * half) / slant < -edges
+    assert sorted(there) == np.flatnonzero(inside & shown).tolist()
+    assert 0 < len(there) < inside.sum()
 
 
 def test_a_tilted_camera_is_verified_from_a_level_pose(index, verifier, made):

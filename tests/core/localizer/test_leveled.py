@@ -25,6 +25,9 @@ class Made:
 
     landmark_classes = ()
 
+    def with_view(self, view):
+        return self
+
     def localize(self, labels_hw, method, prior, with_matches, shares, biases):
         self.shape, self.prior, self.shares = labels_hw.shape, prior, shares
         return self.found

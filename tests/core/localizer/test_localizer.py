@@ -180,3 +180,8 @@ def test_a_database_without_any_vector_is_refused():
     localizer, _ = localizer_of(with_blocks((60, 60), (5, 5, 9, 2), (25, 25, 9, 5)))
     with pytest.raises(DatabaseError, match="No window of the database has the 3 landmarks a topology vector needs"):
         localizer.check("topology vector")
+
+
+def test_copies_of_a_localizer_share_its_indexes(localizer):
+    other = localizer.with_risk(0.5).with_view(np.array([-9 + 9j, 9 + 9j, 9 - 9j, -9 - 9j]))
+    assert other.index is localizer.index and other.settings.allowed_risk == 0.5 != localizer.settings.allowed_risk
