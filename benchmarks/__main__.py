@@ -6,7 +6,8 @@
     .venv/bin/python -m benchmarks page
 
 NAME is a file of scenarios/*.toml, or ``NAME.PART`` for a file with several measurements. The folder ``--work`` keeps
-label maps, databases and records, so a run with a larger ``--count`` continues. ``--save`` writes results/NAME.json.
+label maps, databases and records, so a run with a larger ``--count`` continues.
+``--save`` writes results/NAME.json, with _ for the dot.
 ``fit`` prints the settings that would fit the records. ``page`` writes docs/benchmarks.md and its chart.
 """
 
@@ -101,8 +102,8 @@ def _run(chosen: dict[str, dict], options: argparse.Namespace) -> None:
                 print(f"\n{results.markdown(table['columns'], table['rows'])}", flush=True)
             if options.save:
                 command = f"python -m benchmarks run {name}" + (f" --count {options.count}" if options.count else "")
-                file = name.partition(".")[2] or name
-                path = results.save(file, scenario["title"], name, command, scenario.get("notes", []), tables)
+                command += f' --only "{options.only}"' if only else ""
+                path = results.save(name, scenario["title"], command, scenario.get("notes", []), tables)
                 print(f"\n{path}")
 
 

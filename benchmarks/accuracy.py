@@ -141,8 +141,10 @@ def run(world: World, name: str, scenario: dict[str, Any], only: Sequence[str]) 
             print(f"  {row.name}: not measured: {error}", file=sys.stderr, flush=True)
     columns = scenario.get("columns", list(COLUMNS))
     tables = [{"columns": ["images", *columns], "rows": [[row, *cells(some, columns)] for row, some in found.items()]}]
+    together = [one for some in found.values() for one in some]
+    if scenario.get("total") and found:
+        tables[0]["rows"].append(["all", *cells(together, columns)])
     if scenario.get("reliability") and found:
-        together = [one for some in found.values() for one in some]
         tables += [curve(together), by_risk(together), costs(found)]
     return tables
 

@@ -32,10 +32,10 @@ def names() -> list[str]:
     return sorted(path.stem for path in FOLDER.glob("*.json"))
 
 
-def save(name: str, title: str, scenario: str, command: str, notes: Sequence[str], tables: Sequence[Table]) -> Path:
+def save(scenario: str, title: str, command: str, notes: Sequence[str], tables: Sequence[Table]) -> Path:
     """Write a new study, with one line per row for readable diffs."""
     study = {"title": title, "scenario": scenario, "runs": [run_now(command)], "notes": notes, "tables": tables}
-    path = FOLDER / f"{name}.json"
+    path = FOLDER / f"{scenario.replace('.', '_')}.json"
     path.write_text(as_text(study), encoding="utf-8")
     return path
 
