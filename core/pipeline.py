@@ -129,6 +129,6 @@ def _found(
     localizer: Localizer, search: Search, seen: SeenLabels, prior: Prior, leveling: Leveling | None
 ) -> Localization:
     if leveling is not None:
-        localizer = localizer.with_view(leveling.corners - leveling.middle)
+        localizer = localizer.with_view(leveling.view)
     found = localizer.localize(seen.labels_hw, search.method, prior, search.with_matches, seen.shares, seen.biases)
     return name_network(found, seen.trained_on, localizer.landmark_classes)

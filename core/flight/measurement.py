@@ -163,6 +163,8 @@ def measure_by_landmarks(
         float(min(np.degrees(GATE * deviations[2]) + 2.0, 180.0)),
         (size / ratio, size * ratio),
     )
+    if image.leveling is not None:
+        localizer = localizer.with_view(image.leveling.view)
     found = localizer.localize_by_constellation(image.labels_hw, prior, image.biases)
     measured = own_measurement(found, localizer.pyramid)
     if measured is None or distance(measured, state, covariance) > GATE:

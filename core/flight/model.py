@@ -10,6 +10,7 @@ import numpy as np
 from ..errors import ParameterError
 from ..geometry.error_settings import UNBIASED, KnownBiases
 from ..geometry.footprint import image_corners
+from ..geometry.leveling import Leveling
 from ..geometry.pose import PoseCovariance
 from ..localization import Localization, Method, Place, Prior, Status
 from ..sentences import Sentence
@@ -38,6 +39,7 @@ class FlightImage:
         time_s: Time of capture, seconds from any fixed moment; None if unknown.
         prior: Of this image: heading with its range, range of pixel sizes, position with its radius.
         biases: Class offsets of the labels.
+        leveling: How the labels were leveled; None for labels as taken.
     """
 
     name: str
@@ -46,6 +48,7 @@ class FlightImage:
     time_s: float | None = None
     prior: Prior = Prior()
     biases: KnownBiases = UNBIASED
+    leveling: Leveling | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         """Check the labels.

@@ -124,6 +124,11 @@ class Leveling:
     nadir: complex | None
     bent: BentImage | None = None
 
+    @property
+    def view(self) -> np.ndarray:
+        """(4,) complex corners of what the level image shows, pixels from its middle, clockwise."""
+        return self.corners - self.middle
+
     def level(self, labels_hw: np.ndarray) -> np.ndarray:
         """Return labels as a level camera sees them, by nearest neighbor.
 

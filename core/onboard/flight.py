@@ -89,7 +89,9 @@ class FlightFinder(ImageFinder):
         taken_s = self.cameras.time_s(path, camera)
         link = self._link(path, taken_s, result)
         seen, moment_s = result.seen, time_of(path).timestamp()
-        image = FlightImage(os.path.basename(path), seen.labels_hw, result.level, moment_s, result.prior, seen.biases)
+        image = FlightImage(
+            os.path.basename(path), seen.labels_hw, result.level, moment_s, result.prior, seen.biases, result.leveling
+        )
         self.tracker = self.tracker or FlightTracker(self.pipeline.localizer, self.settings)
         try:
             pose = self.tracker.add(image, link)

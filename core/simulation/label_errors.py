@@ -65,19 +65,8 @@ def with_changed_landmarks(  # noqa: PLR0913 - as spoil_labels
 
     Missed landmarks get the nearest label of no landmark; spurious ones do not touch others.
     """
-    if donor_hw is not None or noise.changes_landmarks:
-        labels_hw = _with_errors_of_landmarks(labels_hw, noise, rng, class_values, donor_hw, minimum_area_px)
-    return with_leaning_roofs(labels_hw, noise, rng, class_values, minimum_area_px)
-
-
-def _with_errors_of_landmarks(  # noqa: PLR0913 - as spoil_labels
-    labels_hw: np.ndarray,
-    noise: LabelNoise,
-    rng: np.random.Generator,
-    class_values: Sequence[int],
-    donor_hw: np.ndarray | None,
-    minimum_area_px: float,
-) -> np.ndarray:
+    if donor_hw is None and not noise.changes_landmarks:
+        return with_leaning_roofs(labels_hw, noise, rng, class_values, minimum_area_px)
     regions = regions_of(labels_hw, class_values, minimum_area_px)
     missed = rng.random(len(regions)) < noise.missed
     missed &= np.array([region.area_px < noise.missed_below for region in regions], bool)
@@ -92,7 +81,7 @@ def _with_errors_of_landmarks(  # noqa: PLR0913 - as spoil_labels
     spoiled = fill_from_around(spoiled, lost, ~np.isin(labels_hw, class_values))
     if donor_hw is not None:
         _draw_spurious(spoiled, regions_of(donor_hw, class_values, minimum_area_px), count, rng, class_values)
-    return spoiled
+    return with_leaning_roofs(spoiled, noise, rng, class_values, minimum_area_px)
 
 
 def _draw_spurious(

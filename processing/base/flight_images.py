@@ -126,7 +126,9 @@ class FlightReader:
         try:
             result = self._pipeline.run(path, camera, with_pixels=True)
             seen, name = result.seen, os.path.basename(path)
-            flown = FlightImage(name, seen.labels_hw, result.level, camera.time_s, result.prior, seen.biases)
+            flown = FlightImage(
+                name, seen.labels_hw, result.level, camera.time_s, result.prior, seen.biases, result.leveling
+            )
             features = features_of(seen.labels_hw, seen.pixels, result.leveling)
         except SemRefError as error:
             self.taken.append(TakenImage(path, camera, error=worded(error)))
