@@ -35,8 +35,8 @@ def test_dock_and_sample_project_name_missing_packages_and_the_dock_opens_the_in
 
 
 def test_each_algorithm_but_that_of_openstreetmap_names_the_missing_package_and_the_installer(start):
-    assert {name for name, told in start["refusals"].items() if not told} == {"classifyopenstreetmap"}
+    assert {name for name, sentences in start["refusals"].items() if not sentences} == {"classifyopenstreetmap"}
     assert start["classified"] == 2
-    for name, told in start["refusals"].items():
-        assert all("Settings ▸ Options ▸ SemRef" in sentence for sentence in told), (name, told)
-        assert len(set(told)) <= 1, (name, told)
+    for name, sentences in start["refusals"].items():
+        assert all("Settings ▸ Options ▸ SemRef" in sentence for sentence in sentences), (name, sentences)
+        assert len(set(sentences)) <= 1, (name, sentences)

@@ -65,9 +65,9 @@ def extract(tmp_path):
 @pytest.mark.parametrize("suffix", ["", "|layername=multipolygons"])
 def test_an_extract_becomes_land_cover(run_algorithm, tmp_path, extract, suffix):
     out = str(tmp_path / "cover.gpkg")
-    told = run_algorithm(CLASSIFY, {"INPUT": extract + suffix, "OUTPUT": out})
-    found = {row["osm_id"]: row for row in read_rows(told["OUTPUT"])}
-    assert told["FEATURE_COUNT"] == 3 and set(found) == {"11", "12", "13"}
+    results = run_algorithm(CLASSIFY, {"INPUT": extract + suffix, "OUTPUT": out})
+    found = {row["osm_id"]: row for row in read_rows(results["OUTPUT"])}
+    assert results["FEATURE_COUNT"] == 3 and set(found) == {"11", "12", "13"}
     assert [found[key]["class"] for key in ("11", "12", "13")] == ["forest", "building", "built_up"]
     assert found["11"]["name"] == "Wood & <b>more" and found["12"]["tag"] == "building=*"
     assert found["12"]["priority"] > found["11"]["priority"]
@@ -76,10 +76,10 @@ def test_an_extract_becomes_land_cover(run_algorithm, tmp_path, extract, suffix)
 def test_buildings_are_on_top_in_the_label_map_of_an_extract(run_algorithm, tmp_path, extract):
     cover = run_algorithm(CLASSIFY, {"INPUT": extract, "OUTPUT": str(tmp_path / "cover.gpkg")})["OUTPUT"]
     given = {"INPUT": cover, "CLASS_FIELD": "class", "PRIORITY_FIELD": "priority", "PIXEL_SIZE": 1}
-    told = run_algorithm(
+    results = run_algorithm(
         "semref:rasterizeannotation", {**given, "TARGET_CRS": "EPSG:32632", "OUTPUT": str(tmp_path / "map.tif")}
     )
-    assert told["CLASS_COUNT"] == 3
+    assert results["CLASS_COUNT"] == 3
 
 
 def test_a_shapefile_that_names_values_without_keys_is_understood(run_algorithm, tmp_path):

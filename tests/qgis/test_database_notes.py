@@ -22,11 +22,11 @@ SOURCES = "Land cover of Erewhon (ODbL 1.0, © OpenStreetMap contributors)"
 def label_map(qgis_app, tmp_path) -> Path:
     """Return a label map with a license in QGIS's metadata file, like that of “Rasterize annotation”."""
     path = write_raster(tmp_path / "labels.tif", LABELS, names=NAMES)
-    layer, told = QgsRasterLayer(str(path), "labels"), QgsLayerMetadata()
-    told.setTitle("Land cover of Erewhon")
-    told.setLicenses(["ODbL 1.0"])
-    told.setRights(["© OpenStreetMap contributors"])
-    layer.setMetadata(told)
+    layer, metadata = QgsRasterLayer(str(path), "labels"), QgsLayerMetadata()
+    metadata.setTitle("Land cover of Erewhon")
+    metadata.setLicenses(["ODbL 1.0"])
+    metadata.setRights(["© OpenStreetMap contributors"])
+    layer.setMetadata(metadata)
     layer.saveNamedMetadata(str(path.with_suffix(".qmd")))
     return path
 
@@ -45,9 +45,9 @@ def test_both_tables_have_title_history_and_licenses(database):
     landmarks, windows = notes(database)
     assert (landmarks.title(), windows.title()) == ("Landmarks", "Windows")
     assert landmarks.abstract() != windows.abstract()
-    for told in (landmarks, windows):
-        assert told.rights() == [SOURCES]
-        (line,) = told.history()
+    for metadata in (landmarks, windows):
+        assert metadata.rights() == [SOURCES]
+        (line,) = metadata.history()
         assert "SemRef" in line and 'processing.run("semref:builddatabase"' in line and "'STRIDE':100" in line
 
 
@@ -56,19 +56,19 @@ def test_an_update_adds_itself_to_the_history_and_keeps_the_rest(database, label
     labels[300:330, 300:330] = 1
     new = write_raster(label_map.with_name("new.tif"), labels, names=NAMES)
     run_algorithm(UPDATE, {"DATABASE": database, "LABELS": str(new), "OUTPUT": database})
-    for told in notes(database):
-        assert ["builddatabase" in line for line in told.history()] == [True, False]
-        assert "updatedatabase" in told.history()[1]
-        assert told.rights() == [SOURCES]
+    for metadata in notes(database):
+        assert ["builddatabase" in line for line in metadata.history()] == [True, False]
+        assert "updatedatabase" in metadata.history()[1]
+        assert metadata.rights() == [SOURCES]
 
 
 def history_after(lines: list[str]) -> list[str]:
     """Return the history of a layer with these lines after one more run."""
-    told = QgsLayerMetadata()
-    told.setHistory(lines)
+    metadata = QgsLayerMetadata()
+    metadata.setHistory(lines)
     layer = QgsVectorLayer("Point?crs=epsg:2056", "landmarks", "memory")
     note = Note("Landmarks", history=("2026-01-02 03:04 UTC, SemRef 1: processing.run('update')",))
-    return note.after(told).metadata(layer).history()
+    return note.after(metadata).metadata(layer).history()
 
 
 def test_the_history_of_many_updates_keeps_the_first_line_and_the_newest_ones(qgis_app):
@@ -101,8 +101,8 @@ def test_each_table_has_its_metadata_once_and_the_overview_has_them_on_the_map(d
     assert sorted(path.name for path in label_map.parent.glob("area*")) == ["area.gpkg"]
     project = QgsProject()
     (overview,) = (n.layer() for n in add_database_to_map(database, project).findLayers() if n.name() == "Overview")
-    told = overview.metadata()
-    assert (told.title(), told.rights(), len(told.history())) == ("Overview", [SOURCES], 1)
+    metadata = overview.metadata()
+    assert (metadata.title(), metadata.rights(), len(metadata.history())) == ("Overview", [SOURCES], 1)
 
 
 def test_a_damaged_note_of_an_input_costs_nothing(run_algorithm, tmp_path):
@@ -110,18 +110,18 @@ def test_a_damaged_note_of_an_input_costs_nothing(run_algorithm, tmp_path):
     path.with_suffix(".qmd").write_bytes(np.random.default_rng(1).bytes(500))
     given = {"LABELS": str(path), "REFERENCE_CLASSES": "building", "WINDOW_SIZE": 200, "STRIDE": 100}
     database = run_algorithm(BUILD, {**given, "DATABASE": str(tmp_path / "area.gpkg")})["DATABASE"]
-    assert [told.rights() for told in notes(database)] == [[], []]
+    assert [metadata.rights() for metadata in notes(database)] == [[], []]
 
 
 def test_the_licenses_of_a_geopackage_layer_are_read_from_its_file(run_algorithm, tmp_path):
     features = [(square(10 + 40 * n, 10, 30), name) for n, name in enumerate(("water", "forest"))]
     path = str(write_layer(tmp_path / "annotation.gpkg", features))
     layer = QgsVectorLayer(path, "annotation", "ogr")
-    told = QgsLayerMetadata()
-    told.setLicenses(["CC BY 4.0"])
-    layer.setMetadata(told)
+    metadata = QgsLayerMetadata()
+    metadata.setLicenses(["CC BY 4.0"])
+    layer.setMetadata(metadata)
     del layer
-    QgsProviderRegistry.instance().saveLayerMetadata("ogr", f"{path}|layername=annotation", told)
+    QgsProviderRegistry.instance().saveLayerMetadata("ogr", f"{path}|layername=annotation", metadata)
     output = str(tmp_path / "issues.gpkg")
     run_algorithm("semref:checkannotation", {"INPUT": path, "CLASS_FIELD": "class", "ISSUES": output})
     assert QgsVectorLayer(output, "issues", "ogr").metadata().rights() == ["annotation (CC BY 4.0)"]

@@ -218,10 +218,10 @@ def test_squares_let_the_base_map_through_and_the_route_does_not(qgis_app):
 def annotation(qgis_app, tmp_path):
     features = [(square(10 + 40 * n, 10, 30), name) for n, name in enumerate(("water", "forest"))]
     layer = QgsVectorLayer(str(write_layer(tmp_path / "annotation.gpkg", features)), "My annotation", "ogr")
-    told = layer.metadata()
-    told.setLicenses(["CC BY 4.0"])
-    told.setRights(["© a surveyor"])
-    layer.setMetadata(told)
+    metadata = layer.metadata()
+    metadata.setLicenses(["CC BY 4.0"])
+    metadata.setRights(["© a surveyor"])
+    layer.setMetadata(metadata)
     QgsProject.instance().addMapLayer(layer)
     yield layer
     QgsProject.instance().removeMapLayer(layer)
@@ -230,11 +230,11 @@ def annotation(qgis_app, tmp_path):
 def test_a_layer_has_a_title_a_history_and_the_license_of_its_source(annotation, run_algorithm, tmp_path):
     output = str(tmp_path / "issues.gpkg")
     run_algorithm("semref:checkannotation", {"INPUT": annotation, "CLASS_FIELD": "class", "ISSUES": output})
-    told = QgsVectorLayer(output, "issues", "ogr").metadata()
-    assert told.title() == "Issues"
-    assert told.abstract().startswith("One feature for each finding")
-    assert told.rights() == ["My annotation (CC BY 4.0, © a surveyor)"]
-    (line,) = told.history()
+    metadata = QgsVectorLayer(output, "issues", "ogr").metadata()
+    assert metadata.title() == "Issues"
+    assert metadata.abstract().startswith("One feature for each finding")
+    assert metadata.rights() == ["My annotation (CC BY 4.0, © a surveyor)"]
+    (line,) = metadata.history()
     assert 'processing.run("semref:checkannotation"' in line and "'CLASS_FIELD':'class'" in line
 
 
@@ -258,8 +258,8 @@ def test_a_label_map_has_the_same_metadata_beside_it_and_a_layer_in_memory_its_l
     layer = QgsRasterLayer(str(output), "labels")
     # As when QGIS adds a raster to a map.
     layer.loadDefaultMetadata()
-    told = layer.metadata()
-    assert told.title() == "Label map" and told.rights() == ["My annotation (CC BY 4.0, © a surveyor)"]
+    metadata = layer.metadata()
+    assert metadata.title() == "Label map" and metadata.rights() == ["My annotation (CC BY 4.0, © a surveyor)"]
     assert (tmp_path / "labels.qmd").is_file()
     layer = run_algorithm("semref:checkannotation", {**given, "ISSUES": "TEMPORARY_OUTPUT"})["ISSUES"]
     assert layer.attributeAlias(layer.fields().lookupField("severity")) == "Severity"

@@ -44,7 +44,7 @@ import json, sys
 from qgis.core import (QgsApplication, QgsExpression, QgsExpressionContext, QgsExpressionContextUtils, QgsRasterLayer,
                        QgsVectorLayer)
 
-def told(layer):
+def described(layer):
     found = {"valid": layer.isValid(), "crs": layer.crs().authid(), "history": layer.metadata().history()}
     if not isinstance(layer, QgsVectorLayer):
         found["legend"] = [entry.label for entry in layer.renderer().classes()]
@@ -67,7 +67,7 @@ for source in sys.argv[1:]:
     is_raster = source.endswith(".tif") or source.startswith("GPKG:")
     layer = QgsRasterLayer(source, "raster") if is_raster else QgsVectorLayer(source, "layer", "ogr")
     layer.loadDefaultMetadata()
-    layers[source] = told(layer)
+    layers[source] = described(layer)
 print("SEEN " + json.dumps({"layers": layers, "semref": [name for name in sys.modules if "semref" in name]}))
 """
 
@@ -118,7 +118,7 @@ def written(run_algorithm, tmp_path_factory) -> Path:
     return folder
 
 
-def told_by(*command: str) -> str:
+def output_of(*command: str) -> str:
     """Return the output of a program, which must succeed without a complaint."""
     if shutil.which(command[0]) is None:
         pytest.skip(f"{command[0]} is not installed")
@@ -146,29 +146,29 @@ def opened(written) -> dict:
 
 
 def test_gdalinfo_shows_a_label_map_with_its_classes(written):
-    told = json.loads(told_by("gdalinfo", "-json", str(written / "labels.tif")))
-    (band,) = told["bands"]
-    assert told["driverShortName"] == "GTiff" and band["type"] == "Byte" and "UTM" in told["coordinateSystem"]["wkt"]
+    info = json.loads(output_of("gdalinfo", "-json", str(written / "labels.tif")))
+    (band,) = info["bands"]
+    assert info["driverShortName"] == "GTiff" and band["type"] == "Byte" and "UTM" in info["coordinateSystem"]["wkt"]
     assert {"building", "field"} < set(band["category"] if "category" in band else band["categories"])
     assert band["colorTable"]["count"] == 256
-    names = [entry["name"] for entry in told["rat"]["fieldDefn"]] if "rat" in told else []
+    names = [entry["name"] for entry in info["rat"]["fieldDefn"]] if "rat" in info else []
     assert not names or "Class" in names
 
 
 @pytest.mark.parametrize("name", [*VECTORS, "database"])
 def test_ogrinfo_reads_every_layer(written, name):
-    told = told_by("ogrinfo", "-ro", "-so", "-al", str(written / f"{name}.gpkg"))
-    assert "Feature Count: " in told and "UTM zone 32N" in told
+    info = output_of("ogrinfo", "-ro", "-so", "-al", str(written / f"{name}.gpkg"))
+    assert "Feature Count: " in info and "UTM zone 32N" in info
 
 
 @pytest.mark.parametrize("name", VECTORS)
 def test_a_plain_qgis_draws_every_layer_as_semref_does_with_titles_for_the_columns(written, opened, name):
-    told = opened[str(written / f"{name}.gpkg")]
-    assert told["valid"] and told["crs"] == "EPSG:32632" and told["features"] > 0
-    assert told["renderer"] == VECTORS[name]
-    assert told["history"] and told["history"][-1].partition(",")[2].startswith(" SemRef")
-    assert "Eval Error" not in told["tip"] and "[%" not in told["tip"]
-    assert name == "repaired" or [c for c, title in told["titles"].items() if c == title and c != "fid"] == []
+    info = opened[str(written / f"{name}.gpkg")]
+    assert info["valid"] and info["crs"] == "EPSG:32632" and info["features"] > 0
+    assert info["renderer"] == VECTORS[name]
+    assert info["history"] and info["history"][-1].partition(",")[2].startswith(" SemRef")
+    assert "Eval Error" not in info["tip"] and "[%" not in info["tip"]
+    assert name == "repaired" or [c for c, title in info["titles"].items() if c == title and c != "fid"] == []
 
 
 def test_a_plain_qgis_has_the_legend_of_label_map_and_database(written, opened):

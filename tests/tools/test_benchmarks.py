@@ -72,6 +72,15 @@ def test_scenarios_have_rows_that_a_runner_takes(benchmarks):
         assert {one for row in rows for one in (row.database, row.images) if one} <= set(maps), name
 
 
+def test_the_page_of_settings_names_scenarios_that_exist(benchmarks):
+    sys.path.append(str(ROOT / "tools" / "docs"))
+    commands = " ".join(importlib.import_module("list_settings").COMMANDS.values())
+    known = benchmarks("__main__").scenarios()
+    named = set(re.findall(r"benchmarks (?:run|fit) ([\w.]+)", commands))
+    assert [one for one in named if not any(name == one or name.startswith(f"{one}.") for name in known)] == []
+    assert len(named) > 5
+
+
 def test_the_plain_loop_gives_the_vectors_of_the_paper(benchmarks):
     plain = benchmarks("plain_build")
     centers = np.array([[8.0, 5.0], [5.0, 9.0], [1.0, 5.0]])

@@ -16,7 +16,7 @@ COMMANDS = {
     "tilted trials": "`benchmarks run cameras`",
     "images from elsewhere": "`benchmarks run elsewhere`",
     "catalogue sizes": "`benchmarks run timing.fix`",
-    "correlation trials, north, and fit": "`benchmarks run correlation`, `benchmarks fit correlation`",
+    "correlation trials, north, and fit": "`benchmarks run label_noise`, `benchmarks fit label_noise`",
     "correlation times": "`benchmarks run timing.correlation`",
     "large maps": "removed",
     "areas": "`benchmarks run reliability`, `benchmarks fit reliability`",
@@ -28,7 +28,7 @@ COMMANDS = {
     "parts": "removed",
     "flights": "`benchmarks run flights`",
     "flight measurements": "removed",
-    "automatic, north, with evidence": "`benchmarks run correlation`",
+    "automatic, north, with evidence": "`benchmarks run label_noise`",
 }
 """The command that repeats each group of trials, by the name that docstrings use."""
 

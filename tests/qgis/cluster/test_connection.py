@@ -53,7 +53,7 @@ def hasty(connection, monkeypatch):
     return connection
 
 
-def told(connection, address):
+def answer_of(connection, address):
     """Return the code and the reason of the message."""
     with pytest.raises(SemRefError) as caught:
         connection.require_scheduler(address)
@@ -69,13 +69,13 @@ NO_SCHEDULER = (
 
 @pytest.mark.parametrize("words", [b"HTTP/1.1 400 Bad Request\r\n\r\n", b"SSH-2.0-OpenSSH_9.2\r\n"])
 def test_another_server_such_as_the_dashboard_is_recognized(connection, server, words):
-    code, reason = told(connection, server(words))
+    code, reason = answer_of(connection, server(words))
     assert code.startswith("The program at {address} is not a Dask scheduler") and reason == ""
 
 
 def test_silent_servers_end_in_a_timeout_and_those_that_hang_up_are_no_schedulers(hasty, server):
-    assert told(hasty, server(b"")) == (NO_SCHEDULER, "no answer within 1 s")
-    assert told(hasty, server(None))[0] == NO_SCHEDULER
+    assert answer_of(hasty, server(b"")) == (NO_SCHEDULER, "no answer within 1 s")
+    assert answer_of(hasty, server(None))[0] == NO_SCHEDULER
 
 
 @pytest.mark.parametrize(
@@ -89,7 +89,7 @@ def test_silent_servers_end_in_a_timeout_and_those_that_hang_up_are_no_scheduler
     ],
 )
 def test_a_wrong_or_closed_address_is_refused(connection, address, reason):
-    code, said = told(connection, address)
+    code, said = answer_of(connection, address)
     assert code == NO_SCHEDULER and reason in said
 
 
@@ -106,7 +106,7 @@ def test_a_scheduler_that_is_just_being_started_is_waited_for(hasty, monkeypatch
 
     monkeypatch.setattr(time, "sleep", late)
     try:
-        assert told(hasty, f"tcp://127.0.0.1:{port}") == (NO_SCHEDULER, "no answer within 1 s")
+        assert answer_of(hasty, f"tcp://127.0.0.1:{port}") == (NO_SCHEDULER, "no answer within 1 s")
     finally:
         begun[0].close()
 

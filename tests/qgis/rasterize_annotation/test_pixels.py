@@ -81,16 +81,16 @@ def test_a_bow_tie_is_repaired_to_both_its_wings_and_counted(labels, tmp_path, f
 
 
 @pytest.mark.parametrize(
-    ("skipped", "told"),
+    ("skipped", "message"),
     [
         ([("POLYGON EMPTY", "field"), (None, "field")], "Skipped, without geometry: 2 features."),
         ([(polygon([(2, 2), (8, 8), (5, 5)]), "field")], "Skipped, without area: 1 feature."),
         ([(square(2, 2, 3), None), (square(6, 6, 3), "  ")], "Skipped, class is NULL: 2 features."),
     ],
 )
-def test_polygons_without_shape_area_or_class_are_skipped_and_counted(labels, tmp_path, feedback, skipped, told):
+def test_polygons_without_shape_area_or_class_are_skipped_and_counted(labels, tmp_path, feedback, skipped, message):
     made = labels(write_layer(tmp_path / "a.gpkg", [(square(0, 0, 10), "field"), *skipped]))
-    assert (made == 1).all() and told in feedback.textLog() and "Used: 1 feature" in feedback.textLog()
+    assert (made == 1).all() and message in feedback.textLog() and "Used: 1 feature" in feedback.textLog()
 
 
 def test_heights_are_left_out_and_counted(labels, tmp_path, feedback):
