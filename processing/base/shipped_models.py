@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -22,89 +21,17 @@ from .algorithm import ANNOTATION, ICON_PATH, REFERENCE_DATABASE, group_title, p
 MODELS = Path(__file__).resolve().parents[2] / "models"
 
 
-@dataclass(frozen=True)
-class ModelTexts:
-    """Texts of a model.
-
-    Attributes:
-        helps: Help by parameter.
-        names: Titles by parameter, where they differ from those of the algorithms.
-    """
-
-    title: str
-    group: str
-    summary: str
-    helps: dict[str, str]
-    names: dict[str, str] = field(default_factory=dict)
+_GROUPS = {"Land cover": ANNOTATION, "Reference database": REFERENCE_DATABASE}
+"""Groups by their titles in the model files."""
 
 
-def model_texts(name: str) -> ModelTexts:
-    """Return the texts of a model in the user's language; the model files contain the English ones."""
+def _titles() -> dict[str, str]:
+    """Return the titles by name; the model files contain all other texts in English."""
     return {
-        "annotationtodatabase": _annotation_to_database,
-        "orthophototodisagreements": _orthophoto_to_disagreements,
-        "correctiontodatabase": _correction_to_database,
-    }[name]()
-
-
-def _annotation_to_database() -> ModelTexts:
-    return ModelTexts(
-        tr("Land-cover layer to reference database"),
-        REFERENCE_DATABASE,
-        tr(
-            "Makes a reference database from a land-cover layer in one run, with “Rasterize land-cover layer” and "
-            "“Build reference database”. Select a class table, or enter the reference classes."
-        ),
-        {
-            "PIXEL_SIZE": tr(
-                "Edge length of a pixel, for example 1. The smallest landmark should cover about 50 pixels."
-            ),
-            "REFERENCE_CLASSES": tr(
-                "Classes that are landmarks: names or values separated by “;”, for example "
-                "building;bare_land;water. If not set, the classes with the role “reference” in the class table of "
-                "the map are used."
-            ),
-        },
-    )
-
-
-def _orthophoto_to_disagreements() -> ModelTexts:
-    return ModelTexts(
-        tr("Orthophoto to disagreements"),
-        ANNOTATION,
-        tr(
-            "Finds where a new orthophoto contradicts the label map, with “Segment image” and “Compare label maps”. "
-            "The disagreements are polygons, the largest first. Check them in the tab “Correct” of the dock, then run "
-            "“Corrected land-cover layer to reference database”."
-        ),
-        {
-            "IMAGE": tr("Photo or orthophoto in the CRS of the label map. Its pixel size may differ."),
-            "MODEL": tr("Segmentation model with the classes of the label map, matched by name."),
-            "LABELS": tr("Label map that the reference database was built from."),
-            "MINIMUM_AREA": tr("Disagreements smaller than this area are left out."),
-        },
-    )
-
-
-def _correction_to_database() -> ModelTexts:
-    return ModelTexts(
-        tr("Corrected land-cover layer to reference database"),
-        REFERENCE_DATABASE,
-        tr(
-            "Updates a reference database after its land-cover layer was corrected. “Rasterize land-cover layer” uses "
-            "the pixels, extent and CRS of the old label map; “Update reference database” computes only what changed."
-        ),
-        {
-            "CLASS_TABLE": tr("Class table of the old label map."),
-            "LABELS": tr("Label map that the reference database was built from."),
-            "CHANGED": tr(
-                "Polygons that contain all changes. Only blocks of 512 × 512 pixels that these polygons touch are "
-                "compared, so changes outside are missed. If not set, the whole map is compared with the database, "
-                "which takes longer."
-            ),
-        },
-        {"LABELS": tr("Old label map")},
-    )
+        "annotationtodatabase": tr("Land-cover layer to reference database"),
+        "orthophototodisagreements": tr("Orthophoto to disagreements"),
+        "correctiontodatabase": tr("Corrected land-cover layer to reference database"),
+    }
 
 
 class ShippedModel(QgsProcessingModelAlgorithm):
@@ -123,16 +50,16 @@ class ShippedModel(QgsProcessingModelAlgorithm):
         return True
 
     def _translate(self) -> None:
-        model, texts, of_steps = self.toVariant(), model_texts(self.name()), self._parameters_of_steps()
+        model, of_steps = self.toVariant(), self._parameters_of_steps()
         for name, definition in model["parameterDefinitions"].items():
-            definition["description"] = texts.names.get(name) or tr(definition["description"])
+            definition["description"] = tr(definition["description"])
             if name in of_steps:
                 definition["metadata"] = of_steps[name].metadata()
         for child in model["children"].values():
             for output in child["outputs"].values():
                 output["component_description"] = tr(output["component_description"])
-        helps = {"ALG_DESC": texts.summary, **{name: one.help() for name, one in of_steps.items()}, **texts.helps}
-        model["help"] = {**model["help"], **helps}
+        helps = {name: one.help() for name, one in of_steps.items()}
+        model["help"] = {**helps, **{name: tr(text) for name, text in model["help"].items()}}
         self.loadVariant(model)
 
     def _parameters_of_steps(self) -> dict[str, QgsProcessingParameterDefinition]:
@@ -172,16 +99,16 @@ class ShippedModel(QgsProcessingModelAlgorithm):
         return super().postProcessAlgorithm(context, feedback)
 
     def displayName(self) -> str:
-        return model_texts(self.name()).title
+        return _titles()[self.name()]
 
     def groupId(self) -> str:
-        return model_texts(self.name()).group
+        return _GROUPS[super().group()]
 
     def group(self) -> str:
         return group_title(self.groupId())
 
     def shortDescription(self) -> str:
-        return model_texts(self.name()).summary
+        return self.helpContent()["ALG_DESC"]
 
     def shortHelpString(self) -> str:
         return self.shortDescription() if prints_help() else super().shortHelpString()

@@ -95,6 +95,14 @@ def style_texts(source: str) -> list[str]:
     return found + re.findall(r"_\('([^']+)'\)", expressions)
 
 
+def model_texts(source: str) -> list[str]:
+    """Return the texts of a model file that ``processing/base/shipped_models.py`` translates."""
+    options = list(ElementTree.fromstring(source).iter("Option"))
+    helps = next(option for option in options if option.get("name") == "help" and len(option))
+    titles = (option for option in options if option.get("name") == "description")
+    return [option.get("value", "") for option in (*helps, *titles) if option.get("name") != "ALG_VERSION"]
+
+
 def all_texts() -> list[str]:
     """Return all texts that a user can read, sorted, without repetition."""
     found = []
@@ -104,6 +112,8 @@ def all_texts() -> list[str]:
             found += texts_of(source) + step_texts(source) + title_texts(source) + sentence_texts(source)
     for path in sorted((ROOT / "resources" / "styles").glob("*.qml")):
         found += style_texts(path.read_text(encoding="utf-8"))
+    for path in sorted((ROOT / "models").glob("*.model3")):
+        found += model_texts(path.read_text(encoding="utf-8"))
     return sorted(set(found))
 
 
