@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
+    QgsProcessingFeedback,
     QgsProcessingOutputNumber,
     QgsProcessingParameterEnum,
     QgsProcessingParameterFile,
@@ -20,20 +21,19 @@ from qgis.core import (
 )
 
 from ...core.errors import ModelError
+from ...core.segmentation.devices import CPU
 from ..base import parameters
 from ..base.algorithm import ANNOTATION, Declared, SemRefAlgorithm, cancelable
+from ..base.outputs import Outputs
 from ..base.parameters import with_help
+from ..base.values import Values
 from ..compat import DOUBLE
 from ..packages.components import NEEDED, ONNXRUNTIME
 from ..threads import worker_threads
 from ..translation import tr
 
 if TYPE_CHECKING:
-    from qgis.core import QgsProcessingFeedback
-
     from ...core.segmentation.network_facts import NetworkFacts
-    from ..base.outputs import Outputs
-    from ..base.values import Values
 
 NO_PRESET, FLAIR_PRESET, BUILDINGS_PRESET = range(3)
 FROM_0_TO_1, FROM_0_TO_255 = range(2)
@@ -170,7 +170,6 @@ class AddModel(SemRefAlgorithm):
         )
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
-        from ...core.segmentation.devices import CPU
         from ...core.segmentation.foreign_network import stated_facts, with_facts
         from ...core.segmentation.model import SegmentationModel
         from ...core.segmentation.network import OnnxNetwork

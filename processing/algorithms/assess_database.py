@@ -7,7 +7,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from qgis.core import (
+    QgsCoordinateReferenceSystem,
     QgsGeometry,
+    QgsProcessingFeedback,
     QgsProcessingOutputNumber,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterNumber,
@@ -19,20 +21,18 @@ from ...core.errors import ParameterError
 from ..base import parameters
 from ..base.algorithm import LOCALIZATION, Declared, cancelable, check_canceled
 from ..base.assessing import AssessAlgorithm, setting_rows
+from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.scheduler import require_scheduler, scheduler, workers
+from ..base.values import Values
 from ..compat import DOUBLE, INTEGER, POLYGON, SOURCE_POLYGON
 from ..messages.numbers import shown
 from ..messages.sentences import worded
 from ..translation import tr
 
 if TYPE_CHECKING:
-    from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
-
     from ...core.assessment.cells import Cells
     from ...core.database.model import ReferenceDatabase
-    from ..base.outputs import Outputs
-    from ..base.values import Values
     from ..reports.assessment_report import AssessedFootprint
 
 

@@ -8,9 +8,11 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
+    QgsCoordinateReferenceSystem,
     QgsGeometry,
     QgsPointXY,
     QgsProcessingFeatureSourceDefinition,
+    QgsProcessingFeedback,
     QgsProcessingOutputNumber,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
@@ -23,7 +25,9 @@ from ...core.errors import ParameterError
 from ..base import parameters, route_flights
 from ..base.algorithm import LOCALIZATION, Declared, cancelable, check_canceled
 from ..base.assessing import AssessAlgorithm, setting_rows
+from ..base.outputs import Outputs
 from ..base.parameters import with_help
+from ..base.values import Values
 from ..compat import DOUBLE, INTEGER, POINT, SOURCE_LINE, SOURCE_POINT, SOURCE_POLYGON
 from ..messages.numbers import shown
 from ..messages.sentences import worded
@@ -31,13 +35,10 @@ from ..translation import tr
 
 if TYPE_CHECKING:
     import numpy as np
-    from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
 
     from ...core.assessment.assessment import Assessment, Estimates
     from ...core.assessment.route import RouteGap, RoutePoints, ShiftHint
     from ...core.database.model import ReferenceDatabase
-    from ..base.outputs import Outputs
-    from ..base.values import Values
     from ..reports.route_report import AssessedRoute
 
 FIELDS = (

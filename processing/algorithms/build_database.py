@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from qgis.core import (
+    QgsProcessingFeedback,
     QgsProcessingOutputNumber,
     QgsProcessingParameterFileDestination,
     QgsProcessingParameterNumber,
@@ -13,27 +14,25 @@ from qgis.core import (
 )
 
 from ...core.errors import ClassTableError, ParameterError
+from ...core.labels.class_table import ClassTable
 from ..base import parameters
 from ..base.algorithm import REFERENCE_DATABASE, Declared, SemRefAlgorithm, check_canceled, follow
+from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.scheduler import SCHEDULER, require_scheduler, scheduler, workers
+from ..base.values import Values
 from ..compat import DOUBLE, INTEGER
 from ..threads import worker_threads
 from ..translation import tr
 from ..version import plugin_version
 
 if TYPE_CHECKING:
-    from qgis.core import QgsProcessingFeedback
-
     from ...core.database.build import BuildSettings
     from ...core.database.model import ReferenceDatabase
     from ...core.geometry.frame import MapFrame
-    from ...core.labels.class_table import ClassTable
     from ...core.labels.overview import OverviewSink
     from ...core.windows.grid import WindowGrid
     from ...storage.label_maps import GdalLabels
-    from ..base.outputs import Outputs
-    from ..base.values import Values
 
 
 class BuildDatabase(SemRefAlgorithm):

@@ -5,27 +5,30 @@ from __future__ import annotations
 from collections import Counter
 from typing import TYPE_CHECKING
 
-from qgis.core import QgsProcessingOutputNumber, QgsProcessingParameterFeatureSink, QgsProcessingParameterNumber
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsProcessingFeedback,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterNumber,
+)
 
-from ...core.annotation.findings import CHECKED_KINDS, ERROR
+from ...core.annotation.findings import CHECKED_KINDS, ERROR, Finding
 from ...storage.pixel_grid import pixel_grid, union_of_bounds
 from ..base import parameters
 from ..base.algorithm import Declared, cancelable, check_canceled, follow, interruptible
 from ..base.annotation import AnnotationAlgorithm, geometry_of
+from ..base.outputs import Outputs
 from ..base.parameters import with_help
+from ..base.values import Values
 from ..compat import DOUBLE, MULTI_POLYGON, SOURCE_POLYGON, wkt_for_gdal
 from ..messages.annotation_messages import FIELDS, kind_titles, row_of, sentence, severity_title
 from ..packages.components import NEEDED, SHAPELY
 from ..translation import tr
 
 if TYPE_CHECKING:
-    from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
-
     from ...core.annotation.classes import ClassLookup
-    from ...core.annotation.findings import Finding
     from ...core.annotation.polygons import AnnotatedFeature
-    from ..base.outputs import Outputs
-    from ..base.values import Values
 
 READ, CHECKED, BURNT, DONE = 20.0, 70.0, 90.0, 95.0
 """Progress in percent after reading, checking, burning at a pixel size, and checking the pixels."""

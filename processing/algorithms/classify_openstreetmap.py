@@ -9,6 +9,9 @@ from typing import TYPE_CHECKING
 
 from qgis.core import (
     QgsFeatureRequest,
+    QgsGeometry,
+    QgsProcessingFeatureSource,
+    QgsProcessingFeedback,
     QgsProcessingOutputNumber,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
@@ -18,19 +21,17 @@ from qgis.core import (
 
 from ...core import limits
 from ...core.errors import ParameterError
-from ...core.labels.openstreetmap import tags_of
+from ...core.labels.class_table import class_table_from_names
+from ...core.labels.openstreetmap import Rule, Rules, tags_of
+from ...storage.gdal_errors import gdal_failures
 from ..base.algorithm import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
+from ..base.outputs import FeatureSink, Outputs
 from ..base.parameters import with_help
+from ..base.values import Values
 from ..compat import AS_THEY_ARE, MULTI_POLYGON, POLYGON_GEOMETRY, SOURCE_LINE, SOURCE_POLYGON, is_null
 from ..translation import tr
 
 if TYPE_CHECKING:
-    from qgis.core import QgsGeometry, QgsProcessingFeatureSource, QgsProcessingFeedback
-
-    from ...core.labels.openstreetmap import Rule, Rules
-    from ..base.outputs import FeatureSink, Outputs
-    from ..base.values import Values
-
     Area = tuple[QgsGeometry | None, dict[str, object] | None]
     """Polygons of a feature and their attributes by FIELDS; None for what is left out."""
 
@@ -116,7 +117,6 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
         self._lines = values.source(self.LINES, LINES_OF_OSM)
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
-        from ...core.labels.class_table import class_table_from_names
         from ...storage.text_tables import read_rules
         from ..layers.class_styles import annotation_renderer
 
@@ -178,8 +178,6 @@ def _features(
 
     Raises ParameterError where a file ends early: QGIS would use what it read as if it were complete.
     """
-    from ...storage.gdal_errors import gdal_failures
-
     names, total = source.fields().names(), max(source.featureCount(), 1)
     with gdal_failures() as failures:
         for number, feature in enumerate(source.getFeatures(QgsFeatureRequest(), AS_THEY_ARE)):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from qgis.core import (
+    QgsProcessingFeedback,
     QgsProcessingOutputNumber,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFileDestination,
@@ -16,18 +17,17 @@ from ...core.errors import ParameterError
 from ..base import parameters
 from ..base.algorithm import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
 from ..base.annotation import geometry_of
+from ..base.outputs import Outputs
 from ..base.parameters import with_help
+from ..base.values import Values
 from ..compat import DOUBLE, POLYGON, SOURCE_POLYGON
 from ..translation import tr
 
 if TYPE_CHECKING:
     import numpy as np
-    from qgis.core import QgsProcessingFeedback
 
     from ...core.labels.comparison import ClassMatch, LabelComparison
     from ...storage.label_comparison import DisagreementMap, LabelMapPair
-    from ..base.outputs import Outputs
-    from ..base.values import Values
     from ..reports.comparison_report import MeasuredShifts
 
 FIELDS = (

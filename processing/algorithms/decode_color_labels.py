@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from qgis.core import (
+    QgsProcessingFeedback,
     QgsProcessingParameterEnum,
     QgsProcessingParameterRasterDestination,
     QgsProcessingParameterRasterLayer,
@@ -13,14 +12,10 @@ from qgis.core import (
 from ...core.labels.class_table import UNLABELED
 from ..base import parameters
 from ..base.algorithm import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
+from ..base.outputs import Outputs
 from ..base.parameters import with_help
+from ..base.values import Values
 from ..translation import tr
-
-if TYPE_CHECKING:
-    from qgis.core import QgsProcessingFeedback
-
-    from ..base.outputs import Outputs
-    from ..base.values import Values
 
 ROWS_PIXELS = 4_000_000
 """Pixels that are decoded at once."""

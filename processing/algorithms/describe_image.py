@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Callable
 from qgis.core import (
     QgsGeometry,
     QgsPointXY,
+    QgsProcessingFeedback,
     QgsProcessingOutputNumber,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFileDestination,
@@ -17,19 +18,17 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError
+from ...core.labels.class_table import ClassTable
 from ..base import parameters
 from ..base.algorithm import LOCALIZATION, Declared, SemRefAlgorithm, check_canceled
+from ..base.outputs import Outputs
 from ..base.parameters import with_help
+from ..base.values import Values
 from ..compat import DOUBLE, INTEGER, POINT, SOURCE_POINT
 from ..translation import tr
 
 if TYPE_CHECKING:
-    from qgis.core import QgsProcessingFeedback
-
-    from ...core.labels.class_table import ClassTable
     from ...core.localizer.localizer import DescribedImage
-    from ..base.outputs import Outputs
-    from ..base.values import Values
 
 FIELDS = (
     ("class", "integer"),

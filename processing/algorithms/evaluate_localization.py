@@ -8,8 +8,10 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
+    QgsCoordinateReferenceSystem,
     QgsGeometry,
     QgsPointXY,
+    QgsProcessingFeedback,
     QgsProcessingOutputNumber,
     QgsProcessingParameterEnum,
     QgsProcessingParameterFeatureSink,
@@ -23,21 +25,19 @@ from ...core.localization import Method
 from ..base import parameters
 from ..base.algorithm import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
 from ..base.assessing import noise_ranges
+from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.scheduler import require_scheduler, scheduler, with_progress, workers
+from ..base.values import Values
 from ..compat import DOUBLE, INTEGER, POINT, SOURCE_POINT
 from ..messages.sentences import worded
 from ..translation import tr
 
 if TYPE_CHECKING:
-    from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
-
     from ...core.database.model import ReferenceDatabase
     from ...core.evaluation.evaluation import Evaluation, TrialRanges, WindowQuery
     from ...core.evaluation.trial import Trial
     from ...storage.label_maps import GdalLabels
-    from ..base.outputs import Outputs
-    from ..base.values import Values
 
     Job = tuple[WindowQuery, list[Method]]
 

@@ -8,6 +8,8 @@ from datetime import datetime, timezone
 from typing import TYPE_CHECKING
 
 from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsProcessingFeedback,
     QgsProcessingOutputNumber,
     QgsProcessingParameterBoolean,
     QgsProcessingParameterFeatureSource,
@@ -19,17 +21,15 @@ from qgis.core import (
 from ...core.errors import ParameterError
 from ..base import parameters
 from ..base.algorithm import REFERENCE_DATABASE, Declared, SemRefAlgorithm, cancelable, check_canceled
+from ..base.outputs import Outputs
 from ..base.parameters import with_help
+from ..base.values import Values
 from ..compat import DOUBLE
 from ..translation import tr
 
 if TYPE_CHECKING:
-    from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
-
     from ...core.database.model import ReferenceDatabase
     from ...core.onboard.format import OnboardDatabase
-    from ..base.outputs import Outputs
-    from ..base.values import Values
 
 
 class ExportOnboard(SemRefAlgorithm):

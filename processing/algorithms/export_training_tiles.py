@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from qgis.core import (
+    QgsProcessingFeedback,
     QgsProcessingOutputNumber,
     QgsProcessingParameterFolderDestination,
     QgsProcessingParameterNumber,
@@ -14,15 +14,11 @@ from qgis.core import (
 
 from ..base import parameters
 from ..base.algorithm import ANNOTATION, Declared, SemRefAlgorithm, follow
+from ..base.outputs import Outputs
 from ..base.parameters import with_help
+from ..base.values import Values
 from ..compat import INTEGER
 from ..translation import tr
-
-if TYPE_CHECKING:
-    from qgis.core import QgsProcessingFeedback
-
-    from ..base.outputs import Outputs
-    from ..base.values import Values
 
 
 class ExportTrainingTiles(SemRefAlgorithm):

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Callable
 
 from qgis.core import (
+    QgsProcessingFeedback,
     QgsProcessingOutputNumber,
     QgsProcessingParameterEnum,
     QgsProcessingParameterFeatureSource,
@@ -16,20 +17,19 @@ from qgis.core import (
 
 from ...core.errors import ImageError, SemRefError, UnwritableError
 from ...core.localization import Status
+from ...core.named_files import named_file
 from ...core.sentences import legible
 from ..base.algorithm import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
 from ..base.localized_image import unique_names
+from ..base.outputs import Outputs
 from ..base.parameters import with_help
-from ..compat import SOURCE_FILE, SOURCE_POINT, SOURCE_POLYGON
+from ..base.values import Values
+from ..compat import SOURCE_FILE, SOURCE_POINT, SOURCE_POLYGON, wkt_for_gdal
 from ..messages.sentences import worded
 from ..translation import tr
 
 if TYPE_CHECKING:
-    from qgis.core import QgsProcessingFeedback
-
     from ...storage.georeferencing import ControlPoint
-    from ..base.outputs import Outputs
-    from ..base.values import Values
     from ..layers.positions import PositionRow
 
 GEOTIFF, WORLD_FILE, CONTROL_POINTS = range(3)
@@ -108,7 +108,6 @@ class GeoreferenceImages(SemRefAlgorithm):
         )
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
-        from ..compat import wkt_for_gdal
         from ..layers.positions import read_matches, read_positions
 
         positions = values.source(self.POSITIONS)
@@ -151,7 +150,6 @@ class GeoreferenceImages(SemRefAlgorithm):
 
     def _files(self, values: Values) -> Callable[[str], str]:
         """Return a function from the path in a row to its file; it raises ImageError for files elsewhere."""
-        from ...core.named_files import named_file
         from ...storage.rasters import image_files
         from ..layers.positions import folder_of
 

@@ -7,7 +7,12 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import QgsProcessingOutputNumber, QgsProcessingParameterFeatureSink, QgsProcessingParameterFile
+from qgis.core import (
+    QgsProcessingFeedback,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFile,
+)
 
 from ...core.errors import ParameterError
 from ...core.localization import Method
@@ -25,22 +30,20 @@ from ..base.localized_layers import (
     write_tracks,
 )
 from ..base.localizing import LocalizeAlgorithm
+from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.photo_labels import pace_results
+from ..base.values import Values
 from ..compat import SOURCE_LINE, SOURCE_POINT
 from ..messages.sentences import worded
 from ..translation import tr
 
 if TYPE_CHECKING:
-    from qgis.core import QgsProcessingFeedback
-
     from ...core.database.model import ReferenceDatabase
     from ...core.flight.motion import Link
     from ...core.flight.telemetry import Telemetry
     from ...core.geometry.camera import Camera
     from ...core.localizer.localizer import Localizer
-    from ..base.outputs import Outputs
-    from ..base.values import Values
 
 READ_PERCENT, JOINED_PERCENT = 60, 97
 """Progress after all images are localized separately, and after the flight is placed."""

@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from qgis.core import (
+    QgsProcessingFeedback,
     QgsProcessingOutputNumber,
     QgsProcessingParameterExtent,
     QgsProcessingParameterFeatureSink,
@@ -16,7 +17,7 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError
-from ...core.localization import Status
+from ...core.localization import Localization, Status
 from ..base import parameters, priors
 from ..base.algorithm import Declared, cancelable, check_canceled
 from ..base.localized_image import (
@@ -30,22 +31,19 @@ from ..base.localized_image import (
 )
 from ..base.localized_layers import write_grounds, write_matches, write_positions
 from ..base.localizing import LocalizeAlgorithm, found_within_reach, localize_image, localize_scheduled
+from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.photo_labels import pace_results
 from ..base.photo_source import PhotoSource
 from ..base.scheduler import SCHEDULER, require_scheduler, scheduler
+from ..base.values import Values
 from ..compat import SOURCE_POINT, SOURCE_POLYGON
 from ..translation import tr
 
 if TYPE_CHECKING:
-    from qgis.core import QgsProcessingFeedback
-
     from ...core.geometry.camera import Camera
-    from ...core.localization import Localization
     from ...core.localizer.reach import Reach
     from ...core.pipeline import Pipeline
-    from ..base.outputs import Outputs
-    from ..base.values import Values
 
 
 class LocalizeImages(LocalizeAlgorithm):

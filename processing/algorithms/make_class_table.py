@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from qgis.core import QgsProcessingOutputNumber, QgsProcessingParameterEnum, QgsProcessingParameterFileDestination
+from qgis.core import (
+    QgsProcessingFeedback,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterEnum,
+    QgsProcessingParameterFileDestination,
+)
 
 from ...core.errors import ClassTableError, ParameterError
+from ...core.labels.class_table import ClassTable
 from ..base import parameters
 from ..base.algorithm import Declared, check_canceled
 from ..base.annotation import PRESETS, AnnotationAlgorithm
+from ..base.outputs import Outputs
 from ..base.parameters import with_help
+from ..base.values import Values
 from ..translation import tr
-
-if TYPE_CHECKING:
-    from qgis.core import QgsProcessingFeedback
-
-    from ...core.labels.class_table import ClassTable
-    from ..base.outputs import Outputs
-    from ..base.values import Values
 
 
 class MakeClassTable(AnnotationAlgorithm):

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
+    QgsProcessingFeedback,
     QgsProcessingOutputNumber,
     QgsProcessingParameterBoolean,
     QgsProcessingParameterCrs,
@@ -15,23 +16,21 @@ from qgis.core import (
     QgsProcessingParameterRasterDestination,
 )
 
+from ...core.labels.class_table import ClassTable
 from ...storage.pixel_grid import pixel_grid, union_of_bounds
 from ..base import parameters
 from ..base.algorithm import Declared, follow
 from ..base.annotation import AnnotationAlgorithm, filling_polygon
+from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.scheduler import require_scheduler, scheduler, workers
+from ..base.values import Values
 from ..compat import DOUBLE, wkt_for_gdal
 from ..translation import tr
 
 if TYPE_CHECKING:
-    from qgis.core import QgsProcessingFeedback
-
     from ...core.geometry.frame import MapFrame
-    from ...core.labels.class_table import ClassTable
     from ...storage.rasterize import BurnPolygon
-    from ..base.outputs import Outputs
-    from ..base.values import Values
 
 READING_SHARE = 30.0
 """Progress in percent after the polygons are read."""

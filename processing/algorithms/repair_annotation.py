@@ -2,26 +2,20 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from qgis.core import QgsProcessingParameterFeatureSink, QgsProcessingParameterNumber
+from qgis.core import QgsProcessingFeedback, QgsProcessingParameterFeatureSink, QgsProcessingParameterNumber
 
 from ...core.annotation.findings import ERROR, OUTSIDE_CRS
 from ...core.errors import ParameterError
 from ..base import parameters
 from ..base.algorithm import Declared, check_canceled, follow, interruptible
 from ..base.annotation import AnnotationAlgorithm, geometry_of
+from ..base.outputs import Outputs
 from ..base.parameters import with_help
+from ..base.values import Values
 from ..compat import DOUBLE, MULTI_POLYGON, POLYGON, SOURCE_POLYGON
 from ..messages.annotation_messages import FIELDS, change_sentence, row_of
 from ..packages.components import NEEDED, SHAPELY
 from ..translation import tr
-
-if TYPE_CHECKING:
-    from qgis.core import QgsProcessingFeedback
-
-    from ..base.outputs import Outputs
-    from ..base.values import Values
 
 READ, REPAIRED = 20.0, 95.0
 """Progress in percent after reading and repairing."""

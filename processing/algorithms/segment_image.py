@@ -9,6 +9,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
+    QgsProcessingFeedback,
     QgsProcessingOutputNumber,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterNumber,
@@ -18,25 +19,22 @@ from qgis.core import (
 
 from ..base import parameters
 from ..base.algorithm import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
+from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.photo_labels import NetworkPace, describe, open_model, pace_results
-from ..base.photo_source import PhotoSource
+from ..base.photo_source import PhotoSource, SourceImage
 from ..base.scheduler import SCHEDULER, require_scheduler, scheduler, workers
 from ..base.segmented_files import SeenGrid, SegmentedFiles, write_polygons
+from ..base.values import Values
 from ..compat import DOUBLE, SOURCE_POLYGON, wkt_for_gdal
 from ..packages.components import NEEDED, ONNXRUNTIME, SHAPELY, require
 from ..translation import tr
 
 if TYPE_CHECKING:
-    from qgis.core import QgsProcessingFeedback
-
     from ...core.labels.image_source import ImageSource
     from ...core.segmentation.certainty import Certainty, Sureness
     from ...core.segmentation.model import SegmentationModel
     from ...core.segmentation.tiling import SegmentedRows
-    from ..base.outputs import Outputs
-    from ..base.photo_source import SourceImage
-    from ..base.values import Values
 
 
 class SegmentImage(SemRefAlgorithm):

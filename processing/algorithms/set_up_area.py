@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
+    QgsProcessingFeedback,
     QgsProcessingMultiStepFeedback,
     QgsProcessingOutputFile,
     QgsProcessingOutputHtml,
@@ -31,8 +32,11 @@ from ...core.labels.class_table import OTHER
 from ..base import parameters
 from ..base.algorithm import LOCALIZATION, Declared, SemRefAlgorithm, check_canceled
 from ..base.chain import Record, Step
+from ..base.outputs import Outputs
 from ..base.parameters import with_help
+from ..base.photo_source import drawn_file
 from ..base.shipped_models import MODELS
+from ..base.values import Values
 from ..compat import DOUBLE, SOURCE_FILE, SOURCE_LINE, SOURCE_POLYGON
 from ..layers.guess_fields import BUILDING
 from ..layers.results_file import TABLES
@@ -45,12 +49,8 @@ from .rasterize_annotation import RasterizeAnnotation
 from .train_model import TrainModel
 
 if TYPE_CHECKING:
-    from qgis.core import QgsProcessingFeedback
-
     from ...core.segmentation.model_card import ModelCard
     from ..base.area_setup import AreaSetup
-    from ..base.outputs import Outputs
-    from ..base.values import Values
 
 DEFAULT_MODEL = MODELS / "buildings.onnx"
 RULES_FILE, CAMERAS_FILE = "rules.csv", "cameras.csv"
@@ -377,7 +377,6 @@ class SetUpArea(SemRefAlgorithm):
     ) -> dict[str, Any]:
         """Write the small files that a step reads, and draw imagery that is not a file; return values to replace."""
         from ..base.area_setup import camera_table
-        from ..base.photo_source import drawn_file
 
         if step.values.get("RULES"):
             record.write(RULES_FILE, rules_of(self._known(values)))

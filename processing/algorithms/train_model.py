@@ -10,6 +10,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
+    QgsProcessingContext,
+    QgsProcessingFeedback,
     QgsProcessingOutputNumber,
     QgsProcessingParameterBoolean,
     QgsProcessingParameterEnum,
@@ -23,19 +25,17 @@ from ...core.errors import ImageError, ParameterError, TrainingError
 from ..base import parameters
 from ..base.algorithm import Canceled, Declared, follow
 from ..base.annotation import AnnotationAlgorithm
+from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.photo_source import PhotoSource
+from ..base.values import Values
 from ..compat import DOUBLE, INTEGER
 from ..translation import tr
 
 if TYPE_CHECKING:
-    from qgis.core import QgsProcessingContext, QgsProcessingFeedback
-
     from ...storage.label_maps import RasterFile
     from ...training.job import Job
-    from ..base.outputs import Outputs
     from ..base.training_run import TrainingRun
-    from ..base.values import Values
     from ..layers.training_ground import TrainingGround
     from ..reports.training_report import TrainingReport
 

@@ -8,30 +8,30 @@ from typing import TYPE_CHECKING
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
+    QgsProcessingFeedback,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterFileDestination,
     QgsProcessingParameterRasterLayer,
+    QgsRectangle,
 )
 
 from ...core.errors import ClassTableError, LabelMapError, ParameterError
+from ...core.labels.class_table import ClassTable
 from ..base import parameters
 from ..base.algorithm import REFERENCE_DATABASE, Declared, SemRefAlgorithm, check_canceled, follow
+from ..base.outputs import Outputs
 from ..base.parameters import with_help
+from ..base.values import Values
 from ..compat import SOURCE_POLYGON, wkt_for_gdal
 from ..threads import worker_threads
 from ..translation import tr
 from ..version import plugin_version
 
 if TYPE_CHECKING:
-    from qgis.core import QgsProcessingFeedback, QgsRectangle
-
     from ...core.database.model import ReferenceDatabase
     from ...core.database.update import DatabaseChanges
     from ...core.geometry.frame import MapFrame
-    from ...core.labels.class_table import ClassTable
     from ...storage.label_maps import GdalLabels
-    from ..base.outputs import Outputs
-    from ..base.values import Values
 
 
 class UpdateDatabase(SemRefAlgorithm):

@@ -8,24 +8,22 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsGeometry
+from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsGeometry, QgsProcessingFeedback
 
 from ...core.annotation.findings import ERROR, UNKNOWN_CLASS
 from ...core.errors import ParameterError
+from ...core.labels.class_table import ClassTable
 from ...storage.pixel_grid import Bounds, union_of_bounds
 from ..translation import tr
 from . import parameters
 from .algorithm import ANNOTATION, SemRefAlgorithm, check_canceled
+from .values import Values
 
 if TYPE_CHECKING:
-    from qgis.core import QgsProcessingFeedback
-
     from ...core.annotation.classes import ClassLookup
-    from ...core.labels.class_table import ClassTable
     from ...storage.rasterize import BurnPolygon
     from ..layers.annotation import AnnotationSource
     from ..layers.annotation_features import AnnotationReading
-    from .values import Values
 
 CLASS_TABLES = Path(__file__).resolve().parents[2] / "resources" / "class_tables"
 PRESETS = {

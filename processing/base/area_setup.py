@@ -7,7 +7,6 @@ import os
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from statistics import median
-from typing import TYPE_CHECKING
 
 import numpy as np
 from qgis.core import (
@@ -20,6 +19,7 @@ from qgis.core import (
     QgsGeometry,
     QgsPointXY,
     QgsProcessingFeatureSourceDefinition,
+    QgsProcessingFeedback,
     QgsRectangle,
     QgsVectorLayer,
     QgsVectorLayerFeatureSource,
@@ -28,7 +28,10 @@ from qgis.core import (
 from ...core.area_plan import FEW_LANDMARKS, AreaPlan, MapLandmarks, plan_area
 from ...core.errors import AnnotationError, ParameterError, SemRefError
 from ...core.labels.class_colors import is_usual_landmark
-from ...core.labels.openstreetmap import tags_of
+from ...core.labels.openstreetmap import Rules, tags_of
+from ...core.labels.photo_camera import photo_camera
+from ...storage.photo_position import photo_lon_lat
+from ...storage.rasters import image_files, open_raster
 from ..compat import LINE_GEOMETRY, POLYGON_GEOMETRY, is_null
 from ..layers.guess_fields import BUILDING, class_field_of, has_osm_tags, priority_field_of
 from ..layers.images import stated_pixel_size_m
@@ -36,11 +39,6 @@ from ..layers.line_areas import LineAreas
 from ..layers.reference_systems import WGS84, metric_crs, transformed_box, transformed_point
 from ..translation import tr
 from .algorithm import check_canceled
-
-if TYPE_CHECKING:
-    from qgis.core import QgsProcessingFeedback
-
-    from ...core.labels.openstreetmap import Rules
 
 RATIO = 0.75
 """Height to width of a typical photo, where no photo is known."""
@@ -171,9 +169,6 @@ def read_photos(
         ParameterError: The ground width is unknown.
         SemRefError: A folder has no images.
     """
-    from ...storage.photo_position import photo_lon_lat
-    from ...storage.rasters import image_files, open_raster
-
     files = image_files(list(paths))
     shapes: dict[str, tuple[int, int]] = {}
     sizes: dict[str, float | None] = {}
@@ -206,8 +201,6 @@ def read_photos(
 
 def _pixel_size_m(path: str, shape_hw: tuple[int, int]) -> float | None:
     """Return the pixel size from a georeference, or from height and lens; None if both are unknown."""
-    from ...core.labels.photo_camera import photo_camera
-
     stated = stated_pixel_size_m(path)
     return stated[0] if stated is not None else photo_camera(path).pixel_size(shape_hw)
 

@@ -8,7 +8,13 @@ from dataclasses import replace
 from itertools import islice
 from typing import TYPE_CHECKING, Callable
 
-from qgis.core import QgsProcessingParameterBoolean, QgsProcessingParameterDefinition, QgsProcessingParameterNumber
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsProcessingFeedback,
+    QgsProcessingParameterBoolean,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterNumber,
+)
 
 from ...core.errors import DatabaseError
 from ...core.localization import Method
@@ -20,18 +26,15 @@ from ..translation import tr
 from . import parameters
 from .algorithm import SemRefAlgorithm, cancelable, check_canceled
 from .parameters import with_help
-from .scheduler import with_progress
+from .scheduler import Workers, with_progress
+from .values import Values
 
 if TYPE_CHECKING:
-    from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
-
     from ...core.assessment.assessment import Assessment, PlaceQuery
     from ...core.database.model import ReferenceDatabase
     from ...core.evaluation.trial import Trial
     from ...core.localizer.localizer import Localizer
     from ...core.simulation.conditions import Conditions
-    from .scheduler import Workers
-    from .values import Values
 
 _SIMULATED_A_TASK = 25
 """Trials of some milliseconds each."""

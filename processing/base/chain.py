@@ -8,17 +8,14 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from qgis.core import QgsProcessingException
+from qgis.core import QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback
 
 from ...core.errors import ParameterError
 from ...storage.atomic_output import written_beside
 from ..translation import tr
 from .algorithm import Canceled, SemRefAlgorithm
-
-if TYPE_CHECKING:
-    from qgis.core import QgsProcessingContext, QgsProcessingFeedback
 
 RECORD = "semref_setup.json"
 """File of the folder that records which inputs each file was made from."""

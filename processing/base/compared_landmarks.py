@@ -6,12 +6,17 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
+from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
 
 from ...core.errors import ModelError, ParameterError
 from ...core.geometry.error_settings import ClassBias
+from ...core.labels.comparison import ClassMatch, LabelComparison
 from ...core.landmarks.class_shifts import LEAST_AREA_PX, PIECE_PX, ClassShift, class_shifts, piece_shifts
 from ...core.landmarks.compared import LandmarkErrors, piece_errors
 from ...core.landmarks.displacement import displacement_of
+from ...core.segmentation.class_bias import KEY, class_bias_text, read_class_bias
+from ...core.segmentation.metadata import named_channels
+from ...core.segmentation.onnx_file import read_header, read_metadata, with_metadata
 from ..compat import is_metric
 from ..reports.comparison_report import MAP_UNIT, METER, PIXEL, MeasuredErrors, MeasuredShifts, ShiftRow
 from ..translation import tr
@@ -21,9 +26,6 @@ from .algorithm import check_canceled
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
-
-    from ...core.labels.comparison import ClassMatch, LabelComparison
     from ...storage.label_comparison import LabelMapPair
 
 
@@ -140,10 +142,6 @@ def model_with_biases(path: str, shifts: MeasuredShifts, sun_deg: float | None) 
 
     Raises SemRefError if the offsets are not known in meters, the file is not a network, or it has several parts.
     """
-    from ...core.segmentation.class_bias import KEY, class_bias_text, read_class_bias
-    from ...core.segmentation.metadata import named_channels
-    from ...core.segmentation.onnx_file import read_header, read_metadata, with_metadata
-
     if shifts.unit != METER:
         raise ParameterError(
             "The CRS of the maps has no meters, so the class offset in meters is unknown. Select maps in a projected "

@@ -8,7 +8,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, cast
 
+from qgis.core import QgsProcessingFeedback
+
 from ...core.errors import ParameterError, SemRefError
+from ...core.localization import Localization
+from ...core.tables import stem_of
 from ..messages.camera_messages import camera_remark
 from ..messages.sentences import worded
 from ..translation import tr
@@ -17,15 +21,12 @@ from .localized_layers import FlownImage
 from .localizing import found_within_reach
 
 if TYPE_CHECKING:
-    from qgis.core import QgsProcessingFeedback
-
     from ...core.flight.model import FlightImage, FlightPose
     from ...core.flight.motion import Link
     from ...core.flight.odometry import OdometryRow
     from ...core.flight.pixel_features import Features
     from ...core.flight.telemetry import Telemetry
     from ...core.geometry.camera import Camera
-    from ...core.localization import Localization
     from ...core.localizer.reach import Reach
     from ...core.pipeline import ImageResult, Pipeline
 
@@ -81,7 +82,6 @@ def with_log(
     from ...core.flight.cameras import complete_camera
     from ...core.flight.telemetry import log_cameras, log_links
     from ...core.geometry.camera import Camera as NoCamera
-    from ...core.tables import stem_of
 
     if log is None:
         return list(cameras)
@@ -180,7 +180,6 @@ class FlightReader:
         """Return all links: of the odometry table, otherwise of pixels, otherwise of the log."""
         from ...core.flight.odometry import odometry_links
         from ...core.flight.telemetry import log_links
-        from ...core.tables import stem_of
 
         names = [image.name for image in self.flown]
         links = {(link.first, link.second): link for link in odometry_links(steps, names)}

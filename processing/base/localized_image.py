@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsProcessingFeedback
+
 from ...core.labels.class_table import ClassTable
 from ...core.localization import Localization, Status
 from ...core.sentences import Sentence
@@ -17,7 +19,6 @@ from .algorithm import check_canceled
 
 if TYPE_CHECKING:
     import numpy as np
-    from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsProcessingFeedback
 
     from ...core.database.model import ReferenceDatabase, Windows
 

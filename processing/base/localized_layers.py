@@ -9,7 +9,7 @@ from datetime import datetime, timezone
 from math import isnan
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import QgsGeometry, QgsPointXY
+from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsGeometry, QgsPointXY
 from qgis.PyQt.QtCore import QDateTime, Qt
 
 from ..compat import LINE, POINT, POLYGON
@@ -25,14 +25,12 @@ from .localized_image import (
     match_rows,
     row,
 )
+from .outputs import Outputs
 
 if TYPE_CHECKING:
-    from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext
-
     from ...core.database.model import ReferenceDatabase
     from ...core.flight.model import FlightPose
     from ..reports.flight_report import FlightPoint
-    from .outputs import Outputs
 
 
 POSITION_FIELDS = (*FIELDS, ("time", "datetime"))

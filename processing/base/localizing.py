@@ -8,6 +8,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Union
 
 from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsProcessingFeedback,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterEnum,
     QgsProcessingParameterFeatureSink,
@@ -18,7 +20,8 @@ from qgis.core import (
 )
 
 from ...core.errors import DatabaseError, ParameterError, SemRefError
-from ...core.localization import LEAST_RISK, RISK, Method
+from ...core.labels.class_table import ClassTable
+from ...core.localization import LEAST_RISK, RISK, Localization, Method
 from ..compat import DOUBLE, SOURCE_FILE, SOURCE_POINT, SOURCE_POLYGON
 from ..messages.camera_messages import camera_read, camera_remark
 from ..messages.sentences import worded
@@ -27,22 +30,19 @@ from . import parameters, priors
 from .algorithm import LOCALIZATION, SemRefAlgorithm, cancelable, check_canceled
 from .localized_image import LocalizedImage, has_photos
 from .parameters import with_help
+from .photo_labels import PhotoLabelReader
 from .scheduler import with_progress, workers
+from .values import Values
 
 if TYPE_CHECKING:
     import numpy as np
-    from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
 
     from ...core.database.model import ReferenceDatabase
     from ...core.geometry.camera import Camera
-    from ...core.labels.class_table import ClassTable
-    from ...core.localization import Localization
     from ...core.localizer.reach import Reach
     from ...core.localizer.search import Search
     from ...core.pipeline import Pipeline
     from ...storage.label_images import LabelImageReader
-    from .photo_labels import PhotoLabelReader
-    from .values import Values
 
     LabelReader = Union[PhotoLabelReader, LabelImageReader]
 
@@ -222,7 +222,6 @@ class LocalizeAlgorithm(SemRefAlgorithm):
     def label_reader(self, values: Values, table: ClassTable, feedback: QgsProcessingFeedback) -> LabelReader:
         """Return the reader of label images or, with a model, of photos."""
         from ...storage.label_images import LabelImageReader
-        from .photo_labels import PhotoLabelReader
 
         model_path = values.file(self.MODEL)
         if model_path:

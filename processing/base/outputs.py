@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Callable, Union
+from typing import Any, Callable, Union
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -18,6 +18,7 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError
+from ...core.labels.class_table import ClassTable
 from ...storage.atomic_output import Batch
 from ...storage.replaceable import require_closed
 from ...storage.vector_files import content_digest, copy_database, feature_count, lacks_spatial_index
@@ -26,11 +27,8 @@ from ..layers.database_layers import OPENED, open_when_done
 from ..layers.layer_metadata import Note, save_in_database
 from ..layers.output_style import Look, raster_style_when_loaded, style_in_file, style_in_memory, style_when_loaded
 from . import parameters
-
-if TYPE_CHECKING:
-    from ...core.labels.class_table import ClassTable
-    from .destinations import Destination
-    from .values import Values
+from .destinations import Destination
+from .values import Values
 
 Schema = Union[Sequence[tuple[str, str]], QgsFields]
 """(name, kind) of each field, with kinds of ``compat.make_field``; or the fields of another layer."""

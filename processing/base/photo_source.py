@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransformContext,
+    QgsProcessingFeedback,
     QgsProcessingUtils,
     QgsRasterLayer,
     QgsRectangle,
@@ -18,15 +19,13 @@ from qgis.core import (
 from ...core.errors import ImageError, ParameterError
 from ..translation import tr
 from .algorithm import follow
+from .values import Values
 
 if TYPE_CHECKING:
-    from qgis.core import QgsProcessingFeedback
-
     from ...core.labels.image_source import ImageSource
     from ...storage.images import GdalImage
     from ..layers.areas import DrawnArea
     from ..layers.layer_inputs import RasterLayer
-    from .values import Values
 
 
 @dataclass(frozen=True)

@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from qgis.core import QgsProcessingParameterDefinition, QgsProcessingParameterNumber, QgsProcessingParameterPoint
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterPoint,
+)
 
 from ...core.errors import ParameterError
 from ...core.localization import Method, Prior
 from ..compat import DOUBLE
 from ..translation import tr
 from .parameters import with_help
-
-if TYPE_CHECKING:
-    from qgis.core import QgsCoordinateReferenceSystem
-
-    from .values import Values
+from .values import Values
 
 PRIOR_POINT, PRIOR_RADIUS = "PRIOR_POINT", "PRIOR_RADIUS"
 PRIOR_HEADING, PRIOR_HEADING_RANGE = "PRIOR_HEADING", "PRIOR_HEADING_RANGE"

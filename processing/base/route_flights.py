@@ -6,23 +6,27 @@ from collections.abc import Sequence
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import QgsProcessingOutputNumber, QgsProcessingParameterDefinition, QgsProcessingParameterNumber
+from qgis.core import (
+    QgsProcessingFeedback,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterNumber,
+)
 
 from ..compat import DOUBLE, INTEGER
 from ..translation import tr
 from .algorithm import check_canceled, interruptible
 from .parameters import SEED, with_help
+from .values import Values
 
 if TYPE_CHECKING:
     import numpy as np
-    from qgis.core import QgsProcessingFeedback
 
     from ...core.assessment.flights import FlownRoute
     from ...core.database.model import ReferenceDatabase
     from ...core.localizer.localizer import Localizer
     from ...core.simulation.conditions import Conditions
     from ..reports.route_report import AssessedRoute
-    from .values import Values
 
 FLIGHTS, IMAGE_DISTANCE, DRIFT = "FLIGHTS", "IMAGE_DISTANCE", "DRIFT"
 FIRST_POSITION, LARGEST_RADIUS = "FIRST_POSITION", "LARGEST_RADIUS"

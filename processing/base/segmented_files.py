@@ -7,24 +7,24 @@ from contextlib import ExitStack
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Callable
 
+from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
+
 from ...core.errors import LabelMapError
-from ...core.labels.class_table import UNLABELED
+from ...core.labels.class_table import UNLABELED, ClassTable
 from ..compat import POLYGON
 from ..translation import tr
 from .algorithm import check_canceled, interruptible
 from .annotation import geometry_of
+from .outputs import Outputs
+from .values import Values
 
 if TYPE_CHECKING:
     import numpy as np
-    from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
 
-    from ...core.labels.class_table import ClassTable
     from ...core.segmentation.certainty import Certainty
     from ...core.segmentation.model import SegmentationModel
     from ...core.segmentation.tiling import SegmentedRows
     from ...storage.pictures import PercentRaster
-    from .outputs import Outputs
-    from .values import Values
 
 FIELDS = (("class", "integer"), ("class_name", "text"), ("area", "real"))
 

@@ -23,11 +23,10 @@ from qgis.core import (
 
 from ...core import limits
 from ...core.errors import ParameterError
-from ...core.labels.class_table import split_list
+from ...core.labels.class_table import ClassTable, split_list
 from .destinations import Destination, destination_of, replaced_by, with_destination
 
 if TYPE_CHECKING:
-    from ...core.labels.class_table import ClassTable
     from ..layers.layer_inputs import RasterLayer
 
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|[+-]?(nan|inf|infinity)", re.IGNORECASE | re.ASCII)

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ...core.errors import DatabaseInUseError
+from ..base.localized_image import has_photos
 
 
 @dataclass(frozen=True)
@@ -28,7 +29,6 @@ def count_images(paths: Sequence[str]) -> ChosenImages:
         LabelMapError: A folder has no images, or cannot be read.
     """
     from ...storage.rasters import image_files
-    from ..base.localized_image import has_photos
 
     files = image_files(list(paths))
     return ChosenImages(len(files), has_photos(files))

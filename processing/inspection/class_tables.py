@@ -9,6 +9,7 @@ from collections.abc import Collection, Sequence
 
 from ...core.labels.class_colors import default_color
 from ...core.labels.class_table import BACKGROUND, MAXIMUM_VALUE, REFERENCE, ClassTable, class_table_from_csv
+from ...storage.atomic_output import written_beside
 from ...storage.text_tables import read_class_table
 from ..base.annotation import CLASS_TABLES
 from ..translation import tr
@@ -49,8 +50,6 @@ def require_table(rows: Sequence[ClassRow]) -> str:
 
 def save_rows(rows: Sequence[ClassRow], path: str) -> None:
     """Write a class table. Raises ClassTableError, or ParameterError if it cannot be written."""
-    from ...storage.atomic_output import written_beside
-
     text = require_table(rows)
     with written_beside(path, ".csv") as temporary, open(temporary, "w", encoding="utf-8") as file:
         file.write(text)

@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING
 
 from qgis.core import QgsProcessingFeedback
 
+from ..base.photo_labels import PhotoLabelReader
+
 if TYPE_CHECKING:
     import numpy as np
 
     from ...core.database.model import ReferenceDatabase
     from ...core.landmarks.landmarks import Landmarks
-    from ..base.photo_labels import PhotoLabelReader
 
 
 @dataclass(frozen=True)
@@ -76,8 +77,6 @@ class ImageInspector:
 
         if query.labels or not query.model:
             return read_label_image(query.labels or query.image, database.class_table)
-        from ..base.photo_labels import PhotoLabelReader
-
         key = query.model, database.class_table
         if self._network[0] != key:
             self._network = key, PhotoLabelReader(query.model, database.class_table, QgsProcessingFeedback(False))

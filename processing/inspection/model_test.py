@@ -6,12 +6,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ...core.labels.image_source import ImagePart
+from ...core.segmentation.devices import CPU
+from ...core.segmentation.network_facts import NetworkFacts
 from ..base.photo_labels import open_model, open_photo_file
+from ..threads import worker_threads
 
 if TYPE_CHECKING:
     import numpy as np
-
-    from ...core.segmentation.network_facts import NetworkFacts
 
 EDGE_PX = 512
 """Largest edge of the test picture, at the resolution of the network: one tile."""
@@ -36,10 +37,8 @@ class ModelTest:
 
 def look_at_network(path: str) -> tuple[int, NetworkFacts]:
     """Return the number of outputs of an ONNX file, and what its metadata state. Raises SemRefError."""
-    from ...core.segmentation.devices import CPU
     from ...core.segmentation.foreign_network import stated_facts
     from ...core.segmentation.network import OnnxNetwork
-    from ..threads import worker_threads
 
     network = OnnxNetwork(path, worker_threads(), CPU.key)
     return network.channels, stated_facts(network)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import hypot
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from ...core.database.model import ReferenceDatabase
-    from ...core.labels.class_table import ClassTable
+from ...core.database.look_alikes import describe_window, vector_rows, window_at
+from ...core.database.model import ReferenceDatabase
+from ...core.labels.class_table import ClassTable
+from ...core.windows.topology_vector import vector_confidence, vector_distances
 
 
 @dataclass(frozen=True)
@@ -100,16 +100,12 @@ def find_window(database: ReferenceDatabase, name: str) -> int | None:
 
 def window_at_point(database: ReferenceDatabase, x: float, y: float) -> int | None:
     """Return the index of the smallest window around map (x, y), then with the nearest center; None without one."""
-    from ...core.database.look_alikes import window_at
-
     index = window_at(database.windows, x, y)
     return None if index < 0 else index
 
 
 def inspect_window(database: ReferenceDatabase, index: int) -> InspectedWindow:
     """Describe one window of a database."""
-    from ...core.database.look_alikes import describe_window
-
     windows, found = database.windows, describe_window(database, index)
     vector = windows.vectors[index] if windows.described[index] else None
     look_alikes = tuple(
@@ -136,8 +132,6 @@ def look_alike(database: ReferenceDatabase, index: int, distance: float) -> Look
 
 def compare(window: InspectedWindow, vector: np.ndarray, table: ClassTable) -> Comparison | None:
     """Compare an image's vector with a window's; None if one is missing, or they differ in length."""
-    from ...core.windows.topology_vector import vector_confidence, vector_distances
-
     if window.vector is None or len(vector) != len(window.vector):
         return None
     distance = float(vector_distances(vector, window.vector[None])[0])
@@ -149,8 +143,6 @@ def compare(window: InspectedWindow, vector: np.ndarray, table: ClassTable) -> C
 
 def rays_of(vector: np.ndarray, table: ClassTable) -> tuple[Ray, ...]:
     """Return the rays of a (3·X,) vector. Its steps are relative to the largest one: together they are a whole turn."""
-    from ...core.database.look_alikes import vector_rows
-
     classes = table.references
     lengths, steps, ranks = vector_rows(vector)
     total = max(float(steps.sum()), np.finfo(np.float32).tiny)

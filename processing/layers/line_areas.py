@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -15,12 +14,9 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError
-from ...core.labels.openstreetmap import line_width_m
+from ...core.labels.openstreetmap import Rule, Rules, line_width_m
 from ..compat import FLAT_CAP, LINE_GEOMETRY, ROUND_JOIN
 from .reference_systems import utm_zone
-
-if TYPE_CHECKING:
-    from ...core.labels.openstreetmap import Rule, Rules
 
 _SEGMENTS = 4
 """Of a quarter circle at a bend."""

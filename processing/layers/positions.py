@@ -5,10 +5,17 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
-from qgis.core import QgsProcessingUtils, QgsProviderRegistry
+from qgis.core import (
+    QgsFeature,
+    QgsPointXY,
+    QgsProcessingFeatureSource,
+    QgsProcessingUtils,
+    QgsProviderRegistry,
+    QgsVectorLayer,
+)
 
 from ...core.errors import ParameterError
 from ...core.geometry.footprint import image_corners
@@ -16,9 +23,6 @@ from ...core.localization import Method
 from ...core.named_files import named_file
 from ...storage.georeferencing import ControlPoint
 from ..compat import is_null
-
-if TYPE_CHECKING:
-    from qgis.core import QgsFeature, QgsPointXY, QgsProcessingFeatureSource, QgsVectorLayer
 
 NEEDED = ("image", "status", "heading", "pixel_size")
 """Columns of positions that georeferencing needs."""

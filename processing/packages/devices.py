@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from qgis.core import QgsSettings
 
+from ...core.errors import ModelError
 from ...core.segmentation.devices import AUTO, COREML, DEVICES, DIRECTML, KEYS, Device
 from .components import ONNXRUNTIME, is_missing
 
@@ -25,7 +26,6 @@ def available_devices() -> list[Device]:
     """Return the devices that onnxruntime reports; empty if it is missing or broken."""
     if is_missing(ONNXRUNTIME):
         return []
-    from ...core.errors import ModelError
     from ...core.segmentation.session import available_providers
 
     try:

@@ -6,17 +6,14 @@ import base64
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...core.assessment.route import RoutePoints, stretch
 from ..layers import palette
 from ..translation import tr
 from . import page
 from .charts import Element, drawing, lettering, polyline, shape, stroke
-
-if TYPE_CHECKING:
-    from ...core.assessment.route import RoutePoints
 
 WIDTH, HEIGHT = 960, 560
 MARGIN = 44
@@ -166,8 +163,6 @@ def route_map(
     points: RoutePoints, success: np.ndarray, classes: Sequence[SuccessClass], below: bytes, name: str
 ) -> str:
     """Return a map of a route colored by success (N,) 0…1; ``below``: JPEG of the map's extent, or empty."""
-    from ...core.assessment.route import stretch
-
     ground, parts = route_ground(points), []
     if below:
         href = f"data:image/jpeg;base64,{base64.b64encode(below).decode('ascii')}"

@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING
 
+from ...core.segmentation.model_card import ModelCard
 from ..messages.numbers import shown
 from ..messages.sentences import worded
 from ..translation import tr
 from .page import NO_BREAK, NOTHING, macros, percent
-
-if TYPE_CHECKING:
-    from ...core.segmentation.model_card import ModelCard
 
 
 def card_title(card: ModelCard) -> str:

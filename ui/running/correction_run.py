@@ -22,13 +22,14 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
+from ...core.errors import SemRefError
 from ...processing.translation import tr
+from ...storage.atomic_output import Batch
 from .algorithm_run import AlgorithmRun
 from .background import Reader
 
 if TYPE_CHECKING:
     from ...processing.inspection.correction import DrawnFeature, RasterizePlan
-    from ...storage.atomic_output import Batch
 
 RASTERIZE, UPDATE = "semref:rasterizeannotation", "semref:updatedatabase"
 
@@ -211,8 +212,6 @@ class CorrectionRun(QObject):
 
     def _beside(self, database: str) -> str:
         """Return a path in a private folder next to the database, from where moving needs no copy; may be empty."""
-        from ...core.errors import SemRefError
-        from ...storage.atomic_output import Batch
         from ...storage.database.schema import TABLES
 
         self._workplace = Batch()

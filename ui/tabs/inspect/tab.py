@@ -22,6 +22,7 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
+from ....core.database.model import ReferenceDatabase
 from ....processing.inspection.window import (
     Comparison,
     InspectedWindow,
@@ -42,8 +43,6 @@ from .vector_plot import VectorPlot
 
 if TYPE_CHECKING:
     import numpy as np
-
-    from ....core.database.model import ReferenceDatabase
 
 _APART = 3
 """Column of the difference from the compared image."""
