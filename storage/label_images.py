@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from osgeo import gdal
 
@@ -26,7 +28,7 @@ class LabelImageReader:
     """A ``pipeline.LabelReader`` of label images in the classes of a table."""
 
     stated_biases = ""
-    pace = None
+    resolution_m = None
 
     def __init__(self, table: ClassTable) -> None:
         self._table = table
@@ -37,6 +39,10 @@ class LabelImageReader:
         if stated is None:
             return SeenLabels(labels_hw)
         return SeenLabels(labels_hw, biases=known_biases(read_class_bias({KEY: stated}, None, path), self._table))
+
+    def log_pace(self) -> dict[str, Any]:
+        """Return no result numbers: there is no network."""
+        return {}
 
 
 def open_photo(path: str) -> GdalImage:

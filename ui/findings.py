@@ -9,7 +9,7 @@ from typing import NamedTuple
 from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry, QgsPointXY, QgsVectorLayer
 
 from ..core.localization import Method, Status
-from ..processing.base.localized_image import ERROR, error_probability, label_image_names
+from ..processing.base.localized_image import ERROR, LABELS_SUFFIX, error_probability, unique_names
 from ..processing.compat import is_null
 from ..processing.translation import tr
 
@@ -153,7 +153,7 @@ def read_findings(layers: ResultLayers, labels: str = "") -> list[Finding]:
     matches = _read_matches(layers.matches)
     indexes = [positions.fields().lookupField(name) for name in _COLUMNS]
     rows = [feature.attributes() for feature in positions.getFeatures()]
-    files = label_image_names([row[indexes[0]] for row in rows]) if labels else {}
+    files = unique_names([row[indexes[0]] for row in rows], LABELS_SUFFIX) if labels else {}
     findings = []
     for values in rows:
         # Results of an older version lack the newest columns.

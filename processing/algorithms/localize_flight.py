@@ -18,17 +18,7 @@ from ...core.errors import ParameterError
 from ...core.localization import Method
 from ..base import parameters, priors
 from ..base.algorithm import Declared, cancelable, check_canceled, interruptible
-from ..base.flight_images import FlightReader, in_order, log_pose, with_log, with_pose
-from ..base.localized_image import LabelImages, with_far_photos, with_jumps
-from ..base.localized_layers import (
-    FlownImage,
-    report_points,
-    tracks_of,
-    write_flight_positions,
-    write_grounds,
-    write_matches,
-    write_tracks,
-)
+from ..base.localized_image import LabelImages, LocalizedImage, log_result, with_far_photos, with_jumps
 from ..base.localizing import LocalizeAlgorithm
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
@@ -42,8 +32,8 @@ if TYPE_CHECKING:
     from ...core.database.model import ReferenceDatabase
     from ...core.flight.motion import Link
     from ...core.flight.telemetry import Telemetry
-    from ...core.geometry.camera import Camera
     from ...core.localizer.localizer import Localizer
+    from ..base.flight_images import FlightReader
 
 READ_PERCENT, JOINED_PERCENT = 60, 97
 """Progress after all images are localized separately, and after the flight is placed."""
@@ -147,6 +137,8 @@ class LocalizeFlight(LocalizeAlgorithm):
         from ...core.localizer.localizer import Localizer
         from ...core.localizer.settings import LOCALIZER
         from ...core.pipeline import Pipeline
+        from ..base.flight_images import FlightReader, in_order, with_log
+        from ..base.localized_layers import tracks_of, write_footprints, write_matches, write_positions, write_tracks
         from ..layers.reference_systems import database_crs
 
         method = self.method(values)
@@ -174,29 +166,24 @@ class LocalizeFlight(LocalizeAlgorithm):
                 reader.search_within_reach(speed, feedback)
             links = cancelable(reader.links_with, steps, log, feedback=feedback)
             flown = self._join(reader, links, localizer, values.number(self.RISK), feedback)
-            flown = self._with_jumps(values, flown, cameras, database, feedback)
-            localized = [one.localized for one in flown]
-            localized = with_far_photos(localized, database, crs, values.transform_context, feedback)
-            flown = [replace(one, localized=item) for one, item in zip(flown, localized)]
-            for one in flown:
-                log_pose(one, feedback)
+            if speed is not None:
+                flown = with_jumps(flown, database.windows, speed, feedback)
+            flown = with_far_photos(flown, database, crs, values.transform_context, feedback)
+            for item in flown:
+                log_result(item, feedback)
             # Layers are written last, so that a cancel leaves nothing behind.
             check_canceled(feedback)
-            write_flight_positions(outputs, self.OUTPUT, flown, crs, values.transform_context)
+            write_positions(outputs, self.OUTPUT, flown, crs, values.transform_context, is_flight=True)
             write_tracks(outputs, self.TRACK, flown, crs)
-            write_grounds(outputs, (self.FOOTPRINTS,), localized, crs)
-            write_matches(outputs, self.MATCHES, localized, database, crs)
+            write_footprints(outputs, self.FOOTPRINTS, flown, crs)
+            write_matches(outputs, self.MATCHES, flown, database, crs)
             if outputs.wants(self.REPORT):
                 outputs.text(self.REPORT, self._report(values, database, flown, reader.motion_sentences(links)))
-        placed = sum(one.is_placed for one in flown)
+        placed = sum(item.is_placed for item in flown)
         tracks = len(tracks_of(flown))
         text = tr("{placed} of {images} images have a position. Tracks: {tracks}.")
         feedback.pushInfo(text.format(placed=placed, images=len(flown), tracks=tracks))
-        found = {self.FIX_COUNT: placed, self.TRACK_COUNT: tracks}
-        if read_labels.pace is None:
-            return found
-        feedback.pushInfo(read_labels.pace.sentence())
-        return {**found, **read_labels.pace.results}
+        return {self.FIX_COUNT: placed, self.TRACK_COUNT: tracks, **read_labels.log_pace()}
 
     def _odometry(self, values: Values, paths: Sequence[str]) -> tuple:
         """Return the rows of the odometry table; empty without a table."""
@@ -229,10 +216,11 @@ class LocalizeFlight(LocalizeAlgorithm):
         localizer: Localizer,
         risk: float,
         feedback: QgsProcessingFeedback,
-    ) -> list[FlownImage]:
+    ) -> list[LocalizedImage]:
         """Place the flight and return the result of each image."""
         from ...core.flight.flight import FlightSolver
         from ...core.flight.settings import FLIGHT
+        from ..base.flight_images import with_pose
 
         feedback.setProgressText(tr("Computing the track"))
         solver = FlightSolver(localizer, replace(FLIGHT, allowed_risk=risk))
@@ -242,25 +230,8 @@ class LocalizeFlight(LocalizeAlgorithm):
         found = iter(solver.poses)
         return [with_pose(taken, None if taken.flown is None else next(found)) for taken in reader.taken]
 
-    def _with_jumps(
-        self,
-        values: Values,
-        flown: Sequence[FlownImage],
-        cameras: Sequence[Camera],
-        database: ReferenceDatabase,
-        feedback: QgsProcessingFeedback,
-    ) -> list[FlownImage]:
-        """Mark positions that cannot be reached in time, if a maximum speed is set."""
-        speed = values.optional_number(self.MAXIMUM_SPEED)
-        if speed is None:
-            return list(flown)
-        localized = [one.localized for one in flown]
-        times_s = [camera.time_s for camera in cameras]
-        checked = with_jumps(localized, times_s, database.windows, speed, feedback)
-        return [replace(one, localized=item) for one, item in zip(flown, checked)]
-
     def _report(
-        self, values: Values, database: ReferenceDatabase, flown: Sequence[FlownImage], links: Sequence[str]
+        self, values: Values, database: ReferenceDatabase, flown: Sequence[LocalizedImage], links: Sequence[str]
     ) -> str:
         from ..reports.flight_report import flight_html
 
@@ -271,4 +242,4 @@ class LocalizeFlight(LocalizeAlgorithm):
             (tr("Flight log"), os.path.basename(values.file(self.LOG)) or tr("not used")),
             (tr("Odometry table"), os.path.basename(values.file(self.ODOMETRY)) or tr("not used")),
         ]
-        return flight_html(report_points(flown), os.path.basename(database.source), links, settings)
+        return flight_html(flown, os.path.basename(database.source), links, settings)

@@ -29,7 +29,6 @@ from ..base.localized_image import (
     with_far_photos,
     with_jumps,
 )
-from ..base.localized_layers import write_grounds, write_matches, write_positions
 from ..base.localizing import LocalizeAlgorithm, found_within_reach, localize_image, localize_scheduled
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
@@ -167,6 +166,7 @@ class LocalizeImages(LocalizeAlgorithm):
         from ...core.localizer.settings import LOCALIZER
         from ...core.pipeline import Pipeline
         from ...storage.file_states import state
+        from ..base.localized_layers import write_footprints, write_matches, write_places, write_positions
         from ..layers.reference_systems import database_crs
 
         method, path = self.method(values), values.file(self.DATABASE)
@@ -180,7 +180,7 @@ class LocalizeImages(LocalizeAlgorithm):
         read_labels = self.label_reader(values, database.class_table, feedback)
         paths, cameras = self.read_images(values, method, feedback, self._layer is None)
         if self._layer is not None:
-            size_m = getattr(read_labels, "resolution_m", None) or database.parameters.pixel_size
+            size_m = read_labels.resolution_m or database.parameters.pixel_size
             paths, cameras = [*paths, self._layer.file(size_m, feedback)], [*cameras, Camera()]
         is_scheduled = values.has(SCHEDULER)
         with outputs.folder(self.LABELS) as folder:
@@ -192,25 +192,22 @@ class LocalizeImages(LocalizeAlgorithm):
             else:
                 keep = LabelImages(folder, paths, database.class_table, read_labels.stated_biases)
                 localized = _one_by_one(paths, cameras, pipeline, keep, feedback)
-            times_s = [camera.time_s for camera in cameras]
             speed = values.optional_number(self.MAXIMUM_SPEED)
             if speed is not None:
                 localized = _within_reach(localized, cameras, pipeline, speed, feedback)
             localized = with_far_photos(localized, database, crs, values.transform_context, feedback)
             if speed is not None:
-                localized = with_jumps(localized, times_s, database.windows, speed, feedback)
+                localized = with_jumps(localized, database.windows, speed, feedback)
             # Layers are written last, so that a cancel leaves nothing behind.
             check_canceled(feedback)
-            write_positions(outputs, self.OUTPUT, localized, crs, values.transform_context, times_s)
-            write_grounds(outputs, (self.FOOTPRINTS, self.ALTERNATIVES), localized, crs)
+            write_positions(outputs, self.OUTPUT, localized, crs, values.transform_context)
+            write_footprints(outputs, self.FOOTPRINTS, localized, crs)
+            write_places(outputs, self.ALTERNATIVES, localized, crs)
             write_matches(outputs, self.MATCHES, localized, database, crs)
         statuses = [ERROR if item.result is None else item.result.status for item in localized]
         fixes = statuses.count(Status.FIX)
         feedback.pushInfo(count_sentence(statuses))
-        if read_labels.pace is None or is_scheduled:
-            return {self.FIX_COUNT: fixes}
-        feedback.pushInfo(read_labels.pace.sentence())
-        return {self.FIX_COUNT: fixes, **read_labels.pace.results}
+        return {self.FIX_COUNT: fixes, **({} if is_scheduled else read_labels.log_pace())}
 
 
 def _one_by_one(
@@ -250,5 +247,5 @@ def _within_reach(
 
     paths, results = [item.path for item in localized], [item.result for item in localized]
     limits = speed, pipeline.localizer.settings.allowed_risk
-    found = found_within_reach(paths, results, [camera.time_s for camera in cameras], limits, search, feedback)
+    found = found_within_reach(paths, results, [item.time_s for item in localized], limits, search, feedback)
     return [replace(item, result=found.get(n, item.result)) for n, item in enumerate(localized)]

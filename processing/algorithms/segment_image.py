@@ -21,7 +21,7 @@ from ..base import parameters
 from ..base.algorithm import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
-from ..base.photo_labels import NetworkPace, describe, open_model, pace_results
+from ..base.photo_labels import describe, log_pace, open_model, pace_results
 from ..base.photo_source import PhotoSource, SourceImage
 from ..base.scheduler import SCHEDULER, require_scheduler, scheduler, workers
 from ..base.segmented_files import SeenGrid, SegmentedFiles, write_polygons
@@ -221,12 +221,11 @@ class SegmentImage(SemRefAlgorithm):
         ):
             # Close the steps first: their threads end before the files are removed.
             files.write(_finished_rows(steps, sure, feedback))
-        pace = NetworkPace(model, time.perf_counter() - begun)
         if values.has(SCHEDULER):
             return self._certainty_result(sure, feedback)
-        feedback.pushInfo(pace.sentence())
+        pace = log_pace(model, time.perf_counter() - begun, feedback)
         write_polygons(values, outputs, self.POLYGONS, files.label_map, photo.crs, classes.table, feedback)
-        return {**pace.results, **self._certainty_result(sure, feedback)}
+        return {**pace, **self._certainty_result(sure, feedback)}
 
     def _segment(
         self,

@@ -6,29 +6,28 @@ import os
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, cast
+from typing import cast
 
 from qgis.core import QgsProcessingFeedback
 
 from ...core.errors import ParameterError, SemRefError
+from ...core.flight.cameras import complete_camera
+from ...core.flight.model import FlightImage, FlightPose
+from ...core.flight.motion import Link
+from ...core.flight.odometry import OdometryRow, odometry_links
+from ...core.flight.pixel_features import Features, features_of
+from ...core.flight.pixel_motion import motion_between
+from ...core.flight.telemetry import Telemetry, log_cameras, log_links
+from ...core.geometry.camera import Camera
 from ...core.localization import Localization
+from ...core.localizer.reach import Reach
+from ...core.pipeline import ImageResult, Pipeline, localize_again
 from ...core.tables import stem_of
 from ..messages.camera_messages import camera_remark
 from ..messages.sentences import worded
 from ..translation import tr
-from .localized_image import LabelImages, LocalizedImage, log_result
-from .localized_layers import FlownImage
+from .localized_image import LabelImages, LocalizedImage
 from .localizing import found_within_reach
-
-if TYPE_CHECKING:
-    from ...core.flight.model import FlightImage, FlightPose
-    from ...core.flight.motion import Link
-    from ...core.flight.odometry import OdometryRow
-    from ...core.flight.pixel_features import Features
-    from ...core.flight.telemetry import Telemetry
-    from ...core.geometry.camera import Camera
-    from ...core.localizer.reach import Reach
-    from ...core.pipeline import ImageResult, Pipeline
 
 _SOURCES = {"pixels": "pixels", "table": "odometry", "log": "log"}
 """Sources of links, by their placeholders in the log."""
@@ -79,15 +78,11 @@ def with_log(
     Raises:
         ParameterError: The log contains nothing about these images.
     """
-    from ...core.flight.cameras import complete_camera
-    from ...core.flight.telemetry import log_cameras, log_links
-    from ...core.geometry.camera import Camera as NoCamera
-
     if log is None:
         return list(cameras)
     names, times_s = [stem_of(path) for path in paths], [camera.time_s for camera in cameras]
     logged = log_cameras(log, names, times_s)
-    if all(one == NoCamera() for one in logged) and not log_links(log, names, times_s):
+    if all(one == Camera() for one in logged) and not log_links(log, names, times_s):
         raise ParameterError(
             "The flight log contains no entry for these images, for example {image}, by name or by time. Select the "
             "log of this flight, or a camera table with times.",
@@ -120,9 +115,6 @@ class FlightReader:
     def take(self, path: str, camera: Camera) -> None:
         """Read an image, localize it alone and link it to the previous one; an error of one image does not stop the
         flight."""
-        from ...core.flight.model import FlightImage
-        from ...core.flight.pixel_features import features_of
-
         try:
             result = self._pipeline.run(path, camera, with_pixels=True)
             seen, name = result.seen, os.path.basename(path)
@@ -142,13 +134,11 @@ class FlightReader:
 
     def search_within_reach(self, speed: float, feedback: QgsProcessingFeedback) -> None:
         """Search the images that have no position by themselves within reach of the others; see ``Reach``."""
-        from ...core.pipeline import localize_again
-
         localizer, search = self._pipeline.localizer, self._pipeline.search
         again: dict[int, ImageResult] = {}
 
         def ask(n: int, reach: Reach) -> Localization | None:
-            result = cast("ImageResult", self.taken[n].result)
+            result = cast(ImageResult, self.taken[n].result)
             prior = reach.narrow(result.prior)
             if prior is None:
                 return None
@@ -160,12 +150,10 @@ class FlightReader:
         found = found_within_reach([one.path for one in self.taken], results, times_s, limits, ask, feedback)
         for n, level in found.items():
             taken, result = self.taken[n], again[n]
-            flown = replace(cast("FlightImage", taken.flown), own=level, prior=result.prior)
+            flown = replace(cast(FlightImage, taken.flown), own=level, prior=result.prior)
             self.taken[n] = replace(taken, result=replace(result, level=level), flown=flown)
 
     def _link(self, features: Features, number: int) -> None:
-        from ...core.flight.pixel_motion import motion_between
-
         before, self._features = self._features, [*self._features[-1:], features]
         # A blurred image may be between two images that show the same ground.
         for away, earlier in enumerate(reversed(before), 1):
@@ -178,9 +166,6 @@ class FlightReader:
 
     def links_with(self, steps: Sequence[OdometryRow], log: Telemetry | None) -> list[Link]:
         """Return all links: of the odometry table, otherwise of pixels, otherwise of the log."""
-        from ...core.flight.odometry import odometry_links
-        from ...core.flight.telemetry import log_links
-
         names = [image.name for image in self.flown]
         links = {(link.first, link.second): link for link in odometry_links(steps, names)}
         logged = []
@@ -208,21 +193,10 @@ class FlightReader:
         return said
 
 
-def with_pose(taken: TakenImage, pose: FlightPose | None) -> FlownImage:
+def with_pose(taken: TakenImage, pose: FlightPose | None) -> LocalizedImage:
     """Return the result of the flight for an image as it was taken, without leveling."""
     time_s = taken.camera.time_s
     if pose is None or taken.result is None:
-        return FlownImage(LocalizedImage(taken.path, error=taken.error), None, time_s)
-    found = taken.result.as_taken(pose.localization())
-    localized = LocalizedImage(taken.path, found, "", taken.result.shape_hw, taken.remark)
-    return FlownImage(localized, pose, time_s)
-
-
-def log_pose(flown: FlownImage, feedback: QgsProcessingFeedback) -> None:
-    """Log the result of the flight for an image."""
-    log_result(flown.localized, feedback)
-    name = os.path.basename(flown.localized.path)
-    if flown.pose is not None and flown.pose.is_outvoted:
-        feedback.pushWarning(
-            tr("{image}: its own position contradicts the flight and was outvoted.").format(image=name)
-        )
+        return LocalizedImage(taken.path, error=taken.error, time_s=time_s)
+    found, shape_hw = taken.result.as_taken(pose.localization()), taken.result.shape_hw
+    return LocalizedImage(taken.path, found, "", shape_hw, taken.remark, time_s=time_s, pose=pose)

@@ -1,11 +1,11 @@
-"""An image with its localization: its rows in the outputs, and its log messages."""
+"""An image with its localization: the checks of its position, its labels, and its log messages."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsProcessingFeedback
 
@@ -21,9 +21,8 @@ if TYPE_CHECKING:
     import numpy as np
 
     from ...core.database.model import ReferenceDatabase, Windows
-
-PlacedRow = tuple[Any, dict[str, Any]]
-"""(map coordinates of a point or of corners, values by field name)."""
+    from ...core.flight.model import FlightPose
+    from ...core.geometry.pose import Ellipse
 
 ERROR = "error"
 """Status of an image that cannot be read; the localizer gives the others."""
@@ -31,62 +30,11 @@ ERROR = "error"
 FAR_M = 1000.0
 """Distance from the border of the ground; nearer, a tilted camera may see it."""
 
+LABELS_SUFFIX = ".tif"
+"""Suffix of label images, which have the names of their images, see ``unique_names``."""
+
 LOOKED_AT = 5
 """Largest number of images whose colors are counted, if their names are not those of photos."""
-
-FIELDS = (
-    ("image", "text"),
-    ("status", "text"),
-    ("x", "real"),
-    ("y", "real"),
-    ("longitude", "real"),
-    ("latitude", "real"),
-    ("heading", "real"),
-    ("pixel_size", "real"),
-    ("confidence", "real"),
-    ("distance", "real"),
-    ("inliers", "integer"),
-    ("references", "integer"),
-    ("log_odds", "real"),
-    ("error_95", "real"),
-    ("window", "text"),
-    ("method", "text"),
-    ("reason", "text"),
-    ("camera_x", "real"),
-    ("camera_y", "real"),
-    ("jump", "boolean"),
-    ("error_95_minor", "real"),
-    ("error_95_direction", "real"),
-    ("heading_deviation", "real"),
-    ("pixel_size_deviation", "real"),
-    ("search_capped", "boolean"),
-    ("sigma_east", "real"),
-    ("sigma_north", "real"),
-    ("correlation", "real"),
-    ("sigma_heading", "real"),
-    ("sigma_scale", "real"),
-    ("camera", "text"),
-    ("gps_distance", "real"),
-)
-FOOTPRINT_FIELDS = (
-    ("image", "text"),
-    ("status", "text"),
-    ("confidence", "real"),
-    ("window", "text"),
-    ("method", "text"),
-)
-ALTERNATIVE_FIELDS = (("image", "text"), ("rank", "integer"), ("heading", "real"), ("pixel_size", "real"))
-MATCH_FIELDS = (
-    ("image", "text"),
-    ("number", "integer"),
-    ("class", "integer"),
-    ("class_name", "text"),
-    ("image_column", "real"),
-    ("image_row", "real"),
-    ("seen_x", "real"),
-    ("seen_y", "real"),
-    ("residual", "real"),
-)
 
 
 @dataclass(frozen=True)
@@ -94,10 +42,13 @@ class LocalizedImage:
     """One image and its result, or ``error`` if it cannot be read.
 
     Attributes:
+        result: Of a flight, its result for this image.
         remark: Sentence about its leveling.
         jump: Whether it could not have been reached in time; None if this was not checked.
         camera: Camera data that were read.
         gps_distance_m: Distance from the database's ground by the GPS position of the photo, if it is far.
+        time_s: When it was taken, in seconds since 1970 (UTC) or since any moment; None if unknown.
+        pose: Pose that the flight gives it; None for a single image, and for an image that cannot be read.
     """
 
     path: str
@@ -108,6 +59,49 @@ class LocalizedImage:
     jump: bool | None = None
     camera: str = ""
     gps_distance_m: float | None = None
+    time_s: float | None = None
+    pose: FlightPose | None = None
+
+    @property
+    def name(self) -> str:
+        """File name."""
+        return os.path.basename(self.path)
+
+    @property
+    def position(self) -> tuple[float, float] | None:
+        """Map (x, y); None without a position."""
+        return self.result and self.result.position
+
+    @property
+    def ellipse(self) -> Ellipse | None:
+        """95 % ellipse of the position; None if it is unknown."""
+        known = self.result and self.result.covariance
+        return known and known.ellipse_95
+
+    @property
+    def is_placed(self) -> bool:
+        """Whether the flight places it."""
+        return self.pose is not None and self.pose.is_fix
+
+    @property
+    def source(self) -> str | None:
+        """Key of the source of its position in the flight; None without one."""
+        return str(self.pose.source) if self.is_placed else None
+
+    @property
+    def is_outvoted(self) -> bool:
+        """Whether its own position contradicts the flight."""
+        return self.pose is not None and self.pose.is_outvoted
+
+    @property
+    def reason(self) -> str:
+        """Why it has no position, or for what a position is not valid, and its error budget."""
+        from ...core.localizer.record import record
+
+        if self.result is None:
+            return self.error
+        far = "" if self.gps_distance_m is None else far_sentence(self.gps_distance_m)
+        return " ".join(filter(None, (far, record(self.result, worded)["reason"])))
 
 
 def is_photo(path: str) -> bool:
@@ -130,7 +124,7 @@ class LabelImages:
 
     def __init__(self, folder: str, paths: Sequence[str], table: ClassTable, class_bias: str = "") -> None:
         self._folder, self._table, self._class_bias = folder, table, class_bias
-        self._names = label_image_names(paths)
+        self._names = unique_names(paths, LABELS_SUFFIX)
 
     def __call__(self, path: str, labels_hw: np.ndarray) -> None:
         from ...storage.label_map_file import LabelMapFile
@@ -141,11 +135,6 @@ class LabelImages:
         target = os.path.join(self._folder, self._names[path])
         with LabelMapFile(target, width, height, None, "", self._table, self._class_bias) as label_map:
             label_map.write_rows(0, labels_hw)
-
-
-def label_image_names(paths: Sequence[str]) -> dict[str, str]:
-    """Return the file names of the label images by the images' paths, as ``unique_names`` does."""
-    return unique_names(paths, ".tif")
 
 
 def unique_names(paths: Sequence[str], suffix: str = "") -> dict[str, str]:
@@ -169,23 +158,19 @@ def unique_names(paths: Sequence[str], suffix: str = "") -> dict[str, str]:
 
 
 def with_jumps(
-    localized: Sequence[LocalizedImage],
-    times_s: Sequence[float | None],
-    windows: Windows,
-    speed: float,
-    feedback: QgsProcessingFeedback,
+    localized: Sequence[LocalizedImage], windows: Windows, speed: float, feedback: QgsProcessingFeedback
 ) -> list[LocalizedImage]:
     """Mark positions of known time as jumps or not, and log the result. Likely positions are not checked."""
     import numpy as np
 
     from ...core.localizer.track import jumps
 
-    timed = [n for n, item in enumerate(localized) if item.result and item.result.is_fix and times_s[n] is not None]
+    timed = [n for n, one in enumerate(localized) if one.result and one.result.is_fix and one.time_s is not None]
     results = [localized[n].result for n in timed]
     # An image that matches a window may be anywhere in it.
     errors = [windows.sizes[r.window_index] / 2 if r.error_95_m is None else r.error_95_m for r in results]
     flags = jumps(
-        np.array([times_s[n] for n in timed]),
+        np.array([localized[n].time_s for n in timed]),
         np.array([localized[n].result.nadir or localized[n].result.position for n in timed]),
         np.array(errors),
         np.array([result.confidence or 0.0 for result in results]),
@@ -199,7 +184,7 @@ def with_jumps(
         checked[n] = replace(checked[n], jump=jumped)
         if jumped:
             checked[n] = replace(checked[n], result=replace(checked[n].result, reason=reason))
-            feedback.pushWarning(f"{os.path.basename(checked[n].path)}: {worded(reason)}")
+            feedback.pushWarning(f"{checked[n].name}: {worded(reason)}")
     summary = tr("{jumps} of {checked} positions with a time are jumps.")
     feedback.pushInfo(summary.format(jumps=int(flags.sum()), checked=len(timed)))
     return checked
@@ -226,31 +211,9 @@ def with_far_photos(
         away = None if place is None else meters_from(place, database.parameters.extent, crs, context)
         if away is not None and away > FAR_M:
             item = replace(item, gps_distance_m=away)
-            feedback.pushWarning(f"{os.path.basename(item.path)}: {far_sentence(away)}")
+            feedback.pushWarning(f"{item.name}: {far_sentence(away)}")
         checked.append(item)
     return checked
-
-
-def row(item: LocalizedImage) -> dict[str, Any]:
-    """Return the values of FIELDS by name, without longitude and latitude."""
-    result = item.result
-    if result is None:
-        return {"image": item.path, "status": ERROR, "reason": item.error}
-    from ...core.localizer.record import record
-
-    values = record(result, worded)
-    if item.gps_distance_m is not None:
-        values["reason"] = " ".join(filter(None, (far_sentence(item.gps_distance_m), values["reason"])))
-    return {
-        "image": item.path,
-        **values,
-        "camera_x": result.nadir and result.nadir[0],
-        "camera_y": result.nadir and result.nadir[1],
-        "jump": item.jump,
-        "search_capped": result.search_capped,
-        "camera": item.camera or None,
-        "gps_distance": item.gps_distance_m,
-    }
 
 
 def far_sentence(meters: float) -> str:
@@ -262,45 +225,6 @@ def far_sentence(meters: float) -> str:
     kilometers = shown(meters / 1000, ".1f" if meters < 10_000 else ",.0f")
     text = tr("The GPS position of this photo is {distance} km from the ground of the database.")
     return text.format(distance=kilometers)
-
-
-def footprint_rows(item: LocalizedImage) -> list[PlacedRow]:
-    """Return ((4, 2) map coordinates, values of FOOTPRINT_FIELDS) of an image with a position, otherwise nothing."""
-    if item.result is None or item.result.footprint is None:
-        return []
-    values = row(item)
-    return [(item.result.footprint, {name: values[name] for name, _ in FOOTPRINT_FIELDS})]
-
-
-def match_rows(item: LocalizedImage, database: ReferenceDatabase) -> list[PlacedRow]:
-    """Return (map position, values of MATCH_FIELDS) of each landmark of the map that matches one of the image."""
-    if item.result is None or item.result.place is None or item.result.matches is None:
-        return []
-    found = item.result.matches
-    names = {c.value: c.name for c in database.class_table}
-    positions = database.references.positions[found.on_map].tolist()
-    classes = database.references.classes[found.on_map].tolist()
-    columns = found.pixels_xy.tolist(), found.seen_xy.tolist(), found.residuals.tolist()
-    rows = []
-    for n, (position, value, pixel, seen, residual) in enumerate(zip(positions, classes, *columns), start=1):
-        values = item.path, n, value, names.get(value), *pixel, *seen, residual
-        rows.append((position, {name: value for (name, _), value in zip(MATCH_FIELDS, values)}))
-    return rows
-
-
-def alternatives(item: LocalizedImage) -> list[PlacedRow]:
-    """Return ((4, 2) map coordinates, values of ALTERNATIVE_FIELDS) of each possible place of an ambiguous image."""
-    from ...core.geometry.footprint import image_corners
-
-    places = item.result.alternatives if item.result is not None else ()
-    height, width = item.shape_hw
-    return [
-        (
-            image_corners(place.position, place.heading_deg, place.pixel_size_m, width, height),
-            {"image": item.path, "rank": n, "heading": place.heading_deg, "pixel_size": place.pixel_size_m},
-        )
-        for n, place in enumerate(places, start=1)
-    ]
 
 
 def error_probability(confidence: float) -> str:
@@ -325,7 +249,7 @@ def count_sentence(statuses: Sequence[str]) -> str:
 def log_result(item: LocalizedImage, feedback: QgsProcessingFeedback) -> None:
     from ...core.localizer.record import radius_parts
 
-    name = os.path.basename(item.path)
+    name = item.name
     if item.result is None:
         feedback.reportError(f"{name}: {item.error}", False)
         return
@@ -361,3 +285,6 @@ def log_result(item: LocalizedImage, feedback: QgsProcessingFeedback) -> None:
     parts = result.covariance and radius_parts(result.covariance)
     if parts:
         feedback.pushInfo(worded(parts))
+    if item.is_outvoted:
+        text = tr("{image}: its own position contradicts the flight and was outvoted.")
+        feedback.pushWarning(text.format(image=name))

@@ -2,37 +2,77 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
 from datetime import datetime, timezone
 from math import isnan
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+import numpy as np
 from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsGeometry, QgsPointXY
 from qgis.PyQt.QtCore import QDateTime, Qt
 
+from ...core.database.model import ReferenceDatabase
+from ...core.geometry.footprint import image_corners
+from ...core.localizer.record import record
 from ..compat import LINE, POINT, POLYGON
-from .localized_image import (
-    ALTERNATIVE_FIELDS,
-    FIELDS,
-    FOOTPRINT_FIELDS,
-    MATCH_FIELDS,
-    LocalizedImage,
-    alternatives,
-    error_probability,
-    footprint_rows,
-    match_rows,
-    row,
-)
+from ..layers.reference_systems import longitudes_latitudes
+from ..messages.sentences import worded
+from .localized_image import ERROR, LocalizedImage
 from .outputs import Outputs
 
-if TYPE_CHECKING:
-    from ...core.database.model import ReferenceDatabase
-    from ...core.flight.model import FlightPose
-    from ..reports.flight_report import FlightPoint
-
-
+FIELDS = (
+    ("image", "text"),
+    ("status", "text"),
+    ("x", "real"),
+    ("y", "real"),
+    ("longitude", "real"),
+    ("latitude", "real"),
+    ("heading", "real"),
+    ("pixel_size", "real"),
+    ("confidence", "real"),
+    ("distance", "real"),
+    ("inliers", "integer"),
+    ("references", "integer"),
+    ("log_odds", "real"),
+    ("error_95", "real"),
+    ("window", "text"),
+    ("method", "text"),
+    ("reason", "text"),
+    ("camera_x", "real"),
+    ("camera_y", "real"),
+    ("jump", "boolean"),
+    ("error_95_minor", "real"),
+    ("error_95_direction", "real"),
+    ("heading_deviation", "real"),
+    ("pixel_size_deviation", "real"),
+    ("search_capped", "boolean"),
+    ("sigma_east", "real"),
+    ("sigma_north", "real"),
+    ("correlation", "real"),
+    ("sigma_heading", "real"),
+    ("sigma_scale", "real"),
+    ("camera", "text"),
+    ("gps_distance", "real"),
+)
+FOOTPRINT_FIELDS = (
+    ("image", "text"),
+    ("status", "text"),
+    ("confidence", "real"),
+    ("window", "text"),
+    ("method", "text"),
+)
+ALTERNATIVE_FIELDS = (("image", "text"), ("rank", "integer"), ("heading", "real"), ("pixel_size", "real"))
+MATCH_FIELDS = (
+    ("image", "text"),
+    ("number", "integer"),
+    ("class", "integer"),
+    ("class_name", "text"),
+    ("image_column", "real"),
+    ("image_row", "real"),
+    ("seen_x", "real"),
+    ("seen_y", "real"),
+    ("residual", "real"),
+)
 POSITION_FIELDS = (*FIELDS, ("time", "datetime"))
 FLIGHT_FIELDS = (
     *FIELDS,
@@ -75,43 +115,72 @@ def write_positions(
     localized: Sequence[LocalizedImage],
     crs: QgsCoordinateReferenceSystem,
     context: QgsCoordinateTransformContext,
-    times_s: Sequence[float | None],
+    is_flight: bool = False,
 ) -> None:
-    """Write one row for each image; rows without a position have no geometry.
-
-    ``times_s``: when each image was taken, in seconds since 1970 or any moment; None if unknown.
-    """
-    is_timed = any(time_s is not None for time_s in times_s)
-    with outputs.layer(key, POSITION_FIELDS, POINT, crs, "positions", is_timed=is_timed) as sink:
-        for (geometry, cells), time_s in zip(position_rows(localized, crs, context), times_s):
-            sink.add(geometry, {**cells, "time": moment(time_s)})
-
-
-def position_rows(
-    localized: Sequence[LocalizedImage], crs: QgsCoordinateReferenceSystem, context: QgsCoordinateTransformContext
-) -> Iterator[tuple[QgsGeometry | None, dict[str, Any]]]:
-    """Yield (point, values of FIELDS) of each image; None without a position."""
-    from ..layers.reference_systems import longitudes_latitudes
-
-    for item in localized:
-        cells, geometry = row(item), None
-        if item.result and item.result.position:
-            geometry = QgsGeometry.fromPointXY(QgsPointXY(*item.result.position))
-            degrees = longitudes_latitudes([item.result.position], crs, context)
-            cells["longitude"], cells["latitude"] = (None if isnan(v[0]) else float(v[0]) for v in degrees)
-        yield geometry, cells
+    """Write one row for each image, of a flight in its order; rows without a position have no geometry."""
+    fields, style = (FLIGHT_FIELDS, "poses") if is_flight else (POSITION_FIELDS, "positions")
+    is_timed = any(item.time_s is not None for item in localized)
+    with outputs.layer(key, fields, POINT, crs, style, is_timed=is_timed) as sink:
+        for number, item in enumerate(localized, start=1):
+            cells, geometry = {**_row(item), "time": moment(item.time_s)}, None
+            if item.position is not None:
+                geometry = QgsGeometry.fromPointXY(QgsPointXY(*item.position))
+                degrees = longitudes_latitudes([item.position], crs, context)
+                cells["longitude"], cells["latitude"] = (None if isnan(v[0]) else float(v[0]) for v in degrees)
+            sink.add(geometry, {**cells, **_flight_cells(item), "number": number} if is_flight else cells)
 
 
-def write_grounds(
-    outputs: Outputs, keys: Sequence[str], localized: Sequence[LocalizedImage], crs: QgsCoordinateReferenceSystem
+def _row(item: LocalizedImage) -> dict[str, Any]:
+    """Return the values of FIELDS by name, without longitude and latitude."""
+    result = item.result
+    if result is None:
+        return {"image": item.path, "status": ERROR, "reason": item.error}
+    return {
+        "image": item.path,
+        **record(result, worded),
+        "reason": item.reason,
+        "camera_x": result.nadir and result.nadir[0],
+        "camera_y": result.nadir and result.nadir[1],
+        "jump": item.jump,
+        "search_capped": result.search_capped,
+        "camera": item.camera or None,
+        "gps_distance": item.gps_distance_m,
+    }
+
+
+def _flight_cells(item: LocalizedImage) -> dict[str, Any]:
+    if item.pose is None:
+        return {}
+    return {"source": item.source, "track": item.pose.track or None, "outvoted": item.is_outvoted}
+
+
+def write_footprints(
+    outputs: Outputs, key: str, localized: Sequence[LocalizedImage], crs: QgsCoordinateReferenceSystem
 ) -> None:
-    """Write the footprints and, with a second key, the possible places."""
-    kinds = (FOOTPRINT_FIELDS, footprint_rows, "footprints"), (ALTERNATIVE_FIELDS, alternatives, "places")
-    for key, (fields, rows_of, style) in zip(keys, kinds):
-        with outputs.layer(key, fields, POLYGON, crs, style) as sink:
-            for item in localized:
-                for corners_xy, cells in rows_of(item):
-                    sink.add(QgsGeometry.fromPolygonXY([[QgsPointXY(x, y) for x, y in corners_xy]]), cells)
+    """Write the footprint of each image with a position."""
+    with outputs.layer(key, FOOTPRINT_FIELDS, POLYGON, crs, "footprints") as sink:
+        for item in localized:
+            if item.result is not None and item.result.footprint is not None:
+                cells = _row(item)
+                sink.add(_polygon(item.result.footprint), {name: cells[name] for name, _ in FOOTPRINT_FIELDS})
+
+
+def write_places(
+    outputs: Outputs, key: str, localized: Sequence[LocalizedImage], crs: QgsCoordinateReferenceSystem
+) -> None:
+    """Write the footprint of each possible place of an ambiguous image."""
+    with outputs.layer(key, ALTERNATIVE_FIELDS, POLYGON, crs, "places") as sink:
+        for item in localized:
+            height, width = item.shape_hw
+            for rank, place in enumerate(item.result.alternatives if item.result is not None else (), start=1):
+                heading, size = place.heading_deg, place.pixel_size_m
+                corners = image_corners(place.position, heading, size, width, height)
+                cells = {"image": item.path, "rank": rank, "heading": heading, "pixel_size": size}
+                sink.add(_polygon(corners), cells)
+
+
+def _polygon(corners_xy: np.ndarray) -> QgsGeometry:
+    return QgsGeometry.fromPolygonXY([[QgsPointXY(x, y) for x, y in corners_xy]])
 
 
 def write_matches(
@@ -121,117 +190,52 @@ def write_matches(
     database: ReferenceDatabase,
     crs: QgsCoordinateReferenceSystem,
 ) -> None:
-    """Write the matching landmarks."""
+    """Write the landmarks of the map that match landmarks of the images."""
     with outputs.layer(key, MATCH_FIELDS, POINT, crs, "matches") as sink:
         for item in localized:
-            for position, cells in match_rows(item, database):
-                sink.add(QgsGeometry.fromPointXY(QgsPointXY(*position)), cells)
+            for position, cells in _match_rows(item, database):
+                sink.add_row(QgsGeometry.fromPointXY(QgsPointXY(*position)), cells)
 
 
-@dataclass(frozen=True)
-class FlownImage:
-    """An image of a flight with its result.
-
-    Attributes:
-        localized: Result of the flight, in the form of a single image.
-        pose: Result of the flight; None for an image that cannot be read.
-        time_s: When it was taken, in seconds since 1970 (UTC) or since any moment; None if unknown.
-    """
-
-    localized: LocalizedImage
-    pose: FlightPose | None = None
-    time_s: float | None = None
-
-    @property
-    def is_placed(self) -> bool:
-        """Whether the flight places it."""
-        return self.pose is not None and self.pose.is_fix
-
-    @property
-    def source(self) -> str | None:
-        """Key of the source of its position; None without a position."""
-        return str(self.pose.source) if self.is_placed else None
+def _match_rows(item: LocalizedImage, database: ReferenceDatabase) -> Iterator[tuple[list[float], tuple]]:
+    """Yield (map position, values of MATCH_FIELDS) of each landmark of the map that matches one of the image."""
+    if item.result is None or item.result.place is None or item.result.matches is None:
+        return
+    found = item.result.matches
+    names = {c.value: c.name for c in database.class_table}
+    positions = database.references.positions[found.on_map].tolist()
+    classes = database.references.classes[found.on_map].tolist()
+    columns = found.pixels_xy.tolist(), found.seen_xy.tolist(), found.residuals.tolist()
+    for n, (position, value, pixel, seen, residual) in enumerate(zip(positions, classes, *columns), start=1):
+        yield position, (item.path, n, value, names.get(value), *pixel, *seen, residual)
 
 
-def write_flight_positions(
-    outputs: Outputs,
-    key: str,
-    flown: Sequence[FlownImage],
-    crs: QgsCoordinateReferenceSystem,
-    context: QgsCoordinateTransformContext,
-) -> None:
-    """Write one row for each image, in flight order, with style and time."""
-    is_timed = any(one.time_s is not None for one in flown)
-    with outputs.layer(key, FLIGHT_FIELDS, POINT, crs, "poses", is_timed=is_timed) as sink:
-        rows = position_rows([one.localized for one in flown], crs, context)
-        for number, (one, (geometry, cells)) in enumerate(zip(flown, rows), start=1):
-            sink.add(geometry, {**cells, **_flight_cells(one), "number": number, "time": moment(one.time_s)})
-
-
-def _flight_cells(one: FlownImage) -> dict[str, Any]:
-    if one.pose is None:
-        return {}
-    outvoted = one.pose.is_outvoted
-    return {"source": one.source, "track": one.pose.track or None, "outvoted": outvoted}
-
-
-def tracks_of(flown: Sequence[FlownImage]) -> list[list[FlownImage]]:
+def tracks_of(flown: Sequence[LocalizedImage]) -> list[list[LocalizedImage]]:
     """Return the placed images of each track, in order."""
-    numbers = sorted({one.pose.track for one in flown if one.pose is not None and one.is_placed})
-    return [[one for one in flown if one.is_placed and one.pose.track == number] for number in numbers]
+    numbers = sorted({item.pose.track for item in flown if item.is_placed})
+    return [[item for item in flown if item.is_placed and item.pose.track == number] for number in numbers]
 
 
-def write_tracks(outputs: Outputs, key: str, flown: Sequence[FlownImage], crs: QgsCoordinateReferenceSystem) -> None:
+def write_tracks(
+    outputs: Outputs, key: str, flown: Sequence[LocalizedImage], crs: QgsCoordinateReferenceSystem
+) -> None:
     """Write one line for each track of two or more images."""
     with outputs.layer(key, TRACK_FIELDS, LINE, crs, "track") as sink:
         for members in tracks_of(flown):
             if len(members) < 2:
                 continue
-            points = [QgsPointXY(*one.localized.result.position) for one in members]
-            line = QgsGeometry.fromPolylineXY(points)
-            errors = [e for e in (one.localized.result.error_95_m for one in members) if e is not None]
-            times = [one.time_s for one in members if one.time_s is not None]
+            line = QgsGeometry.fromPolylineXY([QgsPointXY(*item.position) for item in members])
+            errors = [item.result.error_95_m for item in members if item.result.error_95_m is not None]
+            times = [item.time_s for item in members if item.time_s is not None]
             cells = {
                 "track": members[0].pose.track,
                 "images": len(members),
-                "own": sum(one.source == "own" for one in members),
-                "first": members[0].localized.path,
-                "last": members[-1].localized.path,
+                "own": sum(item.source == "own" for item in members),
+                "first": members[0].path,
+                "last": members[-1].path,
                 "length": line.length(),
                 "largest_error_95": max(errors, default=None),
                 "start": moment(min(times, default=None)),
                 "end": moment(max(times, default=None)),
             }
             sink.add(line, cells)
-
-
-def report_points(flown: Sequence[FlownImage]) -> list[FlightPoint]:
-    """Return the images for the report."""
-    return [_report_point(number, one) for number, one in enumerate(flown, start=1)]
-
-
-def _report_point(number: int, one: FlownImage) -> FlightPoint:
-    from ..reports.flight_report import FlightPoint
-
-    cells, item, time = row(one.localized), one.localized, moment(one.time_s)
-    shown = FlightPoint(
-        number,
-        os.path.basename(item.path),
-        reason=cells.get("reason") or "",
-        time="" if time is None else time.toString("yyyy-MM-dd hh:mm:ss"),
-    )
-    if one.pose is None or not one.is_placed or item.result is None:
-        return shown
-    known = item.result.covariance
-    ellipse = known and known.ellipse_95
-    return replace(
-        shown,
-        source=one.source,
-        outvoted=one.pose.is_outvoted,
-        track=one.pose.track,
-        position=item.result.position,
-        heading_deg=item.result.heading_deg,
-        ellipse=ellipse and (ellipse.semi_major, ellipse.semi_minor, ellipse.orientation_deg),
-        radius_95=item.result.error_95_m,
-        error_probability=error_probability(item.result.confidence) if item.result.confidence else "",
-    )

@@ -258,7 +258,7 @@ def localize_image(
         result = pipeline.run(path, camera)
         item = _localized(path, result.localization, camera, result.shape_hw)
     except SemRefError as error:
-        return LocalizedImage(path, error=worded(error))
+        return LocalizedImage(path, error=worded(error), time_s=camera.time_s)
     keep(path, result.labels_hw)
     return item
 
@@ -294,7 +294,7 @@ def found_within_reach(
 
 def _localized(path: str, found: Localization, camera: Camera, shape_hw: tuple[int, int]) -> LocalizedImage:
     remark, read = camera_remark(camera, shape_hw), camera_read(camera, shape_hw)
-    return LocalizedImage(path, found, "", shape_hw, remark, camera=read)
+    return LocalizedImage(path, found, "", shape_hw, remark, camera=read, time_s=camera.time_s)
 
 
 def localize_scheduled(
@@ -323,7 +323,7 @@ def localize_scheduled(
         answers = run.answers(IMAGES, job, asked, database)
         for image, found in zip(asked, with_progress(answers, len(asked), feedback, 0, 100)):
             if found.result is None:
-                localized.append(LocalizedImage(image.path, error=worded(found.fault)))
+                localized.append(LocalizedImage(image.path, error=worded(found.fault), time_s=image.camera.time_s))
             else:
                 localized.append(_localized(image.path, found.result, image.camera, found.shape_hw))
     return localized

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import time
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import QgsProcessingFeedback, QgsProcessingOutputNumber, QgsProcessingOutputString
@@ -45,33 +44,18 @@ def pace_results() -> tuple[QgsProcessingOutputString, QgsProcessingOutputNumber
     )
 
 
-@dataclass(frozen=True)
-class NetworkPace:
-    """Device and speed of a network's run.
+def log_pace(model: SegmentationModel, seconds: float, feedback: QgsProcessingFeedback) -> dict[str, Any]:
+    """Log device and speed of a network's run, and return them as result numbers.
 
-    Attributes:
+    Args:
         seconds: Duration, with reading images and joining tiles.
     """
-
-    model: SegmentationModel
-    seconds: float
-
-    @property
-    def results(self) -> dict[str, Any]:
-        """Result numbers, by key."""
-        why = " ".join(map(worded, self.model.fallbacks))
-        device = self.model.device.title
-        return {DEVICE: f"{device} ({why})" if why else device, TILES_PER_SECOND: self._rate}
-
-    @property
-    def _rate(self) -> float:
-        return self.model.tiles_seen / self.seconds if self.seconds else 0.0
-
-    def sentence(self) -> str:
-        """Return one sentence for the log."""
-        text = tr("{tiles} tiles in {seconds:.1f} s ({rate:.3g} per second) on {device}.")
-        rate, device = self._rate, self.model.device.title
-        return text.format(tiles=self.model.tiles_seen, seconds=self.seconds, rate=rate, device=device)
+    tiles, device = model.tiles_seen, model.device.title
+    rate = tiles / seconds if seconds else 0.0
+    text = tr("{tiles} tiles in {seconds:.1f} s ({rate:.3g} per second) on {device}.")
+    feedback.pushInfo(text.format(tiles=tiles, seconds=seconds, rate=rate, device=device))
+    why = " ".join(map(worded, model.fallbacks))
+    return {DEVICE: f"{device} ({why})" if why else device, TILES_PER_SECOND: rate}
 
 
 class PhotoLabelReader:
@@ -128,10 +112,9 @@ class PhotoLabelReader:
         size, resolution = 100 * labels.camera_pixel_size_m, 100 * (self.resolution_m or 0.0)
         self._feedback.pushInfo(text.format(image=os.path.basename(path), size=size, resolution=resolution))
 
-    @property
-    def pace(self) -> NetworkPace | None:
-        """Device and speed of the run; None if the network saw no photo."""
-        return NetworkPace(self._model, self._seconds) if self._model.tiles_seen else None
+    def log_pace(self) -> dict[str, Any]:
+        """Log and return ``log_pace`` of the run; nothing if the network saw no photo."""
+        return log_pace(self._model, self._seconds, self._feedback) if self._model.tiles_seen else {}
 
 
 def open_photo_file(path: str) -> Photo:

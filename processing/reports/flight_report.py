@@ -3,22 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import groupby
 
+from ..base.localized_image import LocalizedImage, error_probability
+from ..base.localized_layers import moment
 from ..messages.numbers import shown
 from ..translation import tr
 from . import page, parts
-from .maps import FlightPoint, flight_legend, flight_map
+from .maps import flight_legend, flight_map
 
 MOST_ROWS = 400
 """Rows of the table of images; the layer has all images."""
 
 
+Numbered = Sequence[tuple[int, LocalizedImage]]
+"""The images of a flight with their numbers, from 1."""
+
+
 def flight_html(
-    points: Sequence[FlightPoint], database: str, links: Sequence[str], settings: Sequence[tuple[str, str]]
+    flown: Sequence[LocalizedImage], database: str, links: Sequence[str], settings: Sequence[tuple[str, str]]
 ) -> str:
     """Return the page.
 
     Args:
+        flown: All images in the order of the flight.
         links: Sentences about the motion between images.
         settings: (name, value) of the settings.
     """
@@ -26,33 +34,35 @@ def flight_html(
         "Discs show positions, filled for own positions of images; lines show the heading. The 95 % ellipses contain "
         "the true position in 95 % of cases. North is up."
     )
-    placed = [point for point in points if point.position is not None]
+    numbered = list(enumerate(flown, start=1))
+    placed = [(number, item) for number, item in numbered if item.is_placed]
     drawn = [page.figure(flight_map(placed, tr("Map of the track")), caption), flight_legend()] if placed else []
+    gaps = gaps_of(numbered)
     return page.page(
         tr("Localization of a flight"),
         database,
-        _key_figures(points),
-        parts.next_steps(_next(points)),
+        _key_figures(flown, gaps),
+        parts.next_steps(_next(flown)),
         page.section(tr("Track"), *drawn),
-        page.section(tr("Gaps"), *_gap_table(points)),
+        page.section(tr("Gaps"), *_gap_table(flown, gaps)),
         page.section(tr("Motion between the images"), *map(page.paragraph, links)),
-        page.section(tr("Images"), *_image_table(points)),
+        page.section(tr("Images"), *_image_table(numbered)),
         parts.settings_section(settings),
     )
 
 
-def _key_figures(points: Sequence[FlightPoint]) -> str:
-    placed = [point for point in points if point.position is not None]
-    own = sum(point.source == "own" for point in points)
-    outvoted = sum(point.outvoted for point in points)
-    radii = sorted(point.radius_95 for point in placed if point.radius_95 is not None)
-    longest = max((last - first + 1 for first, last in gaps_of(points)), default=0)
+def _key_figures(flown: Sequence[LocalizedImage], gaps: Sequence[tuple[int, int]]) -> str:
+    placed = [item for item in flown if item.is_placed]
+    own = sum(item.source == "own" for item in placed)
+    outvoted = sum(item.is_outvoted for item in flown)
+    radii = sorted(item.result.error_95_m for item in placed if item.result.error_95_m is not None)
+    longest = max((last - first + 1 for first, last in gaps), default=0)
     note = tr("{own} own positions, {flight} from the flight").format(own=own, flight=len(placed) - own)
     return page.key_figures(
         [
-            (f"{len(placed)}/{len(points)}", tr("Images with a position"), note),
+            (f"{len(placed)}/{len(flown)}", tr("Images with a position"), note),
             (
-                str(len({point.track for point in placed})),
+                str(len({item.pose.track for item in placed})),
                 tr("Tracks"),
                 tr("longest gap: {count} images").format(count=longest),
             ),
@@ -62,79 +72,78 @@ def _key_figures(points: Sequence[FlightPoint]) -> str:
     )
 
 
-def _next(points: Sequence[FlightPoint]) -> list[str]:
-    placed = sum(point.position is not None for point in points)
+def _next(flown: Sequence[LocalizedImage]) -> list[str]:
+    placed = sum(item.is_placed for item in flown)
     if not placed:
         return [
             tr("No image has a position. Set a prior position, add a camera table, or choose a database of this area."),
             tr("Run “Assess reference database” to see whether images of this footprint width can be localized there."),
         ]
     steps = []
-    if placed < len(points):
+    if placed < len(flown):
         steps.append(
             tr("To close gaps, add an odometry table or the aircraft’s log, which connects images without landmarks.")
         )
-    if any(point.outvoted for point in points):
+    if any(item.is_outvoted for item in flown):
         steps.append(tr("Check images with an outvoted own position: the map may be outdated there."))
     steps.append(tr("Georeference the images, or show the positions in QGIS’s temporal controller."))
     return steps
 
 
-def gaps_of(points: Sequence[FlightPoint]) -> list[tuple[int, int]]:
+def gaps_of(numbered: Numbered) -> list[tuple[int, int]]:
     """Return (first, last) number of each run of images without a position."""
-    found: list[tuple[int, int]] = []
-    for point in points:
-        if point.position is not None:
-            continue
-        if found and found[-1][1] == point.number - 1:
-            found[-1] = found[-1][0], point.number
-        else:
-            found.append((point.number, point.number))
-    return found
+    runs = (list(run) for is_placed, run in groupby(numbered, lambda one: one[1].is_placed) if not is_placed)
+    return [(run[0][0], run[-1][0]) for run in runs]
 
 
-def _gap_table(points: Sequence[FlightPoint]) -> list[str]:
-    gaps = gaps_of(points)
+def _gap_table(flown: Sequence[LocalizedImage], gaps: Sequence[tuple[int, int]]) -> list[str]:
     if not gaps:
         return [page.paragraph(tr("There are no gaps. All images have a position."))]
-    by_number = {point.number: point for point in points}
     columns = [
-        (tr("From image"), lambda gap: by_number[gap[0]].name),
-        (tr("To image"), lambda gap: by_number[gap[1]].name),
+        (tr("From image"), lambda gap: flown[gap[0] - 1].name),
+        (tr("To image"), lambda gap: flown[gap[1] - 1].name),
         (tr("Images"), lambda gap: str(gap[1] - gap[0] + 1)),
-        (tr("Reason"), lambda gap: by_number[gap[0]].reason),
+        (tr("Reason"), lambda gap: flown[gap[0] - 1].reason),
     ]
     return [page.records(gaps, columns, (2,))]
 
 
-def _image_table(points: Sequence[FlightPoint]) -> list[str]:
-    columns = [
-        (tr("Number"), lambda point: str(point.number)),
-        (tr("Image"), lambda point: point.name),
-        (tr("Time"), lambda point: point.time),
-        (tr("Source"), _source_text),
-        (tr("Track"), lambda point: str(point.track) if point.track else page.NOTHING),
-        ("x", lambda point: shown(point.position[0], ".1f") if point.position else page.NOTHING),
-        ("y", lambda point: shown(point.position[1], ".1f") if point.position else page.NOTHING),
-        (tr("Heading"), lambda point: _known(point.heading_deg, ".1f", "°")),
-        (tr("95 % radius"), lambda point: _known(point.radius_95, ",.2f", f"{page.NO_BREAK}m")),
-        (tr("Error probability"), lambda point: point.error_probability or page.NOTHING),
-        (tr("Remark"), lambda point: point.reason),
+def _image_table(numbered: Numbered) -> list[str]:
+    header = [
+        *(tr("Number"), tr("Image"), tr("Time"), tr("Source"), tr("Track"), "x", "y", tr("Heading")),
+        *(tr("95 % radius"), tr("Error probability"), tr("Remark")),
     ]
-    found = [page.records(points[:MOST_ROWS], columns, (0, 4, 5, 6, 7, 8, 9))]
-    if len(points) > MOST_ROWS:
+    rows = [_image_row(number, item) for number, item in numbered[:MOST_ROWS]]
+    found = [page.table(header, rows, (0, 4, 5, 6, 7, 8, 9))]
+    if len(numbered) > MOST_ROWS:
         text = tr("The table has the first {count} images. The layer has all images.")
         found.append(page.paragraph(text.format(count=MOST_ROWS)))
     return found
+
+
+def _image_row(number: int, item: LocalizedImage) -> list[str]:
+    time = moment(item.time_s)
+    text = "" if time is None else time.toString("yyyy-MM-dd hh:mm:ss")
+    measures = [page.NOTHING] * 6
+    if item.is_placed:
+        result = item.result
+        measures = [
+            str(item.pose.track) if item.pose.track else page.NOTHING,
+            *(shown(value, ".1f") for value in item.position),
+            _known(result.heading_deg, ".1f", "°"),
+            _known(result.error_95_m, ",.2f", f"{page.NO_BREAK}m"),
+            error_probability(result.confidence) if result.confidence else page.NOTHING,
+        ]
+    return [str(number), item.name, text, _source_text(item), *measures, item.reason]
 
 
 def _known(value: float | None, spec: str, unit: str) -> str:
     return page.NOTHING if value is None else shown(value, spec) + unit
 
 
-def _source_text(point: FlightPoint) -> str:
-    if point.position is None:
+def _source_text(item: LocalizedImage) -> str:
+    if not item.is_placed:
         return page.Marked(tr("no position"), False)
-    if point.outvoted:
+    if item.is_outvoted:
         return page.Marked(tr("flight; own position outvoted"), False)
-    return page.Marked(tr("own position"), True) if point.source == "own" else tr("flight")
+    return page.Marked(tr("own position"), True) if item.source == "own" else tr("flight")

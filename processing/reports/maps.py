@@ -5,11 +5,11 @@ from __future__ import annotations
 import base64
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from ...core.assessment.route import RoutePoints, stretch
+from ..base.localized_image import LocalizedImage
 from ..layers import palette
 from ..translation import tr
 from . import page
@@ -37,39 +37,6 @@ PICTURE_PX = 2 * WIDTH
 
 SuccessClass = tuple[float, float, str, str]
 """(from, to, color, text) of a class of expected success."""
-
-
-@dataclass(frozen=True)
-class FlightPoint:
-    """An image in the report; None for unknown values.
-
-    Attributes:
-        number: Number in the flight, from 1.
-        source: ``own``, ``flight``, or None without a position.
-        outvoted: Whether its own position contradicts the flight.
-        track: Number of its track; 0 without one.
-        position: Map (x, y).
-        heading_deg: Direction of the image's top.
-        ellipse: 95 % ellipse: (major semi-axis, minor semi-axis, direction of the major one in degrees clockwise from
-            grid north).
-        radius_95: 95 % radius, m.
-        error_probability: As text; empty without a position.
-        time: Time of the image as text.
-        reason: Reason for no position or for an outvoted own position.
-    """
-
-    number: int
-    name: str
-    source: str | None = None
-    outvoted: bool = False
-    track: int = 0
-    position: tuple[float, float] | None = None
-    heading_deg: float | None = None
-    ellipse: tuple[float, float, float] | None = None
-    radius_95: float | None = None
-    error_probability: str = ""
-    time: str = ""
-    reason: str = ""
 
 
 class Ground:
@@ -189,18 +156,18 @@ def flight_legend() -> str:
     return page.macros().legend([([_mark(6, 6, 4, kind)], text) for kind, text in enumerate(texts)])
 
 
-def flight_map(placed: Sequence[FlightPoint], name: str) -> str:
-    """Return a map of images with a position: discs, headings and 95 % ellipses."""
-    far = np.array([point.ellipse[0] if point.ellipse else 0.0 for point in placed])[:, None]
-    places = np.array([point.position for point in placed])
+def flight_map(placed: Sequence[tuple[int, LocalizedImage]], name: str) -> str:
+    """Return a map of the placed images of a flight, with their numbers: discs, headings and 95 % ellipses."""
+    far = np.array([item.ellipse.semi_major if item.ellipse else 0.0 for _, item in placed])[:, None]
+    places = np.array([item.position for _, item in placed])
     ground = Ground(*(places - far).min(0), *(places + far).max(0))
     parts = []
-    for track in sorted({point.track for point in placed}):
-        path = [ground.at(point.position) for point in placed if point.track == track]
+    for track in sorted({item.pose.track for _, item in placed}):
+        path = [ground.at(item.position) for _, item in placed if item.pose.track == track]
         parts.append(polyline(path, stroke("var(--soft)", 1.4)))
-    parts += [_ellipse(point, *ground.at(point.position), ground.unit) for point in placed if point.ellipse]
-    for point in placed:
-        parts += _disc(point, *ground.at(point.position))
+    parts += [_ellipse(item, *ground.at(item.position), ground.unit) for _, item in placed if item.ellipse]
+    for number, item in placed:
+        parts += _disc(item, f"{number}: {item.name}", *ground.at(item.position))
     return ground.drawing(parts, name)
 
 
@@ -208,8 +175,8 @@ _COLORS = "var(--s0)", "var(--s1)", "var(--bad)"
 """Colors of own positions, positions from the flight, and outvoted own positions."""
 
 
-def _kind(point: FlightPoint) -> int:
-    return 2 if point.outvoted else 0 if point.source == "own" else 1
+def _kind(item: LocalizedImage) -> int:
+    return 2 if item.is_outvoted else 0 if item.source == "own" else 1
 
 
 def _mark(x: float, y: float, r: float, kind: int, title: str = "") -> Element:
@@ -222,18 +189,17 @@ def _mark(x: float, y: float, r: float, kind: int, title: str = "") -> Element:
     return shape("circle", f"fill:{fill};stroke:{color};stroke-width:1.8", title, cx=x, cy=y, r=r)
 
 
-def _disc(point: FlightPoint, x: float, y: float) -> list[Element]:
-    kind, needle = _kind(point), []
-    if point.heading_deg is not None:
-        turn = math.radians(point.heading_deg)
+def _disc(item: LocalizedImage, title: str, x: float, y: float) -> list[Element]:
+    kind, needle = _kind(item), []
+    if item.result.heading_deg is not None:
+        turn = math.radians(item.result.heading_deg)
         end = x + NEEDLE * math.sin(turn), y - NEEDLE * math.cos(turn)
         needle = [polyline([(x, y), end], stroke(_COLORS[kind], 1.6))]
-    return [*needle, _mark(x, y, RADIUS, kind, f"{point.number}: {point.name}")]
+    return [*needle, _mark(x, y, RADIUS, kind, title)]
 
 
-def _ellipse(point: FlightPoint, x: float, y: float, unit: float) -> Element:
-    major, minor, direction = point.ellipse
-    color = _COLORS[_kind(point)]
-    turn = f"rotate({direction:.1f} {x:.1f} {y:.1f})"
+def _ellipse(item: LocalizedImage, x: float, y: float, unit: float) -> Element:
+    known, color = item.ellipse, _COLORS[_kind(item)]
+    turn = f"rotate({known.orientation_deg:.1f} {x:.1f} {y:.1f})"
     style = f"fill:{color};fill-opacity:0.15;stroke:{color};stroke-width:0.8"
-    return shape("ellipse", style, cx=x, cy=y, rx=minor * unit, ry=major * unit, transform=turn)
+    return shape("ellipse", style, cx=x, cy=y, rx=known.semi_minor * unit, ry=known.semi_major * unit, transform=turn)

@@ -26,7 +26,7 @@ from semref.core.assessment import squares
 from semref.core.assessment.squares import VERDICTS
 from semref.core.evaluation import as_json
 from semref.processing.algorithms import assess_route, compare_labels, describe_image
-from semref.processing.base import localized_image, localized_layers, segmented_files
+from semref.processing.base import localized_layers, segmented_files
 from semref.processing.layers import styles
 from semref.processing.layers.assessment_styles import COLORS, cells_renderer, route_renderer
 from semref.processing.layers.output_style import Look
@@ -72,9 +72,9 @@ def positions(qgis_app):
 LAYERS = {
     "positions": ("Point", localized_layers.POSITION_FIELDS),
     "poses": ("Point", localized_layers.FLIGHT_FIELDS),
-    "footprints": ("Polygon", localized_image.FOOTPRINT_FIELDS),
-    "places": ("Polygon", localized_image.ALTERNATIVE_FIELDS),
-    "matches": ("Point", localized_image.MATCH_FIELDS),
+    "footprints": ("Polygon", localized_layers.FOOTPRINT_FIELDS),
+    "places": ("Polygon", localized_layers.ALTERNATIVE_FIELDS),
+    "matches": ("Point", localized_layers.MATCH_FIELDS),
     "track": ("LineString", localized_layers.TRACK_FIELDS),
     "issues": ("Polygon", annotation_messages.FIELDS),
     "changes": ("Polygon", annotation_messages.FIELDS),

@@ -242,12 +242,12 @@ def test_a_likely_position_is_shown_with_a_reason_and_counted_apart(likely, run_
 
 
 def test_a_likely_position_is_no_jump_and_makes_none(feedback):
-    def taken(x, status):
+    def taken(x, time_s, status):
         result = Localization(status, Method.CONSTELLATION, best=Place((x, 0.0), 0.0, 1.0), error_95_m=1.0)
-        return LocalizedImage("a.png", result)
+        return LocalizedImage("a.png", result, time_s=time_s)
 
-    wrong = [taken(0.0, Status.FIX), taken(5000.0, Status.LIKELY), taken(20.0, Status.FIX)]
-    checked = with_jumps(wrong, [0.0, 1.0, 2.0], None, 25.0, feedback)
+    wrong = [taken(0.0, 0.0, Status.FIX), taken(5000.0, 1.0, Status.LIKELY), taken(20.0, 2.0, Status.FIX)]
+    checked = with_jumps(wrong, None, 25.0, feedback)
     assert [item.jump for item in checked] == [False, None, False]
     assert "0 of 2 positions with a time are jumps." in feedback.textLog()
 
