@@ -1,8 +1,10 @@
-"""Errors have one sentence, also when repeated, sent between processes and caught by their base class."""
+"""Errors have one sentence in every process, and each limit has a reason and a use."""
 
 from __future__ import annotations
 
 import pickle
+import re
+from pathlib import Path
 
 import pytest
 
@@ -24,3 +26,16 @@ def test_every_error_is_a_user_error_with_its_sentence(kind):
 def test_an_error_keeps_its_sentence_between_processes():
     error = DatabaseError("{count} other positions fit almost as well as the best one.", count=3)
     assert pickle.loads(pickle.dumps(error)).sentence == error.sentence
+
+
+ROOT = Path(__file__).resolve().parents[2]
+TABLE = (ROOT / "core" / "limits.py").read_text(encoding="utf-8")
+
+
+def test_every_limit_has_a_reason_and_a_use():
+    names = set(re.findall(r"^([A-Z]\w+) = ", TABLE, flags=re.MULTILINE))
+    assert names == set(re.findall(r"^([A-Z]\w+) = .+  # [^#]+\.$", TABLE, flags=re.MULTILINE)) != set()
+    rooms = ("core", "storage", "processing")
+    files = [path for room in rooms for path in (ROOT / room).rglob("*.py") if path.name != "limits.py"]
+    used = {name for path in files for name in re.findall(r"\blimits\.([A-Z]\w+)", path.read_text(encoding="utf-8"))}
+    assert names == used

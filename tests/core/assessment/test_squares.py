@@ -1,4 +1,4 @@
-"""Rows of assessed squares: verdicts, reasons and the distinctiveness of their windows."""
+"""Assessed squares: where they are, and their verdicts, reasons and distinctive windows."""
 
 from dataclasses import replace
 
@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from semref.core.assessment.assessment import REASONS, Estimates
-from semref.core.assessment.cells import Cells
+from semref.core.assessment.cells import Cells, ground_cells
 from semref.core.assessment.squares import FIELDS, VERDICTS, footprint_sizes, reason_sentence, square_rows
 from semref.core.errors import ParameterError
 from semref.core.sentences import english
@@ -65,3 +65,28 @@ def test_a_list_of_footprints_keeps_its_order_and_drops_what_comes_twice():
 def test_what_is_no_list_of_footprints_is_refused(text):
     with pytest.raises(ParameterError, match="is not a list of footprint widths"):
         footprint_sizes(text, 1.0)
+
+
+def test_the_squares_cover_the_map(assessed_database):
+    cells = ground_cells(assessed_database, 100.0)
+    assert len(cells) == 60
+    assert cells.centers.min(axis=0).tolist() == [600050.0, 5199450.0]
+    assert (cells.columns.max(), cells.rows.max()) == (9, 5)
+
+
+def test_unlabeled_ground_counts_inside_the_map_but_not_around_it(built, map_labels):
+    labels = np.zeros_like(map_labels)
+    labels[:, :600] = map_labels[:, :600]
+    labels[210:390, 210:390] = 0
+    cells = ground_cells(built(labels), 60.0)
+    places = set(zip(cells.columns.tolist(), cells.rows.tolist()))
+    assert (4, 4) in places and (5, 5) in places
+    assert max(column for column, _ in places) == 9
+
+
+@pytest.mark.parametrize(
+    "size, said", [(0.0, "edge of a square is 0"), (float("nan"), "is nan"), (0.5, "Enter 2.47 m or more")]
+)
+def test_an_impossible_spacing_is_refused(assessed_database, size, said):
+    with pytest.raises(ParameterError, match=said):
+        ground_cells(assessed_database, size)

@@ -1,10 +1,11 @@
-"""Refinement of poses, on images with known poses."""
+"""First search and refinement of poses, on images of a made map with known poses."""
 
 import numpy as np
 import pytest
 
 from semref.core.correlation.refine import NOT_COMPARABLE, ScoredPose, pose_covariance, refine, score_at
 from semref.core.correlation.refine_many import refine_many
+from semref.core.correlation.search import SearchSpace, search
 
 TRUE = ScoredPose(703.4, 598.1, 41.0, 1.03)
 PIXEL_M = 500 / 64 * TRUE.pixel_size_m
@@ -51,3 +52,28 @@ def test_an_image_of_one_class_agrees_nowhere(patch_pyramid, image, place):
     alike = type(image)(np.ones_like(image.evidence), image.known, image.pixel)
     (found,) = refine_many(alike, patch_pyramid, [place], 0.0, 2)
     assert found.score == (0.0 if place is TRUE else NOT_COMPARABLE)
+
+
+HEADINGS = np.arange(0.0, 360.0, 30.0)
+
+
+@pytest.mark.parametrize("x, y, heading, size", [(600, 500, 0, 1.0), (850, 640, 120, 1.0), (700, 600, 300, 1.2)])
+def test_the_true_place_turn_and_scale_have_the_highest_score(patch_pyramid, image_at, x, y, heading, size):
+    space = SearchSpace(HEADINGS, np.array([0.8, 1.0, 1.2]), (0.0, 0.0, 1440.0, 1200.0))
+    best = search(image_at(x, y, heading, size, 32), patch_pyramid, space)[0]
+    assert np.hypot(best[1] - x, best[2] - y) < 16 * size
+    assert (best[3], best[4]) == (heading, size)
+    assert best[0] > 0.6
+
+
+def test_peaks_are_sorted_by_score_and_inside_the_box(patch_pyramid, image_at):
+    box = (700.0, 500.0, 1000.0, 800.0)
+    found = search(image_at(850, 640, 120, 1.0, 32), patch_pyramid, SearchSpace(HEADINGS, np.array([1.0]), box))
+    assert len(found) > 3 and (np.diff(found[:, 0]) <= 0).all()
+    pixel = 500 / 32
+    assert (found[:, 1:3] >= (700, 500)).all() and (found[:, 1:3] <= (1000 + pixel, 800 + pixel)).all()
+
+
+def test_nothing_is_found_beside_the_map(patch_pyramid, image_at):
+    space = SearchSpace(HEADINGS, np.array([1.0]), (9000.0, 9000.0, 9400.0, 9400.0))
+    assert search(image_at(850, 640, 120, 1.0, 32), patch_pyramid, space).shape == (0, 5)

@@ -1,12 +1,15 @@
-"""Summaries count the trials of the right kind."""
+"""Summaries, rates and JSON count each trial of the right kind."""
 
+import json
+import math
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
+from semref.core.evaluation.as_json import FIELDS, evaluation_json, values_of
 from semref.core.evaluation.evaluation import MAP, MIRRORED, NOISE, NOISE_LEVELS, OFFSET, OFFSETS, SCALING, WindowQuery
-from semref.core.evaluation.rates import Rate
+from semref.core.evaluation.rates import Rate, binned, rate_of, wilson
 from semref.core.evaluation.summary import (
     brier_score,
     calibration,
@@ -21,7 +24,7 @@ from semref.core.evaluation.summary import (
     success_by_offset,
     summarize,
 )
-from semref.core.evaluation.trial import Trial
+from semref.core.evaluation.trial import Trial, judge
 from semref.core.localization import Localization, Method, Place, Status
 from semref.core.simulation.noise import LabelNoise
 from semref.core.simulation.views import View
@@ -135,3 +138,57 @@ def test_methods_of_automatic_are_counted_by_the_method_of_the_fix():
     assert first.right == Rate(3, 4) and first.told == pytest.approx(0.95)
     assert first.calibration_error == pytest.approx(0.2) and second.calibration_error == pytest.approx(0.1)
     assert [rate.successes for rate in first.held] == [1, 3, 3] and second.held[1] == Rate(0, 1)
+
+
+FOUND = Localization(Status.FIX, Method.CONSTELLATION, 9, best=Place((103.0, 204.0), 30.0, 1.0), confidence=0.999)
+
+
+def trials():
+    made = []
+    for number in range(4):
+        query = WindowQuery(View(100.0, 200.0, 30.0, is_mirrored=number == 3), MAP if number < 3 else MIRRORED, number)
+        result = FOUND if number == 0 else Localization(Status.NO_MATCH, Method.CONSTELLATION)
+        made.append(judge(query, Method.CONSTELLATION, result))
+    return made
+
+
+def test_a_trial_has_every_column_and_how_far_off_it_is():
+    values = values_of(trials()[0])
+    assert list(values) == [name for name, _ in FIELDS]
+    assert (values["error"], values["right"], values["true_x"], values["x"]) == (5.0, 1, 100.0, 103.0)
+
+
+def test_the_text_has_settings_rates_and_trials():
+    told = json.loads(evaluation_json(trials(), [Method.CONSTELLATION], {"SEED": 3}, Rate(7, 9)))
+    assert (
+        told["settings"] == {"SEED": 3}
+        and told["windows"] == {"tried": 7, "all": 9}
+        and list(told["methods"]) == ["constellation"]
+    )
+    right = told["methods"]["constellation"]["right"]
+    assert 0 < right["low"] < right["share"] == 1 / 3 < right["high"] < 1
+    assert [trial["kind"] for trial in told["trials"]] == [MAP] * 3 + [MIRRORED]
+
+
+@pytest.mark.parametrize(
+    ("successes", "trials", "interval"),
+    [(0, 10, (0.0, 0.2775)), (10, 10, (0.7225, 1.0)), (5, 10, (0.2366, 0.7634)), (299, 300, (0.9814, 0.9994))],
+)
+def test_intervals_are_those_of_wilson(successes, trials, interval):
+    assert wilson(successes, trials) == pytest.approx(interval, abs=5e-4)
+    assert Rate(successes, trials).interval == wilson(successes, trials)
+
+
+def test_a_rate_counts_true():
+    assert rate_of([True, False, np.True_]) == Rate(2, 3)
+
+
+def test_every_value_is_in_its_bin_and_the_last_bin_includes_its_end():
+    first, last = binned([0.0, 0.1, 0.9, 1.0], [True, False, True, True], (0.0, 0.25, 0.5, 1.0))
+    assert (first.low, first.high, first.at, first.rate) == (0.0, 0.25, pytest.approx(0.05), Rate(1, 2))
+    assert (last.low, last.high, last.at, last.rate) == (0.5, 1.0, pytest.approx(0.95), Rate(2, 2))
+
+
+def test_a_last_bin_may_have_no_end():
+    (only,) = binned([300], [False], (0, 80, math.inf))
+    assert (only.low, only.high, only.rate) == (80, math.inf, Rate(0, 1))

@@ -1,4 +1,4 @@
-"""Localizations as rows with and without a fix, and as sentences of NMEA 0183."""
+"""Localizations as rows, reasons, and sentences of NMEA 0183."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import pytest
 
 from semref.core.geometry.pose import Ellipse, PoseCovariance
 from semref.core.localization import Localization, Method, Place, Status
+from semref.core.localizer.network_reason import name_network
 from semref.core.localizer.record import error_probability, gga_sentence, record
 from semref.core.sentences import Sentence
 
@@ -96,3 +97,47 @@ def test_a_sentence_has_its_checksum_and_never_sixty_minutes():
 def test_without_a_position_the_quality_is_invalid_and_the_place_empty():
     moment = datetime(2026, 5, 1, 1, 2, 3, tzinfo=timezone.utc)
     assert gga_sentence(moment).startswith("$GPGGA,010203.00,,,,,0,00,,,M,,M,,*")
+
+
+PLACES, CLASSES = ("made-up areas", "Banepa"), ("building", "water")
+TOO_FEW = Localization(
+    Status.TOO_FEW_REFERENCES,
+    Method.CONSTELLATION,
+    1,
+    Sentence(
+        "{shown}; {needed}.",
+        shown=Sentence("The image shows {count} whole landmark", count=1),
+        needed=Sentence("at least {count} more are needed", count=7),
+    ),
+)
+NO_MATCH = replace(
+    TOO_FEW, status=Status.NO_MATCH, reason=Sentence("No place on the map has triangles of landmarks like the image's.")
+)
+
+
+def test_too_few_landmarks_of_a_photo_are_what_the_network_found():
+    assert str(name_network(TOO_FEW, PLACES, CLASSES).reason) == (
+        "The network found 1 landmark (building, water); at least 7 more are needed. "
+        "The network was trained on: made-up areas, Banepa."
+    )
+
+
+def test_a_reason_within_a_reason_counts_what_the_network_found_too():
+    both = Sentence(
+        "{constellation} Map correlation found no position either: {correlation:clause}",
+        constellation=TOO_FEW.reason,
+        correlation=NO_MATCH.reason,
+    )
+    said = str(name_network(replace(TOO_FEW, reason=both), (), CLASSES).reason)
+    assert said.startswith("The network found 1 landmark (building, water); at least 7 more are needed. Map")
+
+
+def test_any_other_reason_follows_what_the_network_was_trained_on():
+    said = str(name_network(NO_MATCH, PLACES, CLASSES).reason)
+    assert said.startswith("The network was trained on: made-up areas, Banepa. No place on the map")
+
+
+@pytest.mark.parametrize("found", [NO_MATCH, TOO_FEW])
+def test_reasons_do_not_name_a_network_without_metadata(found):
+    assert name_network(found, None, CLASSES) == found
+    assert "trained" not in str(name_network(found, (), CLASSES).reason)

@@ -1,13 +1,16 @@
-"""Landmark noise: shares and spreads as requested, shared errors are shared, and a seed repeats it."""
+"""Landmark noise: shares and spreads as requested, shared errors are shared, and impossible settings are refused."""
+
+import math
 
 import numpy as np
 import pytest
 from made_labels import squares
 
+from semref.core.errors import ParameterError
 from semref.core.landmarks.landmarks import Landmarks, extract_landmarks
 from semref.core.simulation.label_errors import spoil_labels
 from semref.core.simulation.landmark_errors import spoil_landmarks, with_moved_boundaries
-from semref.core.simulation.noise import LabelNoise
+from semref.core.simulation.noise import USUAL, LabelNoise
 
 SIZE = 1000, 1000
 
@@ -80,3 +83,21 @@ def test_near_landmarks_are_displaced_alike_and_far_ones_less():
         near.append(products[(away > 0) & (away < 20)].mean())
         far.append(products[away > 400].mean())
     assert np.mean(near) == pytest.approx(4 * 0.88, rel=0.25) and abs(np.mean(far)) < 1.0
+
+
+@pytest.mark.parametrize("wrong", [{"jitter": -1.0}, {"leaning": 1.5}, {"missed": math.nan}, {"jitter": math.inf}])
+def test_impossible_noise_is_refused_by_name(wrong):
+    with pytest.raises(ParameterError, match=next(iter(wrong))):
+        LabelNoise(**wrong)
+
+
+def test_lengths_and_areas_are_converted_to_pixels():
+    noise = LabelNoise(missed=0.2, jitter=3.0, jitter_length=9.0, missed_below=200.0).in_pixels(0.5)
+    assert (noise.missed, noise.jitter, noise.jitter_length) == (0.2, 6.0, 18.0)
+    assert noise.missed_below == 800.0
+    assert USUAL.in_pixels(0.5).jitter_length is None and USUAL.in_pixels(0.5).missed_below == math.inf
+
+
+def test_shared_errors_are_converted_to_pixels_too():
+    noise = LabelNoise(displaced=1.0, displaced_kernels=((10.0, 1.0),), class_shifts=((3, 1.0, -2.0),)).in_pixels(0.5)
+    assert (noise.displaced, noise.displaced_kernels, noise.class_shifts) == (2.0, ((20.0, 1.0),), ((3, 2.0, -4.0),))
