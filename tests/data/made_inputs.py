@@ -93,8 +93,15 @@ def write_raster(
     kind: int = gdal.GDT_Byte,
     nodata: float | None = None,
     names: Sequence[str] = (),
+    palette: dict[int, Sequence[int]] | None = None,
+    options: Sequence[str] = (),
 ) -> Path:
-    """Write a GeoTIFF or PNG (by suffix) of (H, W) or (bands, H, W) pixels; georeferenced by ``transform``."""
+    """Write a GeoTIFF or PNG (by suffix) of (H, W) or (bands, H, W) pixels; georeferenced by ``transform``.
+
+    Args:
+        palette: Red, green and blue of each value.
+        options: Creation options of GDAL.
+    """
     bands = pixels if pixels.ndim == 3 else pixels[None]
     memory = gdal.GetDriverByName("MEM").Create("", bands.shape[2], bands.shape[1], len(bands), kind)
     if transform is not None:
@@ -107,8 +114,13 @@ def write_raster(
         memory.GetRasterBand(1).SetNoDataValue(nodata)
     if names:
         memory.GetRasterBand(1).SetRasterCategoryNames(list(names))
+    if palette:
+        table = gdal.ColorTable()
+        for value, color in palette.items():
+            table.SetColorEntry(int(value), (*map(int, color), 255))
+        memory.GetRasterBand(1).SetColorTable(table)
     driver = {".tif": "GTiff", ".png": "PNG"}[path.suffix]
-    gdal.GetDriverByName(driver).CreateCopy(str(path), memory)
+    gdal.GetDriverByName(driver).CreateCopy(str(path), memory, options=list(options))
     return path
 
 

@@ -1,4 +1,4 @@
-"""semref:addmodel: a network of others becomes a model that Segment image uses."""
+"""semref:addmodel: a network of others becomes a model that Segment image uses, with a card."""
 
 import subprocess
 import sys
@@ -11,9 +11,10 @@ from made_models import write_model
 from osgeo import gdal
 from qgis.core import QgsProcessingException
 
-from semref.core.segmentation.model_card import read_card
+from semref.core.segmentation.model_card import Ground, ModelCard, read_card
 from semref.core.segmentation.network_facts import FLAIR
 from semref.core.segmentation.onnx_file import read_metadata
+from semref.processing.reports.model_card import card_html
 
 ADD = "semref:addmodel"
 GIVEN = {"CLASSES": "building;water;building", "RESOLUTION": 25, "LICENSE": "CC0"}
@@ -96,3 +97,12 @@ def test_a_checkpoint_of_the_training_environment_is_added(add, tmp_path, traini
     subprocess.run([str(training_python), "-c", program, str(path)], check=True)
     given = {**GIVEN, "ARCHITECTURE": "linknet", "ENCODER": "resnet18", "PYTHON": str(training_python)}
     assert read_card(add(path, **given)["OUTPUT"]).classes == ("building", "water")
+
+
+def test_no_text_of_a_model_becomes_markup():
+    hostile = "<b>a&b</b>"
+    ground = Ground(hostile, hostile, True, {hostile: 0.5})
+    card = ModelCard(
+        hostile, None, hostile, (hostile,), 0.25, trained_on=(ground,), tested_on=(ground,), license=hostile
+    )
+    assert "<b>a" not in card_html(card) and card_html(card).count("&lt;b&gt;a&amp;b&lt;/b&gt;") == 8

@@ -112,14 +112,6 @@ def test_a_table_gives_attitude_focal_length_and_time(tmp_path):
     assert camera.leveling((30, 40)).shape_hw != (30, 40)
 
 
-@pytest.mark.parametrize("name", ["IMG_1.JPG", "D:\\flight\\IMG_1.JPG", "/flight/IMG_1.jpg"])
-@pytest.mark.parametrize("separator", [",", "\t"])
-def test_images_are_named_by_their_stem(tmp_path, name, separator):
-    text = f"\ufeffImage,Roll,Pitch,note\n{name},1,2,x\nother.png,3,4,\n".replace(",", separator)
-    (camera,) = read_cameras([label_image(tmp_path)], table(tmp_path, text))
-    assert angles(camera) == (1, 2)
-
-
 @pytest.mark.parametrize(
     ("text", "seconds"),
     [("7.5", 7.5), ("1970-01-01T00:01:00.250", 60.25), ("1970-01-01 00:01:00Z", 60), ("1970-01-01T01:01:00+01:00", 60)],

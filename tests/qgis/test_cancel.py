@@ -68,7 +68,8 @@ def jobs(run_algorithm, tmp_path_factory):
         write_raster(flight / f"{n}.png", scattered_objects(120, 120, 10, seed=n), transform=None)
     six = [str(flight / f"{n}.png") for n in range(6)]
     coarse = np.kron(random.integers(1, 4, (70, 70)), np.ones((10, 10))).astype(np.uint8)
-    compared = {"REFERENCE": str(labels), "PREDICTED": str(write_raster(folder / "p.tif", coarse, names=NAMES))}
+    predicted = str(write_raster(folder / "p.tif", coarse, names=NAMES))
+    compared = {"REFERENCE": str(labels), "PREDICTED": predicted}
     of_class = {"INPUT": str(folder / "overlapping.shp"), "CLASS_FIELD": "class"}
     burnt = {**of_class, "INPUT": str(write_layer(folder / "annotation.shp", features)), "PIXEL_SIZE": 0.2}
     decoded = {"INPUT": str(color), "CLASS_TABLE": str(write_text(folder / "classes.csv", CLASSES_CSV)), "METHOD": 1}
@@ -82,6 +83,7 @@ def jobs(run_algorithm, tmp_path_factory):
         "repair": ("semref:repairannotation", of_class, "OUTPUT", "out.gpkg"),
         "decode": ("semref:decodecolorlabels", decoded, "OUTPUT", "out.tif"),
         "build": ("semref:builddatabase", build, "DATABASE", "out.gpkg"),
+        "update": ("semref:updatedatabase", {"DATABASE": area, "LABELS": predicted}, "OUTPUT", "out.gpkg"),
         "assess": ("semref:assessdatabase", assessed, "OUTPUT", "out.gpkg"),
         "localize": (LOCALIZE, {"DATABASE": area, "IMAGES": [str(flight)], "METHOD": 1}, "OUTPUT", "out.gpkg"),
         "flight": ("semref:localizeflight", {"DATABASE": area, "IMAGES": six, "METHOD": 2}, "OUTPUT", "out.gpkg"),
@@ -102,7 +104,19 @@ def run(job, folder: Path, feedback):
     return instance.run({**parameters, key: str(folder / name)}, QgsProcessingContext(), feedback, {}, False)
 
 
-JOBS = ("rasterize", "check", "repair", "decode", "build", "assess", "localize", "flight", "segment", "compare")
+JOBS = (
+    "rasterize",
+    "check",
+    "repair",
+    "decode",
+    "build",
+    "update",
+    "assess",
+    "localize",
+    "flight",
+    "segment",
+    "compare",
+)
 
 
 @pytest.mark.parametrize("percent", [50, *(pytest.param(n, marks=pytest.mark.slow) for n in (0, 10, 31, 86))])

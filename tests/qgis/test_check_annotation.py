@@ -46,11 +46,6 @@ def issues(check):
 # --- findings ---
 
 
-def test_a_clean_layer_has_no_findings(issues, tmp_path, classes_csv):
-    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 9), "field"), (square(9, 0, 9), "building")])
-    assert issues(layer, CLASS_TABLE=classes_csv, PIXEL_SIZE=1) == []
-
-
 def test_issues_are_drawn_by_severity_errors_on_top(check, tmp_path, classes_csv):
     layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 10), "field"), (square(6, 0, 10), "water")])
     found = QgsVectorLayer(check(layer, CLASS_TABLE=classes_csv)["ISSUES"], "issues", "ogr")

@@ -73,15 +73,6 @@ def test_an_extract_becomes_land_cover(run_algorithm, tmp_path, extract, suffix)
     assert found["12"]["priority"] > found["11"]["priority"]
 
 
-def test_buildings_are_on_top_in_the_label_map_of_an_extract(run_algorithm, tmp_path, extract):
-    cover = run_algorithm(CLASSIFY, {"INPUT": extract, "OUTPUT": str(tmp_path / "cover.gpkg")})["OUTPUT"]
-    given = {"INPUT": cover, "CLASS_FIELD": "class", "PRIORITY_FIELD": "priority", "PIXEL_SIZE": 1}
-    results = run_algorithm(
-        "semref:rasterizeannotation", {**given, "TARGET_CRS": "EPSG:32632", "OUTPUT": str(tmp_path / "map.tif")}
-    )
-    assert results["CLASS_COUNT"] == 3
-
-
 def test_a_shapefile_that_names_values_without_keys_is_understood(run_algorithm, tmp_path):
     layer = layer_of("field=osm_id:string&field=fclass:string", ("7", "forest"), ("8", "building"), ("9", "cinema"))
     path = str(tmp_path / "gis_osm_landuse_a_free_1.shp")

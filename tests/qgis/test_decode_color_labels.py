@@ -56,14 +56,8 @@ def test_exact_colors_give_back_the_labels_without_a_fourth_band_and_in_slices(d
 def test_a_paletted_image_is_decoded_by_its_palette(decode, tmp_path):
     shuffled = np.zeros(256, np.uint8)
     shuffled[:5] = (9, 40, 3, 200, 17)
-    image = tmp_path / "a.png"
-    memory = gdal.GetDriverByName("MEM").Create("", LABELS.shape[1], LABELS.shape[0], 1, gdal.GDT_Byte)
-    palette = gdal.ColorTable()
-    for value, color in COLORS.items():
-        palette.SetColorEntry(int(shuffled[value]), (*color, 255))
-    memory.GetRasterBand(1).SetColorTable(palette)
-    memory.GetRasterBand(1).WriteArray(shuffled[LABELS])
-    gdal.GetDriverByName("PNG").CreateCopy(str(image), memory).FlushCache()
+    palette = {shuffled[value]: color for value, color in COLORS.items()}
+    image = write_raster(tmp_path / "a.png", shuffled[LABELS], palette=palette, transform=None)
     np.testing.assert_array_equal(read_pixels(decode(image)), LABELS)
 
 

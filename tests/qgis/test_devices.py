@@ -1,13 +1,19 @@
-"""The device in the options: kept, used by algorithms, reported with its speed, replaced only with a note."""
+"""The device in the options, its speed and its replacement, and the diagnostics for a bug report."""
 
+import os
+
+import numpy
 import numpy as np
 import pytest
 from made_inputs import write_raster
 from made_models import metadata, painted, write_model
-from qgis.core import QgsSettings
+from qgis.core import Qgis, QgsSettings
 
 from semref.core.segmentation.devices import AUTO, CPU, CUDA, OPENVINO
+from semref.processing import version
 from semref.processing.packages import devices
+from semref.processing.packages.diagnostics import diagnostics, without_home
+from semref.processing.version import plugin_version
 
 SEGMENT = "semref:segmentimage"
 PHOTO = np.moveaxis(painted(np.random.default_rng(1).integers(1, 4, (100, 150))), 2, 0)
@@ -68,3 +74,34 @@ def test_what_can_be_chosen_is_what_onnxruntime_reports(monkeypatch):
     assert devices.available_devices() == [CPU, CUDA, OPENVINO]
     monkeypatch.setattr(devices, "is_missing", lambda package: True)
     assert devices.available_devices() == []
+
+
+@pytest.mark.parametrize(
+    ("home", "line", "left"),
+    [
+        ("/home/jane", "/home/jane/maps/base.gpkg is damaged.", "~/maps/base.gpkg is damaged."),
+        ("/home/jane/", "“/home/jane” and file:///home/jane/x", "“~” and file:~/x"),
+        ("/home/jane", "/home/janet/x, /mnt/home/jane/x", "/home/janet/x, /mnt/home/jane/x"),
+        (r"C:\Users\Jane Doe", r"C:\Users\Jane Doe\a.tif, c:/users/Jane Doe/b.tif", r"~\a.tif, ~/b.tif"),
+        (r"C:\Users\Jane", r"'C:\\Users\\Jane\\a.tif'", r"'~\\a.tif'"),
+        ("/", "/usr/share/x", "/usr/share/x"),
+    ],
+)
+def test_the_home_folder_is_left_out(qgis_app, home, line, left):
+    assert without_home(line, home) == left
+
+
+def test_diagnostics_have_versions_packages_settings_and_messages(qgis_app):
+    text = diagnostics([f"SemRef: {os.path.expanduser('~')}/x.gpkg can't be read."])
+    versions = f"SemRef {plugin_version()}", f"QGIS {Qgis.QGIS_VERSION}", f"numpy {numpy.__version__}"
+    assert [told for told in (*versions, "OpenCV: ", "ONNX Runtime: ") if told not in text] == []
+    assert "Device: auto chosen" in text and "Training: " in text
+    assert text.endswith("Last messages:\nSemRef: ~/x.gpkg can't be read.\n")
+    assert diagnostics().endswith("Last messages:\n(none)\n")
+
+
+def test_nobody_is_led_to_a_tracker_that_nobody_filled_in(qgis_app, monkeypatch):
+    monkeypatch.setattr(version, "_metadata", lambda: {"tracker": "https://example.org/semref/issues"})
+    assert version.tracker_url() == ""
+    monkeypatch.setattr(version, "_metadata", lambda: {"tracker": "https://forge.net/semref/issues"})
+    assert version.tracker_url() == "https://forge.net/semref/issues"

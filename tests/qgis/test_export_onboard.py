@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 from made_inputs import NAMES, NORTH, WEST, read_rows, scattered_objects, turned_view, write_layer, write_raster
 from made_models import ground_and_colors, metadata, painted, write_model
-from osgeo import gdal
 from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsProcessingException
 
 from semref.core.errors import SemRefError
@@ -194,29 +193,19 @@ def test_photos_have_the_same_fixes_with_and_without_qgis(export, run_algorithm,
 # --- label images without GDAL ---
 
 
-def paletted(path: Path, labels: np.ndarray, driver: str, options=()) -> str:
-    memory = gdal.GetDriverByName("MEM").Create("", labels.shape[1], labels.shape[0], 1, gdal.GDT_Byte)
-    band = memory.GetRasterBand(1)
-    band.WriteArray(labels)
-    colors = gdal.ColorTable()
-    for value in range(5):
-        colors.SetColorEntry(value, (50 * value, 255 - value, 7, 255))
-    band.SetRasterColorTable(colors)
-    gdal.GetDriverByName(driver).CreateCopy(str(path), memory, options=list(options))
-    return str(path)
-
-
+COLORS = {value: (50 * value, 255 - value, 7) for value in range(5)}
 FORMATS = {
-    "png": ("PNG", ()),
-    "tif": ("GTiff", ()),
-    "deflate.tif": ("GTiff", ("COMPRESS=DEFLATE", "TILED=YES")),
-    "lzw.tif": ("GTiff", ("COMPRESS=LZW", "PREDICTOR=2")),
+    "a.png": (),
+    "a.tif": (),
+    "b.tif": ("COMPRESS=DEFLATE", "TILED=YES"),
+    "c.tif": ("COMPRESS=LZW", "PREDICTOR=2"),
 }
 
 
-@pytest.mark.parametrize("name", list(FORMATS))
+@pytest.mark.parametrize("name", FORMATS)
 def test_paletted_images_are_read_as_gdal_reads_them(database, tmp_path, name):
-    path = paletted(tmp_path / f"labels.{name}", LABELS, FORMATS[name][0], FORMATS[name][1])
+    given = {"palette": COLORS, "options": FORMATS[name], "transform": None}
+    path = str(write_raster(tmp_path / name, LABELS, **given))
     assert cv2.imread(path, cv2.IMREAD_UNCHANGED).ndim == 3
     table = read_database(database, with_overview=True).class_table
     np.testing.assert_array_equal(read_label_image(path, table), LABELS)

@@ -171,15 +171,6 @@ def test_a_foreign_trigger_is_neither_run_nor_carried_into_an_update(read, updat
     assert schema_of(updated) == schema_of(built)
 
 
-def test_an_update_still_keeps_the_spatial_index_and_the_counts(update, database):
-    updated = update(database)
-    with contextlib.closing(sqlite3.connect(updated)) as connection:
-        (count,) = connection.execute('SELECT count(*) FROM "references"').fetchone()
-        assert connection.execute("SELECT count(*) FROM rtree_references_geom").fetchone() == (count,)
-        query = "SELECT feature_count FROM gpkg_ogr_contents WHERE table_name = 'references'"
-        assert connection.execute(query).fetchone() == (count,)
-
-
 @pytest.mark.parametrize(
     "statements",
     [

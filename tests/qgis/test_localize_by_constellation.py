@@ -3,6 +3,11 @@
 import numpy as np
 import pytest
 from made_inputs import NAMES, NORTH, WEST, read_rows, scattered_objects, turned_view, write_raster
+from osgeo import gdal
+
+from semref.core.localization import Method
+from semref.core.localizer.localizer import Localizer
+from semref.storage.database.reader import read_database
 
 LOCALIZE = "semref:localizeimages"
 LABELS = scattered_objects(900, 1000, 1300, seed=5)
@@ -68,22 +73,6 @@ def test_matches_pair_landmarks_of_image_and_map(localize):
         assert one["residual"] == pytest.approx(off, abs=1e-6) and off < 3
 
 
-ELSEWHERE = view(300, 300, 10, labels=scattered_objects(900, 1000, 1300, seed=6))
-
-
-@pytest.mark.parametrize(
-    "labels",
-    [
-        pytest.param(view(500, 450, 30)[:, ::-1], id="mirrored"),
-        pytest.param(ELSEWHERE, id="elsewhere", marks=pytest.mark.slow),
-    ],
-)
-def test_what_is_not_on_the_map_gets_a_reason_and_no_position(localize, labels):
-    found, others = localize(np.ascontiguousarray(labels))
-    assert found["status"] in ("no_match", "ambiguous") and found["reason"]
-    assert found["x"] is None and others["FOOTPRINTS"] == []
-
-
 @pytest.mark.slow
 def test_an_ambiguous_image_has_its_possible_places_as_polygons(localize, build_area):
     twins = np.hstack([LABELS[:, :500], LABELS[:, :500]])
@@ -93,3 +82,33 @@ def test_an_ambiguous_image_has_its_possible_places_as_polygons(localize, build_
     assert sorted(one["geometry"].Centroid().GetX() - WEST for one in places) == pytest.approx([250, 750], abs=1)
     assert [one["rank"] for one in places] == [1, 2]
     assert [one["heading"] for one in places] == pytest.approx([30, 30], abs=0.5)
+
+
+@pytest.fixture(scope="module")
+def town(real_data, run_algorithm, tmp_path_factory):
+    """Return a localizer on the buildings of Banepa, Nepal."""
+    folder = tmp_path_factory.mktemp("town")
+    labels, database = str(folder / "labels.tif"), str(folder / "town.gpkg")
+    drawn = {"INPUT": str(real_data("banepa/banepa_buildings.gpkg")), "CLASS": "building", "PIXEL_SIZE": 0.5}
+    run_algorithm("semref:rasterizeannotation", {**drawn, "OUTPUT": labels})
+    sizes = {"WINDOW_SIZE": 150, "STRIDE": 40, "MINIMUM_AREA": 12}
+    run_algorithm(
+        "semref:builddatabase", {"LABELS": labels, "REFERENCE_CLASSES": "building", "DATABASE": database, **sizes}
+    )
+    return Localizer(read_database(database, with_overview=True))
+
+
+@pytest.mark.real_data
+@pytest.mark.slow
+@pytest.mark.parametrize("tile", [1, 2, 4, 6])
+def test_buildings_of_another_continent_are_neither_placed_nor_called_ambiguous(town, real_data, tile):
+    labels = gdal.Open(str(real_data(f"dubai_aerial/tile{tile}_label.tif"))).ReadAsArray()
+    crops = [
+        labels[row : row + 512, column : column + 512]
+        for row in range(0, labels.shape[0] - 511, 512)
+        for column in range(0, labels.shape[1] - 511, 512)
+    ]
+    images = [np.where(crop == 1, 1, 2).astype(np.uint8) for crop in crops if (crop == 1).sum() >= 500]
+    assert images
+    statuses = {town.localize(image, Method.AUTOMATIC).status.key for image in images}
+    assert statuses <= {"no_match", "too_few_references"}

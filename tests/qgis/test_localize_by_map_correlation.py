@@ -60,17 +60,6 @@ def test_an_image_is_found_by_its_areas(localize, column, row, heading):
     assert found["error_95"] > 0 and found["window"] is None
 
 
-@pytest.mark.slow
-def test_automatic_finds_it_where_landmarks_are_too_poor(localize):
-    labels = view(700, 600, 20)
-    # All landmarks are in pieces.
-    labels[::12], labels[:, ::12] = 4, 4
-    assert localize(labels, METHOD=2)["status"] != "fix"
-    found = localize(labels, METHOD=0)
-    assert found["status"] == "fix" and found["method"] == "map correlation"
-    assert (found["x"], found["y"]) == pytest.approx((WEST + 700, NORTH - 600), abs=8)
-
-
 def test_automatic_reports_that_without_overview_only_the_constellation_is_used(localize, database, tmp_path, feedback):
     path = str(shutil.copy(database, tmp_path / "old.gpkg"))
     edit(path, "DELETE FROM gpkg_contents WHERE table_name = 'overview'", "DROP TABLE overview")

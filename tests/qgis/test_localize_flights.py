@@ -79,13 +79,6 @@ def test_what_is_not_leveled_has_no_camera_position(localize, feedback):
     assert "Leveled" not in feedback.textLog()
 
 
-def test_a_radius_is_about_the_center_of_the_image_though_it_is_tilted(localize):
-    view = ahead()
-    point = f"{view.x},{view.y} [EPSG:32632]"
-    (found,), _, _ = localize([view], TABLE, PRIOR_POINT=point, PRIOR_RADIUS=5)
-    assert found["status"] == "fix"
-
-
 def test_a_view_of_the_horizon_is_an_error_of_its_row(localize):
     rows, _, results = localize([ahead(), ahead(tilt=0)], "image,roll,pitch,field_of_view\n0,0,60,60\n")
     assert [row["status"] for row in rows] == ["error", "fix"] and results["FIX_COUNT"] == 1

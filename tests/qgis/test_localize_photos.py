@@ -71,15 +71,6 @@ def test_a_photo_is_found_where_it_was_taken(localize, tmp_path, heading):
     assert found["heading"] == pytest.approx(heading, abs=0.5)
 
 
-def test_a_photo_of_another_resolution_keeps_its_own_pixel_size(localize, folder, tmp_path):
-    model = write_model(tmp_path / "m.onnx", ground_and_colors(), metadata=metadata(class_names=CLASSES, resolution=50))
-    view = turned_view(LABELS, SIZE, 311.4, 207.8, 0)
-    photo = write_raster(tmp_path / "a.tif", photo_of(view))  # Pixels are 1 m; the model needs 0.5 m.
-    (found,) = localize([photo], MODEL=str(model))
-    assert found["pixel_size"] == pytest.approx(1, abs=0.02)
-    assert (found["x"], found["y"]) == pytest.approx((WEST + 311.4, NORTH - 207.8), abs=1)
-
-
 @pytest.mark.parametrize("algorithm", [LOCALIZE, "semref:localizeflight"])
 def test_height_and_lens_of_a_photo_set_its_scale_for_the_network(run_algorithm, folder, tmp_path, feedback, algorithm):
     model = write_model(tmp_path / "m.onnx", ground_and_colors(), metadata=metadata(class_names=CLASSES, resolution=50))

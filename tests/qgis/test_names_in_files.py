@@ -1,7 +1,6 @@
 """File names in untrusted positions, projects, sets, routes and map tips are not followed elsewhere."""
 
 import os
-import shutil
 from pathlib import Path
 
 import pytest
@@ -59,19 +58,6 @@ def test_positions_that_name_an_image_elsewhere_get_nobody_to_open_it(georeferen
 @pytest.mark.parametrize("name", ["{outside}", "../outside/a.tif", r"a.tif"])
 def test_an_image_that_the_user_selects_is_taken(georeference, outside, name):
     assert georeference(name.format(outside=outside), IMAGES=[os.path.dirname(outside)]) == 1
-
-
-@pytest.mark.parametrize("name", ["photos/a.tif", "{folder}/photos/a.tif"])
-def test_an_image_in_the_folder_of_the_positions_is_taken(georeference, outside, tmp_path, name):
-    (tmp_path / "positions" / "photos").mkdir(parents=True)
-    shutil.copy(outside, tmp_path / "positions" / "photos")
-    assert georeference(name.format(folder=tmp_path / "positions")) == 1
-
-
-def test_a_link_out_of_the_folder_of_the_positions_is_not_followed(georeference, outside, tmp_path):
-    (tmp_path / "positions").mkdir()
-    os.symlink(outside, tmp_path / "positions" / "a.tif")
-    assert georeference("a.tif") == 0
 
 
 def test_positions_of_this_session_name_images_that_the_user_chose(georeference, outside, tmp_path):

@@ -1,6 +1,5 @@
 """Positions that photos state: reported if they are far from the database's ground, and never used."""
 
-import struct
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +14,7 @@ from made_inputs import (
     write_photo,
     write_raster,
 )
+from made_tiff import image_tiff, tiff
 from osgeo import osr
 
 from semref.processing.base.localized_image import far_sentence
@@ -43,27 +43,9 @@ def test_a_photos_position_is_read_to_a_meter(tmp_path, place):
 
 
 def test_that_of_a_tiff_is_read_as_well(tmp_path):
-    gps = [(1, 2, 2, b"S\0\0\0"), (2, 5, 3, 200), (3, 2, 2, b"W\0\0\0"), (4, 5, 3, 224)]
-    image = [
-        *((256, 3, 1, 1), (257, 3, 1, 1), (258, 3, 1, 8), (259, 3, 1, 1), (262, 3, 1, 1), (273, 4, 1, 250)),
-        *((277, 3, 1, 1), (278, 3, 1, 1), (279, 4, 1, 1), (34853, 4, 1, 140)),
-    ]
-
-    def directory(entries):
-        packed = b"".join(
-            struct.pack("<HHI", *e[:3]) + (e[3] if isinstance(e[3], bytes) else struct.pack("<I", e[3]))
-            for e in entries
-        )
-        return struct.pack("<H", len(entries)) + packed + bytes(4)
-
-    data = bytearray(251)
-    for start, part in (
-        (0, b"II*\0" + struct.pack("<I", 8) + directory(image)),
-        (140, directory(gps)),
-        (200, struct.pack("<6I", 33, 1, 30, 1, 36, 1)),
-        (224, struct.pack("<6I", 70, 1, 15, 1, 0, 1)),
-    ):
-        data[start : start + len(part)] = part
+    data, place = bytearray(image_tiff(np.ones((1, 1), np.uint8), 1, t34853=(20_000,))), 20_000
+    gps = tiff([(1, 2, b"S\0"), (2, 5, (33, 1, 30, 1, 36, 1)), (3, 2, b"W\0"), (4, 5, (70, 1, 15, 1, 0, 1))], at=place)
+    data[place : len(gps)] = gps[place:]
     (tmp_path / "a.tif").write_bytes(data)
     assert photo_lon_lat(str(tmp_path / "a.tif")) == pytest.approx((-70.25, -33.51), abs=1e-6)
 

@@ -9,7 +9,6 @@ from made_models import brightest_color, metadata, painted, write_model
 from osgeo import gdal
 from qgis.core import QgsProcessingFeedback
 
-from semref.core.geometry.camera import Camera, Lens, above_takeoff
 from semref.core.geometry.error_settings import NETWORK_SPREAD
 from semref.core.labels.class_table import class_table_from_csv
 from semref.core.onboard.image_records import label_reader
@@ -80,17 +79,6 @@ def test_a_photo_has_the_same_labels_and_shares_in_qgis_and_on_board(qgis_app, m
     for other in (on_board, again):
         np.testing.assert_array_equal(other.labels_hw, seen.labels_hw)
         np.testing.assert_array_equal(other.shares.shares, seen.shares.shares)
-
-
-def test_height_and_lens_give_the_same_scale_in_qgis_and_on_board(qgis_app, model, tmp_path):
-    path = str(PHOTOS["PNG"](tmp_path / "photo.png"))
-    camera = Camera(lens=Lens("focal_length_px", 100.0), height=above_takeoff(20.0))
-    in_qgis = PhotoLabelReader(model, TABLE, QgsProcessingFeedback(False))(path, camera)
-    on_board = label_reader(model, 1, TABLE)(path, camera)
-    np.testing.assert_array_equal(on_board.labels_hw, in_qgis.labels_hw)
-    np.testing.assert_array_equal(on_board.shares.shares, in_qgis.shares.shares)
-    height, width = PHOTO.shape[:2]
-    assert in_qgis.shares.shares.shape[:2] == (round(0.4 * height), round(0.4 * width))
 
 
 def test_what_a_model_states_of_its_classes_is_known_in_qgis_as_on_board(qgis_app, model, tmp_path):

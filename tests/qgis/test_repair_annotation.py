@@ -4,9 +4,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import CLASSES_CSV, WEST, polygon, read_rows, rectangle, ring, square, write_layer, write_text
+from made_inputs import WEST, polygon, read_rows, rectangle, ring, square, write_layer
 from osgeo import gdal, ogr
-from qgis.core import QgsProcessingException
 
 REPAIR, CHECK, RASTERIZE = "semref:repairannotation", "semref:checkannotation", "semref:rasterizeannotation"
 FIELDS = [("class", "text"), ("zorder", "integer"), ("note", "text")]
@@ -98,10 +97,3 @@ def test_the_label_map_changes_only_at_reported_issues(repair, run_algorithm, tm
     changed = maps[0] != maps[1]
     assert changed.any()
     assert not changed[reported.ReadAsArray() == 0].any()
-
-
-def test_unknown_classes_are_refused_as_in_rasterizing(repair, tmp_path):
-    table = write_text(tmp_path / "t.csv", CLASSES_CSV)
-    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 9), "lighthouse")])
-    with pytest.raises(QgsProcessingException, match="“lighthouse”"):
-        repair(layer, CLASS_TABLE=str(table))

@@ -72,15 +72,6 @@ def test_the_class_without_a_name_is_not_shown_first(segment, image, tmp_path):
     assert (labels == 0).any() and (sure[labels == 0] <= 100).all()
 
 
-def test_pixels_without_data_have_no_percent(segment, tmp_path):
-    photo = np.where(PHOTO == 7, 8, PHOTO).astype(np.uint8)
-    photo[:, 20:90, 30:180] = 7
-    found = segment(write_raster(tmp_path / "a.tif", photo, nodata=7, transform=PLACE), **certainty(tmp_path))
-    hole = (photo == 7).all(axis=0)
-    np.testing.assert_array_equal(read_pixels(found["CONFIDENCE"]) == 255, hole)
-    np.testing.assert_array_equal((read_pixels(found["PROBABILITIES"]) == 255).all(axis=0), hole)
-
-
 # --- the mask ---
 
 

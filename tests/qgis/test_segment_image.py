@@ -113,14 +113,8 @@ def test_bands_are_found_by_their_wavelength_or_color_interpretation(segment, tm
 
 
 def test_a_paletted_image_is_seen_in_its_colors(segment, tmp_path):
-    path = tmp_path / "a.png"
-    memory = gdal.GetDriverByName("MEM").Create("", 230, 170, 1, gdal.GDT_Byte)
-    palette = gdal.ColorTable()
-    for value in range(4):
-        palette.SetColorEntry(value, (*painted(np.array([[value]]))[0, 0].tolist(), 255))
-    memory.GetRasterBand(1).SetColorTable(palette)
-    memory.GetRasterBand(1).WriteArray(LABELS)
-    gdal.GetDriverByName("PNG").CreateCopy(str(path), memory)
+    palette = {value: painted(np.array([[value]]))[0, 0] for value in range(4)}
+    path = write_raster(tmp_path / "a.png", LABELS, palette=palette, transform=None)
     np.testing.assert_array_equal(read_pixels(segment(path)), SEEN)
 
 

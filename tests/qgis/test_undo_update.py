@@ -1,20 +1,25 @@
-"""Undo reverts exactly one update, and a failed undo loses neither file."""
+"""Undo reverts exactly one update, a failed undo loses neither file, and copies wait for other programs."""
 
 import contextlib
 import os
 import shutil
 import sqlite3
+import threading
+from contextlib import closing
 from pathlib import Path
 
 import numpy as np
 import pytest
 from edited_database import edit, kept_database
 from full_disks import files_of_at_most
+from qgis.core import QgsRectangle
 
 from semref.core.errors import SemRefError
+from semref.processing.inspection.correction import DrawnFeature, changed_bounds
 from semref.storage.database import undo
 from semref.storage.database.reader import read_database, store_checksums
 from semref.storage.database.undo import can_undo, file_before, replace_keeping, stated_checksums, undo_update
+from semref.storage.vector_files import copy_whole
 
 
 @pytest.fixture
@@ -206,3 +211,80 @@ def test_a_file_that_another_program_locks_is_not_replaced(path, tmp_path, short
         with pytest.raises(SemRefError):
             undo_update(path)
     assert content(path) == before
+
+
+LIMIT_S = 60
+
+
+@pytest.fixture
+def file(tmp_path):
+    path = tmp_path / "some.gpkg"
+    with closing(sqlite3.connect(path)) as made:
+        made.execute("CREATE TABLE numbers AS SELECT 7 AS number")
+        made.commit()
+    return path
+
+
+def copied(file, target):
+    """Copy in a thread, so that an endless copy fails; return the error or None."""
+    raised = []
+
+    def work():
+        with closing(sqlite3.connect(file)) as source, closing(sqlite3.connect(target)) as copy:
+            try:
+                copy_whole(source, copy)
+            except Exception as error:
+                raised.append(error)
+
+    thread = threading.Thread(target=work, daemon=True)
+    thread.start()
+    thread.join(LIMIT_S)
+    assert not thread.is_alive(), "the copy waits for good"
+    return raised[0] if raised else None
+
+
+@pytest.mark.parametrize("is_written", [False, True])
+def test_a_copy_waits_for_a_writer_that_ends_soon_and_contains_what_was_committed(file, tmp_path, is_written):
+    with closing(sqlite3.connect(file, isolation_level=None, check_same_thread=False)) as other:
+        timer = threading.Timer(0.3, other.rollback)
+        if is_written:
+            other.execute("BEGIN EXCLUSIVE")
+            timer.start()
+        assert copied(file, tmp_path / "copy.gpkg") is None
+        if is_written:
+            timer.join()
+    with closing(sqlite3.connect(tmp_path / "copy.gpkg")) as copy:
+        assert copy.execute("SELECT number FROM numbers").fetchall() == [(7,)]
+
+
+@pytest.mark.slow
+def test_a_file_that_another_program_keeps_locked_is_reported(file, tmp_path):
+    with closing(sqlite3.connect(file, isolation_level=None)) as other:
+        other.execute("BEGIN EXCLUSIVE")
+        error = copied(file, tmp_path / "copy.gpkg")
+    assert isinstance(error, sqlite3.OperationalError) and "locked" in str(error)
+
+
+def drawn(**digests):
+    """Return features with these digests, each at its own place."""
+    return {
+        ord(name): DrawnFeature(digest, QgsRectangle(ord(name), digest, ord(name) + 1, digest + 1))
+        for name, digest in digests.items()
+    }
+
+
+@pytest.mark.parametrize(
+    ("now", "changed"),
+    [
+        ({"a": 1, "b": 1, "c": 1}, set()),
+        ({"a": 1, "b": 2, "c": 1}, {("b", 1), ("b", 2)}),
+        ({"a": 1, "c": 1}, {("b", 1)}),
+        ({"a": 1, "b": 1, "c": 1, "d": 4}, {("d", 4)}),
+        ({"c": 1, "a": 1, "b": 1}, {("a", 1), ("b", 1), ("c", 1)}),
+        ({"d": 1, "b": 3, "c": 1}, {("a", 1), ("b", 1), ("b", 3), ("d", 1)}),
+    ],
+    ids=["nothing", "changed", "removed", "added", "moved to the bottom", "several"],
+)
+def test_old_and_new_places_of_all_that_differs_are_found(qgis_app, now, changed):
+    found = changed_bounds(drawn(a=1, b=1, c=1), drawn(**now))
+    assert {(chr(int(place.xMinimum())), int(place.yMinimum())) for place in found} == changed

@@ -12,7 +12,7 @@ import pytest
 from full_disks import files_of_at_most
 from made_inputs import NAMES, NORTH, WEST, read_pixels, scattered_objects, square, write_layer, write_raster
 from osgeo import ogr
-from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsVectorLayer
+from qgis.core import QgsProcessingException, QgsVectorLayer
 
 from semref.storage.database import editor
 from semref.storage.database.connection import DatabaseChangedError
@@ -178,14 +178,6 @@ def test_a_database_of_an_older_version_is_refused_in_one_sentence(update, old, 
         connection.commit()
     with refused("built the database without block hashes and bounds of landmarks"):
         update(DATABASE=str(place))
-
-
-def test_a_cancel_leaves_nothing(update, old, tmp_path):
-    feedback = QgsProcessingFeedback()
-    feedback.progressChanged.connect(lambda share: share > 20 and feedback.cancel())
-    with refused("Canceled"):
-        update(feedback)
-    assert not list(tmp_path.iterdir())
 
 
 def test_what_others_wrote_meanwhile_is_not_undone(update, old, tmp_path, monkeypatch):

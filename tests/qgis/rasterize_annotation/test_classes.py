@@ -8,12 +8,6 @@ import pytest
 from made_inputs import read_pixels, square, write_layer, write_text
 from osgeo import ogr
 from qgis.core import (
-    QgsApplication,
-    QgsProcessingContext,
-    QgsProcessingFeedback,
-    QgsProcessingOutputLayerDefinition,
-    QgsProcessingUtils,
-    QgsProject,
     QgsRasterLayer,
 )
 from qgis.PyQt.QtGui import QColor
@@ -28,22 +22,6 @@ def test_ground_without_a_polygon_is_transparent_in_any_program(rasterize, tmp_p
     drawn = made.renderer().block(1, made.extent(), made.width(), made.height())
     alphas = [QColor.fromRgba(drawn.color(drawn.height() // 2, column)).alpha() for column in range(made.width())]
     assert alphas == [255] * 4 + [0] * 8 + [255] * 4
-
-
-def test_the_map_that_qgis_loads_lists_only_its_own_classes(qgis_app, tmp_path, classes_csv):
-    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "building"), (square(12, 0, 4), "water")])
-    context, project, feedback = QgsProcessingContext(), QgsProject(), QgsProcessingFeedback(False)
-    context.setProject(project)
-    output = QgsProcessingOutputLayerDefinition(str(tmp_path / "labels.tif"), project)
-    given = {"INPUT": str(layer), "CLASS_FIELD": "class", "CLASS_TABLE": classes_csv, "PIXEL_SIZE": 1, "OUTPUT": output}
-    algorithm = QgsApplication.processingRegistry().createAlgorithmById("semref:rasterizeannotation")
-    results, succeeded = algorithm.run(given, context, feedback, {}, False)
-    assert succeeded, feedback.textLog()
-    loaded = QgsProcessingUtils.mapLayerFromString(results["OUTPUT"], context)
-    details = context.layerToLoadOnCompletionDetails(results["OUTPUT"])
-    details.postProcessor().postProcessLayer(loaded, context, feedback)
-    assert [one.label for one in loaded.renderer().classes()][:2] == ["building", "water"]
-    assert len(loaded.renderer().classes()) < 10
 
 
 def test_a_class_table_gives_values_to_text_in_any_case_and_is_written_into_the_map(rasterize, tmp_path, classes_csv):

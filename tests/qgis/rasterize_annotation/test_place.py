@@ -4,7 +4,6 @@ import pytest
 from made_inputs import NAMES, NORTH, WEST, read_pixels, rectangle, square, write_layer
 from osgeo import gdal, ogr
 from qgis.core import QgsProcessingFeatureSourceDefinition, QgsRasterLayer, QgsVectorLayer
-from rasterized import category_names
 
 
 def test_the_grid_is_aligned_to_multiples_of_the_pixel_size(rasterize, tmp_path):
@@ -87,19 +86,6 @@ def test_the_label_map_is_a_tiled_deflated_byte_geotiff_with_colors_and_names(ra
     layer = QgsRasterLayer(results["OUTPUT"])
     shown = {entry.value: (entry.label, entry.color.name()) for entry in layer.renderer().classes()}
     assert (shown[1], shown[4]) == (("building", "#d62728"), ("field", "#2ca02c"))
-
-
-def test_an_older_label_map_of_the_same_name_leaves_no_metadata_behind(rasterize, tmp_path):
-    wide = write_layer(tmp_path / "wide.gpkg", [(square(0, 0, 600), "old name")])
-    output = rasterize(wide)["OUTPUT"]
-    older = gdal.Open(output)
-    older.BuildOverviews("NEAREST", [2])  # into labels.tif.ovr
-    del older
-    assert (tmp_path / "labels.tif.ovr").exists()
-    rasterize(write_layer(tmp_path / "narrow.gpkg", [(square(0, 0, 10), "new name")]))
-    assert category_names(output) == ["unlabeled", "new name", "other"]
-    made = gdal.Open(output)
-    assert made.GetRasterBand(1).GetOverviewCount() == 0
 
 
 @pytest.mark.parametrize("exceptions", [True, False])
