@@ -1,4 +1,4 @@
-"""The dock as a whole: opened, filled, unloaded; the database that its tabs share."""
+"""The dock as a whole: opened, filled, folded, unloaded; its status line and the database that its tabs share."""
 
 import time
 
@@ -23,7 +23,8 @@ from dock_area import (
 )
 from made_inputs import write_raster
 from qgis.core import QgsApplication, QgsCoordinateReferenceSystem, QgsLayerTreeRegistryBridge, QgsProject, QgsSettings
-from qgis.PyQt.QtWidgets import QFileDialog, QTextBrowser
+from qgis.gui import QgsCollapsibleGroupBox
+from qgis.PyQt.QtWidgets import QApplication, QDialog, QFileDialog, QTextBrowser
 
 from semref.processing.algorithms import localize_images
 from semref.processing.compat import wkt_for_gdal
@@ -35,6 +36,7 @@ from semref.ui.dock.content import INSPECT, LOCALIZE
 from semref.ui.dock.dock import FIRST_WIDTH_PX
 from semref.ui.entry import PAGE
 from semref.ui.packages import missing_notice
+from semref.ui.widgets.progress import StatusLine
 
 
 def test_the_button_shows_and_hides_the_dock(plugin, iface):
@@ -217,3 +219,70 @@ def test_an_image_that_is_added_to_the_map_is_above_all_other_layers(qgis_app, a
     assert root.children()[0].layerId() == photo.id()
     bridge.setLayerInsertionPoint(QgsLayerTreeRegistryBridge.InsertionPoint(root, 0))
     project.clear()
+
+
+def open_windows() -> set[str]:
+    return {window.objectName() for window in QApplication.topLevelWidgets() if window.isVisible()}
+
+
+def fold_each_box_and_change_tabs(dock) -> None:
+    for tab in (*range(dock.content.tabs.count()), 0):
+        dock.content.tabs.setCurrentIndex(tab)
+        settle()
+    for box in dock.content.findChildren(QgsCollapsibleGroupBox):
+        for folded in (True, False):
+            box.setCollapsed(folded)
+            settle()
+
+
+def test_a_dialog_that_was_closed_stays_closed_when_boxes_unfold_and_tabs_change(dock, tab):
+    tab.images.models.click()
+    settle()
+    assert "SemRefModels" in open_windows()
+    tab.images.choosing.reject()
+    settle()
+    fold_each_box_and_change_tabs(dock)
+    assert "SemRefModels" not in open_windows()
+
+
+def test_what_is_hidden_in_a_box_stays_hidden_when_it_unfolds(dock, tab):
+    wait_until(tab.images.isVisible, "the dock")
+    correct = dock.content.correct.updating
+    parts = tab.progress, correct.progress, correct.undo
+    assert [part.isHidden() for part in parts] == [True] * 3
+    fold_each_box_and_change_tabs(dock)
+    assert [part.isHidden() for part in parts] == [True] * 3
+
+
+def test_there_is_one_list_of_models_at_a_time_and_it_goes_with_the_dock(dock, tab):
+    tab.images.models.click()
+    tab.images.models.click()
+    settle()
+    dialogs = dock.window().findChildren(QDialog, "SemRefModels")
+    assert len(dialogs) == 1
+    assert dialogs[0].parent() is dock.window()
+    tab.images.shut_down()
+    settle()
+    assert dock.window().findChildren(QDialog, "SemRefModels") == []
+
+
+SAID, ASIDE = "2 of 2 images have a position.", "CPU, 11.6 tiles per second."
+
+
+@pytest.fixture
+def line(qgis_app):
+    line = StatusLine()
+    line.show_text(SAID, ASIDE)
+    line.show()
+    yield line
+    line.close()
+
+
+def test_a_narrow_line_shows_the_second_sentence_in_the_tool_tip_and_is_shortened_in_the_middle(line):
+    line.resize(2000, 20)
+    assert line.text() == f"{SAID} {ASIDE}"
+    line.resize(line.fontMetrics().horizontalAdvance(SAID) + 5, 20)
+    assert line.text() == SAID
+    assert line.toolTip() == line.text_shown == f"{SAID} {ASIDE}"
+    line.resize(line.fontMetrics().horizontalAdvance(SAID) // 2, 20)
+    assert "…" in line.text() and line.text().startswith("2 of") and line.text().endswith("ition.")

@@ -1,15 +1,19 @@
-"""The list of models with their cards."""
+"""The list of models with their cards, and the dialog that adds one."""
 
 import html
 import json
 import os
 
+import numpy as np
 import pytest
-from made_models import smallest_model
-from qgis.core import QgsSettings
+from dock_area import wait_until
+from made_inputs import write_raster
+from made_models import smallest_model, write_model
+from qgis.core import QgsProcessingContext, QgsProject, QgsRasterLayer, QgsSettings
 
 from semref.core.segmentation.onnx_file import with_metadata
 from semref.processing.inspection.models import choose_models_folder
+from semref.ui.add_model import AddModelDialog
 from semref.ui.model_list import ModelsDialog
 
 CARD = {
@@ -108,3 +112,104 @@ def test_the_dock_takes_the_model_that_is_chosen(dock, tab, folder):
     assert tab.images.choosing.path() == tab.images.model_path()
     tab.images.choosing.close()
     tab.images.model.setFilePath("")
+
+
+@pytest.fixture
+def models(plugin, tmp_path):
+    """The list of models of an empty folder."""
+    choose_models_folder(str(tmp_path / "models"))
+    made = ModelsDialog()
+    made.show()
+    yield made
+    made.close()
+    made.deleteLater()
+    QgsSettings().remove("semref/models_folder")
+
+
+@pytest.fixture
+def adding(models):
+    models.add.click()
+    yield models.adding
+    if models.adding is not None:
+        models.adding.close()
+
+
+@pytest.fixture
+def photo(tmp_path):
+    """A picture whose left half is blue, and whose right half is red."""
+    pixels = np.zeros((3, 96, 128), np.uint8)
+    pixels[2, :, :64] = pixels[0, :, 64:] = 250
+    return str(write_raster(tmp_path / "photo.tif", pixels, transform=(0, 0.25, 0, 0, 0, -0.25)))
+
+
+def name_classes(adding, *names):
+    for row, name in enumerate(names):
+        adding.classes.item(row, 0).setText(name)
+
+
+def says(adding, text: str) -> None:
+    wait_until(lambda: text in adding.state.text(), f"“{text}”, not “{adding.state.text()}”")
+
+
+def test_a_network_without_names_is_tested_and_added(models, adding, photo, tmp_path):
+    adding.file.setFilePath(str(write_model(tmp_path / "bare.onnx", metadata={}, size=(64, 64))))
+    says(adding, "3 outputs")
+    assert adding.classes.rowCount() == 3 and not adding.threshold.isEnabled()
+    name_classes(adding, "building", "water", "building")
+    adding.resolution_cm.setValue(25)
+    adding.picture.setValue(photo, QgsProcessingContext())
+    adding.test.click()
+    says(adding, "Enter the license")
+    adding.license.setText("CC0")
+    adding.test.click()
+    says(adding, "Check that the classes")
+    assert [adding.legend.item(n).text().replace("\u00a0", " ") for n in range(2)] == ["building: 50 %", "water: 50 %"]
+    assert not adding.labels.pixmap().isNull()
+    assert not list((tmp_path / "models").glob("*.onnx"))
+    adding.add.click()
+    wait_until(lambda: models.path() == str(tmp_path / "models" / "bare.onnx"), "the new model")
+    assert "CC0" in models.card.toPlainText()
+
+
+def test_the_test_picture_is_the_photo_of_the_project_not_its_label_map(models, photo, tmp_path):
+    labels = write_raster(tmp_path / "labels.tif", np.ones((9, 9), np.uint8), names=["", "building"])
+    layers = [QgsRasterLayer(str(path), name) for path, name in ((labels, "A labels"), (photo, "Photo"))]
+    QgsProject.instance().addMapLayers(layers)
+    adding = AddModelDialog()
+    assert adding.picture.currentLayer().name() == "Photo"
+    adding.close()
+    QgsProject.instance().removeAllMapLayers()
+    adding = AddModelDialog()
+    assert adding.picture.currentLayer() is None
+    adding.close()
+
+
+def test_a_preset_fills_the_fields_and_a_checkpoint_asks_for_its_architecture(adding, tmp_path):
+    adding.preset.setCurrentIndex(1)
+    assert adding.classes.rowCount() == 19 and adding.classes.item(2, 0).text() == "road"
+    assert adding.mean.text() == "0.4121; 0.4348; 0.3993" and adding.resolution_cm.value() == 20
+    assert adding.license.text().startswith("Etalab 2.0")
+    adding.preset.setCurrentIndex(2)
+    assert adding.classes.rowCount() == 1 and adding.threshold.isEnabled()
+    adding.preset.setCurrentIndex(0)
+    assert adding.architecture.isHidden() and adding.outputs.isHidden()
+    (tmp_path / "others.pth").write_bytes(b"PK")
+    adding.file.setFilePath(str(tmp_path / "others.pth"))
+    assert not adding.architecture.isHidden() and not adding.encoder.isHidden()
+    adding.outputs.setValue(5)
+    assert adding.classes.rowCount() == 5
+
+
+def test_files_that_are_no_network_are_one_sentence(adding, tmp_path):
+    (tmp_path / "text.onnx").write_text("no network")
+    adding.file.setFilePath(str(tmp_path / "text.onnx"))
+    says(adding, "is not an ONNX model")
+    adding.file.setFilePath(str(write_model(tmp_path / "eight.onnx", metadata={}, batch=8)))
+    says(adding, "takes 8 images at once")
+
+
+def test_a_dialog_that_is_closed_while_it_reads_leaves_nothing(adding, photo, tmp_path):
+    folder = adding._folder.name
+    adding.file.setFilePath(str(write_model(tmp_path / "bare.onnx", metadata={})))
+    adding.close()
+    assert not os.path.exists(folder)
