@@ -288,10 +288,6 @@
    <translation>Mehrdeutig</translation>
   </message>
   <message>
-   <source>An error in SemRef stopped the installation. Please report the text below.</source>
-   <translation>Ein Fehler in SemRef hat die Installation abgebrochen. Bitte melden Sie den Text unten.</translation>
-  </message>
-  <message>
    <source>An error in SemRef stopped the work. Please report the text under “SemRef” in the log messages panel.</source>
    <translation>Ein Fehler in SemRef hat die Arbeit abgebrochen. Bitte melden Sie den Text unter „SemRef“ im Bedienfeld „Protokollmeldungen“.</translation>
   </message>

@@ -288,10 +288,6 @@
    <translation>Ambigua</translation>
   </message>
   <message>
-   <source>An error in SemRef stopped the installation. Please report the text below.</source>
-   <translation>Un error de SemRef detuvo la instalación. Informe del texto siguiente.</translation>
-  </message>
-  <message>
    <source>An error in SemRef stopped the work. Please report the text under “SemRef” in the log messages panel.</source>
    <translation>Un error de SemRef detuvo el trabajo. Informe del texto que aparece en “SemRef” en el panel de mensajes de registro.</translation>
   </message>

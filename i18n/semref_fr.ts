@@ -288,10 +288,6 @@
    <translation>Ambiguë</translation>
   </message>
   <message>
-   <source>An error in SemRef stopped the installation. Please report the text below.</source>
-   <translation>Une erreur dans SemRef a interrompu l’installation. Veuillez signaler le texte ci-dessous.</translation>
-  </message>
-  <message>
    <source>An error in SemRef stopped the work. Please report the text under “SemRef” in the log messages panel.</source>
    <translation>Une erreur dans SemRef a interrompu le travail. Veuillez signaler le texte qui figure sous « SemRef » dans le panneau Journal des messages.</translation>
   </message>

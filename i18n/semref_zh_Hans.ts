@@ -288,10 +288,6 @@
    <translation>不唯一</translation>
   </message>
   <message>
-   <source>An error in SemRef stopped the installation. Please report the text below.</source>
-   <translation>SemRef 中的错误使安装停止。请反馈以下文本。</translation>
-  </message>
-  <message>
    <source>An error in SemRef stopped the work. Please report the text under “SemRef” in the log messages panel.</source>
    <translation>SemRef 中的错误使工作停止。请反馈日志消息面板中“SemRef”下的文本。</translation>
   </message>

@@ -171,10 +171,8 @@ class AddModelDialog(QDialog):
         self._labeling.answered.connect(self._show_test)
         for reader in (self._looking, self._labeling):
             reader.failed.connect(self._show_end)
-            reader.broke.connect(self._show_end)
         self._run.textChanged.connect(self.state.setText)
         self._run.failed.connect(self._show_end)
-        self._run.broke.connect(self._show_end)
         self._run.canceled.connect(lambda: self._show_end(tr("Canceled. Nothing was written.")))
         self._run.done.connect(self._take_model)
 

@@ -70,7 +70,8 @@ class DockEntry:
         self._options.changed.connect(self._dock.refresh_notice)
         for signal in (self._installer.installed, self._installer.failed, self._installer.canceled):
             signal.connect(self._dock.refresh_notice)
-        self._dock.messages.show_failures(self._installer, self._training_installer)
+        for installer in (self._installer, self._training_installer):
+            installer.failed.connect(self._dock.messages.error)
 
     def _add_to_menu(self, name: str, text: str, icon: str, triggered: Callable[[], None]) -> None:
         action = QAction(QgsApplication.getThemeIcon(icon) if icon else QIcon(), text, self._iface.mainWindow())

@@ -49,7 +49,7 @@ class SampleProject(QObject):
         self._folder = Path()
         self.run = AlgorithmRun(self)
         self.run.done.connect(lambda *_: self._open())
-        self._messages.show_failures(self.run)
+        self.run.failed.connect(self._messages.error)
 
     def shut_down(self) -> None:
         self.run.abandon()

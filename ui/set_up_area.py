@@ -131,10 +131,8 @@ class SetUpAreaDialog(QDialog):
         for widget in (self.map, self.lines, self.imagery, self.width_m, self.minutes):
             widget.valueChanged.connect(self._read_soon)
         self._reader.answered.connect(self._show_area)
-        for failed in (self._reader.failed, self._reader.broke):
-            failed.connect(self.summary.setText)
-        for failed in (self._run.failed, self._run.broke):
-            failed.connect(self._show_fault)
+        self._reader.failed.connect(self.summary.setText)
+        self._run.failed.connect(self._show_fault)
         self._run.progressed.connect(self.progress.show_percent)
         self._run.textChanged.connect(self.state.show_text)
         self._run.done.connect(self._finish)

@@ -3,7 +3,7 @@
 import threading
 
 import pytest
-from dock_area import settle, wait_until
+from dock_area import logged, settle, wait_until
 from qgis.core import QgsVectorLayer
 from qgis.PyQt.QtCore import QObject
 
@@ -21,7 +21,7 @@ def run(qgis_app):
     """An AlgorithmRun with what it said: (signal, what came with it)."""
     parent = QObject()
     made, ends = AlgorithmRun(parent), []
-    for name in ("done", "failed", "broke", "canceled"):
+    for name in ("done", "failed", "canceled"):
         getattr(made, name).connect(lambda *values, name=name: ends.append((name, *values)))
     made.ends = ends
     yield made
@@ -47,9 +47,11 @@ def ended(run) -> list:
 
 @pytest.mark.slow
 def test_an_error_in_preparation_is_reported_and_ends_the_run(run, broken):
-    assert run.start_algorithm(ALGORITHM, {}, "Rasterizing")
-    ((name, report),) = ended(run)
-    assert name == "broke" and "a fault in preparing" in report
+    with logged() as reports:
+        assert run.start_algorithm(ALGORITHM, {}, "Rasterizing")
+        ((name, sentence),) = ended(run)
+    assert name == "failed" and "error in SemRef" in sentence
+    assert len(reports) == 1 and "a fault in preparing" in reports[0]
 
 
 def test_a_run_that_is_canceled_before_its_error_is_reported_is_canceled(run, broken):
@@ -79,7 +81,7 @@ def reader(qgis_app):
     """A Reader with what it said: (signal, what came with it)."""
     parent = QObject()
     made, said = Reader(parent), []
-    for name in ("answered", "failed", "broke"):
+    for name in ("answered", "failed"):
         getattr(made, name).connect(lambda value, name=name: said.append((name, value)))
     made.said = said
     yield made
@@ -93,7 +95,7 @@ def answer_of(reader) -> list:
     return reader.said
 
 
-def test_errors_for_the_user_and_bugs_have_different_signals(reader):
+def test_errors_are_for_the_user_and_bugs_are_logged(reader):
     def refuses():
         raise LabelMapError("Image {path} can't be read: {reason}.", path="photo.jpg", reason="no image")
 
@@ -101,9 +103,11 @@ def test_errors_for_the_user_and_bugs_have_different_signals(reader):
     ((name, sentence),) = answer_of(reader)
     assert name == "failed" and "photo.jpg" in sentence
     reader.said.clear()
-    reader.read("Reading", lambda: 1 / 0)
-    ((name, report),) = answer_of(reader)
-    assert name == "broke" and "ZeroDivisionError" in report
+    with logged() as reports:
+        reader.read("Reading", lambda: 1 / 0)
+        ((name, sentence),) = answer_of(reader)
+    assert name == "failed" and "error in SemRef" in sentence
+    assert len(reports) == 1 and "ZeroDivisionError" in reports[0]
 
 
 def test_of_many_that_are_asked_while_one_runs_the_last_is_answered(reader):

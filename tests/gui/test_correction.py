@@ -5,7 +5,7 @@ import sqlite3
 from pathlib import Path
 
 import pytest
-from dock_area import CRS, ORIGIN, messages, rectangles, settle, wait_until
+from dock_area import CRS, ORIGIN, logged, messages, rectangles, settle, wait_until
 from qgis.core import QgsGeometry, QgsMapRendererSequentialJob, QgsMapSettings, QgsProject, QgsRasterLayer, QgsRectangle
 from qgis.PyQt.QtCore import QSize
 from qgis.PyQt.QtWidgets import QDialog, QPushButton
@@ -128,11 +128,10 @@ def test_the_next_update_rasterizes_and_compares_only_what_was_changed_since(
 
 
 def test_a_bug_between_the_steps_of_an_update_ends_it_and_is_reported(dock, box, database, monkeypatch):
-    reports = []
-    dock.content.correct.run.broke.connect(reports.append)
     monkeypatch.setattr(correction_run.CorrectionRun, "_beside", lambda self, database: {}["nothing"])
     before = Path(database).read_bytes()
-    press(dock, box)
+    with logged() as reports:
+        press(dock, box)
     assert len(reports) == 1 and "KeyError" in reports[0]
     assert box.button.text() == "Rasterize and update the database"
     assert Path(database).read_bytes() == before

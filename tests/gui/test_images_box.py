@@ -105,7 +105,7 @@ def test_pictures_with_the_colors_of_photos_are_photos_whatever_their_names(dock
     write_png(labels, COLORS // 100 * 100)
     dock.content.database.file.setFilePath(area.database)
     tab.images.list.show_only([str(labels)])
-    wait_until(lambda: not tab.images._reader.reading, "the look")
+    wait_until(lambda: tab.images._reader._task is None, "the look")
     assert tab.state.text_shown == "Ready to localize."
     assert tab.images.model_path() == ""
     tab.images.list.show_only([str(photo)])
@@ -148,6 +148,6 @@ def test_a_file_that_is_no_database_is_refused_before_a_run(dock, area, tab, tmp
     assert box.fault.startswith("index.html is not a") and "choose" in box.fault
     assert box.fault_label.isVisible() and box.fault_label.text() == box.fault and not box.add_to_map.isEnabled()
     box.file.setFilePath(area.database)
-    wait_until(lambda: not box._reader.reading, "the look")
+    wait_until(lambda: box._reader._task is None, "the look")
     assert box.fault_label.isHidden() and tab.localize_button.isEnabled()
     assert tab.state.text_shown == "Ready to localize."

@@ -71,8 +71,7 @@ def root(qgis_app, tmp_path, monkeypatch) -> Path:
 def installer(qgis_app):
     """Return an installer; `.ends` has its messages."""
     made, ends = ComponentInstaller(), []
-    for name in ("failed", "broke"):
-        getattr(made, name).connect(ends.append)
+    made.failed.connect(ends.append)
     for name in ("installed", "canceled"):
         getattr(made, name).connect(lambda name=name: ends.append(name))
     made.ends = ends

@@ -79,7 +79,7 @@ class DockContent(QWidget):
         self.correct.updated.connect(self._show_updated)
         self.correct.outdated.connect(self._offer_label_map)
         self._reader.answered.connect(self.inspect.use)
-        self._messages.show_failures(self._reader)
+        self._reader.failed.connect(self._messages.error)
         self.correct.updating.use_database(self.database.path())
 
     def minimumSizeHint(self) -> QSize:

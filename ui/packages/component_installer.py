@@ -10,22 +10,21 @@ from ...core.errors import SemRefError
 from ...processing.messages.sentences import worded
 from ...processing.packages.components import Package, add_components_to_path
 from ...processing.packages.install import Answer, Command, Commands, installing
+from ..widgets.messages import bug_sentence
 
 _KILLED_WITHIN_MS = 5000
 
 
 class ComponentInstaller(QObject):
-    """Runs an installation. It ends with one of installed, failed, broke and canceled.
+    """Runs an installation. It ends with one of installed, failed and canceled.
 
-    began: description of the current step; outputRead: output of the process; failed: a sentence for the user; broke: a
-    bug's traceback.
+    began: description of the current step; outputRead: output of the process; failed: a sentence for the user.
     """
 
     began = pyqtSignal(str)
     outputRead = pyqtSignal(str)
     installed = pyqtSignal()
     failed = pyqtSignal(str)
-    broke = pyqtSignal(str)
     canceled = pyqtSignal()
 
     def __init__(self, parent: QObject | None = None) -> None:
@@ -71,7 +70,7 @@ class ComponentInstaller(QObject):
         except SemRefError as error:
             self._end(self.failed, worded(error))
         except Exception:
-            self._end(self.broke, traceback.format_exc())
+            self._end(self.failed, bug_sentence(traceback.format_exc()))
         else:
             self._run(command)
 

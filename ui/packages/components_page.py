@@ -156,7 +156,6 @@ class ComponentsPage(QgsOptionsPageWidget):
         self._installer.outputRead.connect(self._add_to_log)
         self._installer.installed.connect(self._show_installed)
         self._installer.failed.connect(self._show_end)
-        self._installer.broke.connect(self._show_bug)
         self._installer.canceled.connect(self._show_canceled)
 
     # --- state ---
@@ -231,10 +230,6 @@ class ComponentsPage(QgsOptionsPageWidget):
 
     def _show_installed(self) -> None:
         self._show_end(tr("Installed. You do not need to restart QGIS."))
-
-    def _show_bug(self, report: str) -> None:
-        self._add_to_log(report)
-        self._show_end(tr("An error in SemRef stopped the installation. Please report the text below."))
 
     def _show_canceled(self) -> None:
         self._show_end(tr("Canceled."))

@@ -81,7 +81,6 @@ class TrainingGroup(QGroupBox):
         self._installer.outputRead.connect(self._show_last_line)
         self._installer.installed.connect(self._show_state)
         self._installer.failed.connect(self._show_end)
-        self._installer.broke.connect(self._show_bug)
         self._installer.canceled.connect(self._show_state)
 
     def _make(self) -> None:
@@ -120,9 +119,6 @@ class TrainingGroup(QGroupBox):
     def _show_state(self) -> None:
         ready = tr("The training environment is ready: {folder}").format(folder=environment_folder())
         self._show_end(ready if is_environment_ready() else tr("There is no training environment yet."))
-
-    def _show_bug(self, report: str) -> None:
-        self._show_end(tr("An error in SemRef stopped the installation. Please report the text below.") + f"\n{report}")
 
     def _show_end(self, sentence: str) -> None:
         self.state.setText(sentence)

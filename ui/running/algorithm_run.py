@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from functools import partial
+from typing import Callable
+from weakref import ref
+
 from qgis.core import (
     QgsApplication,
     QgsProcessingAlgRunnerTask,
@@ -10,9 +14,11 @@ from qgis.core import (
     QgsProject,
     QgsTask,
 )
+from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QObject, QTimer, pyqtSignal
 
 from ...processing.translation import tr
+from ..widgets.messages import bug_sentence
 
 UNLOAD_WAIT_MS = 2000
 """Longest wait when the plugin is unloaded. A cancel takes effect within a second."""
@@ -24,50 +30,34 @@ _BUG_REPORT_BEGINS = "Traceback"
 """Start of the text by which QGIS reports an unexpected Python exception."""
 
 
-class BeginWatch(QObject):
-    """Detects that QGIS will never start a task.
+def begin(task: QgsTask, restart: Callable[[], None]) -> None:
+    """Start a task in the background. Call ``restart`` if QGIS loses it.
 
     QGIS removes ended tasks from its queue by their address. A new task at the same address is removed as well and
     never starts (seen in 3.44, once in some hundred runs).
-
-    lost: the task will never start; start another one.
     """
+    watched = ref(task)
+    QgsApplication.taskManager().addTask(task)
 
-    lost = pyqtSignal()
-
-    def __init__(self, parent: QObject) -> None:
-        super().__init__(parent)
-        self._task: QgsTask | None = None
-        self._timer = QTimer(self)
-        self._timer.setSingleShot(True)
-        self._timer.timeout.connect(self._look)
-
-    def watch(self, task: QgsTask) -> None:
-        """Watch this task instead of the previous one."""
-        self._task = task
-        self._timer.start(BEGINS_WITHIN_MS)
-
-    def stop(self) -> None:
-        """Stop watching; call it when the task ends, before it is deleted."""
-        self._task = None
-        self._timer.stop()
-
-    def _look(self) -> None:
-        if self._task is None or self._task.status() != QgsTask.TaskStatus.Queued:
+    def look() -> None:
+        left = watched()
+        if left is None or sip.isdeleted(left) or left.status() != QgsTask.TaskStatus.Queued:
             return
         tasks = QgsApplication.taskManager().activeTasks()
-        if any(task.status() == QgsTask.TaskStatus.Running for task in tasks):
+        if any(other.status() == QgsTask.TaskStatus.Running for other in tasks):
             # The task waits for a running one.
-            self._timer.start(BEGINS_WITHIN_MS)
-            return
-        self.lost.emit()
+            QTimer.singleShot(BEGINS_WITHIN_MS, look)
+        else:
+            restart()
+
+    QTimer.singleShot(BEGINS_WITHIN_MS, look)
 
 
 class AlgorithmRun(QObject):
-    """One run. If it starts, it ends with exactly one of ``done``, ``failed``, ``broke`` and ``canceled``.
+    """One run. If it starts, it ends with exactly one of ``done``, ``failed`` and ``canceled``.
 
     textChanged: current step; logged: line for the log panel; done: results (dict), and the context with layers in
-    memory; failed: a sentence for the user; broke: a bug's traceback.
+    memory; failed: a sentence for the user.
     """
 
     progressed = pyqtSignal(float)
@@ -75,7 +65,6 @@ class AlgorithmRun(QObject):
     logged = pyqtSignal(str)
     done = pyqtSignal(object, object)
     failed = pyqtSignal(str)
-    broke = pyqtSignal(str)
     canceled = pyqtSignal()
 
     def __init__(self, parent: QObject) -> None:
@@ -84,9 +73,6 @@ class AlgorithmRun(QObject):
         self._feedback: _Feedback | None = None
         self._context: QgsProcessingContext | None = None
         self._cancel_asked = False
-        self._asked: tuple[str, dict, str] = ("", {}, "")
-        self._watch = BeginWatch(self)
-        self._watch.lost.connect(self._restart)
 
     @property
     def running(self) -> bool:
@@ -124,19 +110,14 @@ class AlgorithmRun(QObject):
             QTimer.singleShot(0, self._end_unprepared)
         else:
             self._task.executed.connect(self._finish)
-            QgsApplication.taskManager().addTask(self._task)
-            self._asked = algorithm_id, parameters, title
-            self._watch.watch(self._task)
+            begin(self._task, partial(self._restart, algorithm_id, parameters, title))
         return True
 
-    def _restart(self) -> None:
+    def _restart(self, *asked) -> None:
         """Start the run again, because QGIS lost its task."""
-        if self._task is None or self._cancel_asked:
-            return
-        task, self._task = self._task, None
-        task.executed.disconnect(self._finish)
-        task.cancel()
-        self.start_algorithm(*self._asked)
+        self._task.executed.disconnect(self._finish)
+        self._task.cancel()
+        self.start_algorithm(*asked)
 
     def cancel(self) -> None:
         if self._task is not None:
@@ -148,7 +129,6 @@ class AlgorithmRun(QObject):
         if self._task is None:
             return
         self.blockSignals(True)
-        self._watch.stop()
         task = self._task
         self.cancel()
         task.waitForFinished(UNLOAD_WAIT_MS)
@@ -158,7 +138,6 @@ class AlgorithmRun(QObject):
             self._finish(False, {})
 
     def _finish(self, succeeded: bool, results: dict) -> None:
-        self._watch.stop()
         context, error = self._context, self._feedback.last_error
         self._task = self._feedback = self._context = None
         if self._cancel_asked:
@@ -170,7 +149,7 @@ class AlgorithmRun(QObject):
             # Canceled in QGIS's task manager.
             self.canceled.emit()
         elif error.startswith(_BUG_REPORT_BEGINS):
-            self.broke.emit(error)
+            self.failed.emit(bug_sentence(error))
         else:
             self.failed.emit(error)
 
@@ -202,7 +181,7 @@ class _Feedback(QgsProcessingFeedback):
         self.logged.emit(warning)
 
     def reportError(self, error, fatalError=False):
-        # The dock logs bug reports when the run ends.
+        # Bug reports are logged when the run ends.
         if not fatalError and not error.startswith(_BUG_REPORT_BEGINS):
             self.logged.emit(error)
         # The last reported error is the one that ended the run.

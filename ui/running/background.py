@@ -6,12 +6,13 @@ import os
 import traceback
 from typing import TYPE_CHECKING, Callable
 
-from qgis.core import QgsApplication, QgsTask
+from qgis.core import QgsTask
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ...core.errors import SemRefError
 from ...processing.messages.sentences import worded
-from .algorithm_run import UNLOAD_WAIT_MS, BeginWatch
+from ..widgets.messages import bug_sentence
+from .algorithm_run import UNLOAD_WAIT_MS, begin
 
 if TYPE_CHECKING:
     from ...core.database.model import ReferenceDatabase
@@ -23,37 +24,27 @@ class Reader(QObject):
     Thus, stepping through hundreds of images with a key held down reads two of them. Call ``shut_down`` before
     deleting it.
 
-    answered: result of the function; failed: a sentence for the user; broke: a bug's traceback.
+    answered: result of the function; failed: a sentence for the user.
     """
 
     answered = pyqtSignal(object)
     failed = pyqtSignal(str)
-    broke = pyqtSignal(str)
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._task: _Task | None = None
         self._asked: tuple | None = None
+        """Request of the running task; None if its result is not wanted anymore."""
         self._next: tuple | None = None
-        self._is_wanted = False
-        self._watch = BeginWatch(self)
-        self._watch.lost.connect(self._restart)
-
-    @property
-    def reading(self) -> bool:
-        """Whether a result is still expected."""
-        return self._is_wanted or self._next is not None
 
     def read(self, title: str, function: Callable, *arguments) -> None:
-        self._next = title, function, arguments
-        self._is_wanted = False
+        self._asked, self._next = None, (title, function, arguments)
         if self._task is None:
             self._start()
 
     def forget(self) -> None:
         """Discard the result of the running function."""
-        self._next = None
-        self._is_wanted = False
+        self._asked = self._next = None
 
     def shut_down(self) -> None:
         """Discard the result, and wait until the background thread has ended."""
@@ -64,15 +55,12 @@ class Reader(QObject):
 
     def _start(self) -> None:
         self._asked, self._next = self._next, None
-        self._is_wanted = True
         self._task = _Task(*self._asked)
         self._task.done.connect(self._take)
-        QgsApplication.taskManager().addTask(self._task)
-        self._watch.watch(self._task)
+        begin(self._task, self._restart)
 
     def _give_up(self) -> _Task | None:
         """Disconnect, cancel and return the task."""
-        self._watch.stop()
         task, self._task = self._task, None
         if task is not None:
             task.done.disconnect(self._take)
@@ -82,27 +70,19 @@ class Reader(QObject):
     def _restart(self) -> None:
         """Start again with the latest request, because QGIS lost the task."""
         self._give_up()
-        if self._next is None and self._is_wanted:
-            self._next = self._asked
+        self._next = self._next or self._asked
         if self._next is not None:
             self._start()
 
     def _take(self) -> None:
-        self._watch.stop()
         task, self._task = self._task, None
         # Its arguments may keep files open.
-        self._asked = None
+        is_wanted, self._asked = self._asked is not None, None
         if self._next is not None:
             self._start()
-            return
-        is_wanted, self._is_wanted = self._is_wanted, False
-        if not is_wanted:
-            return
-        if task.sentence:
+        elif is_wanted and task.sentence:
             self.failed.emit(task.sentence)
-        elif task.report:
-            self.broke.emit(task.report)
-        else:
+        elif is_wanted:
             self.answered.emit(task.answer)
 
 
@@ -116,7 +96,7 @@ class _Task(QgsTask):
         super().__init__(title, QgsTask.Flag.CanCancel | QgsTask.Flag.CancelWithoutPrompt | _hidden())
         self._function, self._arguments = function, arguments
         self.answer = None
-        self.sentence = self.report = ""
+        self.sentence = ""
 
     def run(self):
         try:
@@ -124,7 +104,7 @@ class _Task(QgsTask):
         except SemRefError as error:
             self.sentence = worded(error)
         except Exception:
-            self.report = traceback.format_exc()
+            self.sentence = bug_sentence(traceback.format_exc())
         return True
 
     def finished(self, result):

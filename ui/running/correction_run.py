@@ -25,6 +25,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ...core.errors import SemRefError
 from ...processing.translation import tr
 from ...storage.atomic_output import Batch
+from ..widgets.messages import bug_sentence
 from .algorithm_run import AlgorithmRun
 from .background import Reader
 
@@ -77,22 +78,20 @@ class _Known:
 class CorrectionRun(QObject):
     """Updates a database from a layer. After the first update, only changed areas are rasterized and compared.
 
-    One update at a time. It ends with exactly one of ``done``, ``failed``, ``broke`` and ``canceled``. Call
-    ``shut_down`` before deleting it.
+    One update at a time. It ends with exactly one of ``done``, ``failed`` and ``canceled``. Call ``shut_down`` before
+    deleting it.
 
     Attributes:
         rasterizing: Parameters of *Rasterize land-cover layer* in the last update.
         asked: Parameters of *Update reference database* in the last update.
 
-    textChanged: current step; progressed: percent; done: path of the database; failed: a sentence for the user; broke:
-    a bug's traceback.
+    textChanged: current step; progressed: percent; done: path of the database; failed: a sentence for the user.
     """
 
     textChanged = pyqtSignal(str)
     progressed = pyqtSignal(float)
     done = pyqtSignal(str)
     failed = pyqtSignal(str)
-    broke = pyqtSignal(str)
     canceled = pyqtSignal()
 
     def __init__(self, parent: QObject) -> None:
@@ -112,7 +111,6 @@ class CorrectionRun(QObject):
         self._run.progressed.connect(self._show_progress)
         for part in (self._reader, self._run):
             part.failed.connect(partial(self._end_early, self.failed))
-            part.broke.connect(partial(self._end_early, self.broke))
         self._run.canceled.connect(partial(self._end_early, self.canceled))
 
     def shut_down(self) -> None:
@@ -144,7 +142,7 @@ class CorrectionRun(QObject):
             self._stop()
             self.done.emit(end.value)
         except Exception:
-            self._end_early(self.broke, traceback.format_exc())
+            self._end_early(self.failed, bug_sentence(traceback.format_exc()))
         else:
             begin()
 

@@ -60,18 +60,11 @@ class Messages:
         self._bar.pushWidget(item, level)
         return item
 
-    def show_failures(self, *parts) -> None:
-        """Show what the signals ``failed`` and ``broke`` of these objects report."""
-        for part in parts:
-            part.failed.connect(self.error)
-            part.broke.connect(self.bug)
 
-    def bug(self, report: str) -> None:
-        """Show one sentence in the bar and write the traceback to the log panel."""
-        QgsMessageLog.logMessage(report, TAG, Qgis.MessageLevel.Critical, False)
-        self.error(
-            tr("An error in SemRef stopped the work. Please report the text under “SemRef” in the log messages panel.")
-        )
+def bug_sentence(traceback: str) -> str:
+    """Write the traceback of a bug to the log panel. Return a sentence that asks to report it."""
+    QgsMessageLog.logMessage(traceback, TAG, Qgis.MessageLevel.Critical, False)
+    return tr("An error in SemRef stopped the work. Please report the text under “SemRef” in the log messages panel.")
 
 
 def open_file(path: str) -> None:

@@ -24,14 +24,12 @@ REPAIR = "semref:repairannotation"
 class RepairButton(QPushButton):
     """Button to repair all places. Call ``shut_down`` before deleting it.
 
-    textChanged: progress or result in words; repaired: the layer, which has one more undo step; failed: a sentence;
-    broke: a bug's traceback.
+    textChanged: progress or result in words; repaired: the layer, which has one more undo step; failed: a sentence.
     """
 
     textChanged = pyqtSignal(str)
     repaired = pyqtSignal(object)
     failed = pyqtSignal(str)
-    broke = pyqtSignal(str)
 
     def __init__(self, annotation: Callable[[], Correction | None]) -> None:
         """``annotation`` returns what to repair; None if nothing is chosen."""
@@ -42,10 +40,9 @@ class RepairButton(QPushButton):
         self.run = AlgorithmRun(self)
         self.run.done.connect(self._apply)
         self.run.progressed.connect(self._show_percent)
-        for ended in (self.run.failed, self.run.broke, self.run.canceled):
+        for ended in (self.run.failed, self.run.canceled):
             ended.connect(self._show)
         self.run.failed.connect(self.failed)
-        self.run.broke.connect(self.broke)
         self.run.canceled.connect(lambda: self.textChanged.emit(tr("Canceled.")))
         self.clicked.connect(self._press)
         self.show_kinds(Counter())

@@ -74,7 +74,8 @@ class CorrectTab(QWidget):
         self._undoing = Reader(self)
         self._lay_out()
         self._connect()
-        messages.show_failures(self.repair, self.run, self._undoing)
+        for part in (self.repair, self.run, self._undoing):
+            part.failed.connect(messages.error)
         self._list_layers()
         self._use_layer()
 
@@ -138,8 +139,7 @@ class CorrectTab(QWidget):
         self.run.canceled.connect(lambda: self.updating.show_running(False, tr("Canceled.")))
         self._undoing.answered.connect(lambda _: self._show_undone())
         for part in (self.run, self._undoing):
-            for ended in (part.failed, part.broke):
-                ended.connect(lambda *_: self.updating.show_running(False))
+            part.failed.connect(lambda _: self.updating.show_running(False))
         project = QgsProject.instance()
         project.layersWillBeRemoved.connect(self._leave_removed)
         project.layersAdded.connect(self._take_added)

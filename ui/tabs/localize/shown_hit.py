@@ -55,8 +55,7 @@ class ShownHit(QObject):
         self._picture_reader.answered.connect(self._show_picture)
         self._picture_reader.failed.connect(self._results.image.clear)
         self._drape_reader.answered.connect(self._show_drape)
-        self._picture_reader.broke.connect(self._messages.bug)
-        self._messages.show_failures(self._drape_reader)
+        self._drape_reader.failed.connect(self._messages.error)
 
     def shut_down(self) -> None:
         """Clear the canvas, and stop background reading."""

@@ -89,8 +89,8 @@ class LocalizeTab(QWidget):
         self.run.textChanged.connect(self.state.show_text)
         self.run.logged.connect(self._messages.log)
         self.run.done.connect(lambda *_: self._show_found())
-        self._messages.show_failures(self.run)
-        for ended in (self.run.failed, self.run.broke, self.run.canceled):
+        self.run.failed.connect(self._messages.error)
+        for ended in (self.run.failed, self.run.canceled):
             ended.connect(self._show_idle)
         self.run.canceled.connect(lambda: self.state.show_text(tr("Canceled.")))
 
