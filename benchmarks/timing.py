@@ -138,16 +138,15 @@ def built(labels: Path, name: str, stride: float) -> Any:
 
     from semref.core.database.build import BuildSettings, build_from_labels
     from semref.core.geometry.frame import MapFrame
-    from semref.storage.label_maps import GdalLabels, HeldLabels
+    from semref.core.steps import result_of
+    from semref.storage.label_maps import GdalLabels, hold_labels
 
     cv2.setNumThreads(1)
     one, dataset = settings(name), gdal.Open(str(labels))
     frame = MapFrame(dataset.GetProjection(), tuple(dataset.GetGeoTransform()))
-    held = HeldLabels(GdalLabels(str(labels)))
-    for _ in held.steps():
-        pass
+    source = result_of(hold_labels(GdalLabels(str(labels))))
     sizes = BuildSettings(one["window"], stride, one["minimum_area"])
-    return build_from_labels(held.source, frame, classes_of(labels), sizes, "benchmark")
+    return build_from_labels(source, frame, classes_of(labels), sizes, "benchmark")
 
 
 def classes_of(labels: Path) -> Any:

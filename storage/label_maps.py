@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Callable
 
@@ -13,6 +13,7 @@ from ..core.errors import LabelMapError
 from ..core.labels.class_colors import chosen_colors
 from ..core.labels.class_table import ClassTable, LandCoverClass, class_table_from_csv, class_table_from_values
 from ..core.labels.sources import ArrayLabels, LabelSource, count_labels
+from ..core.steps import Steps
 from .gdal_errors import read_by_gdal
 from .label_map_file import CLASS_TABLE_ITEM
 from .rasters import open_raster
@@ -91,28 +92,18 @@ class GdalLabels:
         return block.astype(np.uint8)
 
 
-class HeldLabels:
-    """A label map in memory, so that it is decoded once. Iterate ``steps()`` to the end, then take ``source``.
-
-    For maps of more than HELD_PIXELS, ``source`` is the label map on disk.
-    """
-
-    def __init__(self, labels: GdalLabels) -> None:
-        self._labels = labels
-        self.source: LabelSource = labels
-
-    def steps(self) -> Iterator[tuple[str, float]]:
-        """Yield (current step, share done 0…1)."""
-        height, width = self._labels.shape_hw
-        if height * width > HELD_PIXELS:
-            return
-        held = np.empty((height, width), np.uint8)
-        rows = max(1, _COUNTED_AT_ONCE // width)
-        for first in range(0, height, rows):
-            last = min(first + rows, height)
-            held[first:last] = self._labels.read(0, first, width, last - first)
-            yield "Reading the label map", last / height
-        self.source = ArrayLabels(held)
+def hold_labels(labels: GdalLabels) -> Steps[LabelSource]:
+    """Read a label map into memory, so that it is decoded once; return a map of more than HELD_PIXELS itself."""
+    height, width = labels.shape_hw
+    if height * width > HELD_PIXELS:
+        return labels
+    held = np.empty((height, width), np.uint8)
+    rows = max(1, _COUNTED_AT_ONCE // width)
+    for first in range(0, height, rows):
+        last = min(first + rows, height)
+        held[first:last] = labels.read(0, first, width, last - first)
+        yield "Reading the label map", last / height
+    return ArrayLabels(held)
 
 
 @dataclass(frozen=True)

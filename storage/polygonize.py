@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Iterator
 from typing import Callable
 
 import numpy as np
@@ -12,72 +11,62 @@ from osgeo import gdal
 
 from ..core.annotation.outlines import can_simplify, outline_regions, simplify, to_map
 from ..core.errors import LabelMapError
+from ..core.steps import Steps
 from .gdal_errors import gdal_failures
 from .rasters import open_raster, pixel_area, transform_of
 
 
-class LabelPolygons:
-    """Polygons of a label map. Iterate ``steps()`` to the end; ``classes`` and ``polygons`` are then complete.
+def polygonize(
+    path: str, minimum_area: float, tolerance: float, proceed: Callable[[], bool] = lambda: True
+) -> Steps[tuple[np.ndarray, np.ndarray]]:
+    """Return (n,) class values and (n,) shapely polygons of a label map.
 
-    Attributes:
-        classes: (n,) class values.
-        polygons: (n,) shapely polygons of 4-connected regions in map coordinates, which cover all labeled ground.
+    The polygons are 4-connected regions in map coordinates, which cover all labeled ground.
+
+    Args:
+        minimum_area: Square map units; smaller regions become part of their largest neighbor. 0 keeps all.
+        tolerance: Map units; see ``shapely.coverage_simplify``, which removes a vertex if its triangle is smaller than
+            one with this edge and height. 0 keeps the pixel edges.
+        proceed: Called repeatedly; False ends the work, with a LabelMapError or without polygons.
+
+    Raises:
+        LabelMapError: GDAL can't read the map, or ``proceed`` returned False.
     """
+    with tempfile.TemporaryDirectory(prefix="semref-outline-") as folder:
+        yield "Merging small regions", 0.0
+        raster = _sieve(path, os.path.join(folder, "sieved.tif"), minimum_area, proceed)
+        transform = transform_of(raster)
+        yield "Outlining regions", 0.3
+        shape_hw = raster.RasterYSize, raster.RasterXSize
+        values, outlines = outline_regions(rows_of(raster.GetRasterBand(1)), shape_hw, proceed)
+        yield "Simplifying borders", 0.6
+        if tolerance > 0 and can_simplify() and len(outlines):
+            outlines = simplify(outlines, tolerance / np.sqrt(pixel_area(transform)))
+        polygons = to_map(outlines, transform)
+        # Close the file before its folder is removed.
+        del raster
+    yield "Simplifying borders", 1.0
+    return values, polygons
 
-    def __init__(self, path: str, minimum_area: float, tolerance: float) -> None:
-        """Prepare without reading the map.
 
-        Args:
-            minimum_area: Square map units; smaller regions become part of their largest neighbor. 0 keeps all.
-            tolerance: Map units; see ``shapely.coverage_simplify``, which removes a vertex if its triangle is smaller
-                than one with this edge and height. 0 keeps the pixel edges.
-        """
-        self._path, self._minimum_area, self._tolerance = path, minimum_area, tolerance
-        self.classes = np.empty(0, np.uint16)
-        self.polygons = np.empty(0, object)
-
-    def steps(self, proceed: Callable[[], bool] = lambda: True) -> Iterator[tuple[str, float]]:
-        """Yield (current step, share done 0…1).
-
-        Args:
-            proceed: Called repeatedly; False ends the work, with a LabelMapError or without polygons.
-
-        Raises:
-            LabelMapError: GDAL can't read the map, or ``proceed`` returned False.
-        """
-        with tempfile.TemporaryDirectory(prefix="semref-outline-") as folder:
-            yield "Merging small regions", 0.0
-            raster = self._sieve(os.path.join(folder, "sieved.tif"), proceed)
-            transform = transform_of(raster)
-            yield "Outlining regions", 0.3
-            shape_hw = raster.RasterYSize, raster.RasterXSize
-            values, outlines = outline_regions(rows_of(raster.GetRasterBand(1)), shape_hw, proceed)
-            yield "Simplifying borders", 0.6
-            if self._tolerance > 0 and can_simplify() and len(outlines):
-                outlines = simplify(outlines, self._tolerance / np.sqrt(pixel_area(transform)))
-            self.classes, self.polygons = values, to_map(outlines, transform)
-            # Close the file before its folder is removed.
-            del raster
-        yield "Simplifying borders", 1.0
-
-    def _sieve(self, path: str, proceed: Callable[[], bool]) -> gdal.Dataset:
-        """Return the label map without small regions."""
-        source = open_raster(self._path)
-        transform = transform_of(source)
-        pixels = int(np.ceil(self._minimum_area / pixel_area(transform)))
-        if pixels <= 1:
-            return source
-        options = ["TILED=YES", "COMPRESS=DEFLATE", "ZLEVEL=1", "BIGTIFF=IF_SAFER"]
-        size = source.RasterXSize, source.RasterYSize
-        with gdal_failures() as failures:
-            target = gdal.GetDriverByName("GTiff").Create(path, *size, 1, gdal.GDT_Byte, options)
-            if target is not None:
-                target.SetGeoTransform(transform)
-                band = source.GetRasterBand(1)
-                gdal.SieveFilter(band, None, target.GetRasterBand(1), pixels, 4, callback=lambda *_: int(proceed()))
-                target.FlushCache()
-        _raise(failures)
-        return target
+def _sieve(path: str, target: str, minimum_area: float, proceed: Callable[[], bool]) -> gdal.Dataset:
+    """Return the label map without small regions."""
+    source = open_raster(path)
+    transform = transform_of(source)
+    pixels = int(np.ceil(minimum_area / pixel_area(transform)))
+    if pixels <= 1:
+        return source
+    options = ["TILED=YES", "COMPRESS=DEFLATE", "ZLEVEL=1", "BIGTIFF=IF_SAFER"]
+    size = source.RasterXSize, source.RasterYSize
+    with gdal_failures() as failures:
+        sieved = gdal.GetDriverByName("GTiff").Create(target, *size, 1, gdal.GDT_Byte, options)
+        if sieved is not None:
+            sieved.SetGeoTransform(transform)
+            band = source.GetRasterBand(1)
+            gdal.SieveFilter(band, None, sieved.GetRasterBand(1), pixels, 4, callback=lambda *_: int(proceed()))
+            sieved.FlushCache()
+    _raise(failures)
+    return sieved
 
 
 def rows_of(band: gdal.Band) -> Callable[[int, int], np.ndarray]:

@@ -14,6 +14,7 @@ from ..core.annotation.raster_losses import RegionRuns, join_runs, runs_of_strip
 from ..core.geometry.frame import MapFrame
 from ..core.labels.class_table import ClassTable
 from ..core.labels.sources import count_labels
+from ..core.steps import Steps
 from .label_map_file import TILE_ROWS, LabelMapFile
 from .rasters import WITHOUT_GEOREFERENCE
 
@@ -40,51 +41,40 @@ class BurnPolygon:
     bounds: tuple[float, float, float, float]
 
 
-class LabelMapBurning:
-    """Writer of a label map. Iterate ``steps()`` to the end; ``counts`` then has the (256,) pixels per value."""
+def burn_label_map(
+    path: str,
+    frame: MapFrame,
+    table: ClassTable,
+    polygons: list[BurnPolygon],
+    burn: Callable[[Iterable[tuple]], Iterator[np.ndarray]] | None = None,
+) -> Steps[np.ndarray]:
+    """Write a label map of polygons; return (256,) pixels per value.
 
-    def __init__(
-        self,
-        path: str,
-        frame: MapFrame,
-        table: ClassTable,
-        polygons: list[BurnPolygon],
-        burn: Callable[[Iterable[tuple]], Iterator[np.ndarray]] | None = None,
-    ) -> None:
-        """Prepare the label map without writing it.
-
-        Args:
-            burn: Function from the results of ``strip_polygons`` to the (H, W) labels of each strip, which workers
-                execute; None to rasterize in this process.
-        """
-        self._path = path
-        self._frame = frame
-        self._table = table
-        self._polygons = polygons
-        self._burn = burn or self._rasterize
-        self.counts = np.zeros(256, np.int64)
-
-    def steps(self) -> Iterator[tuple[str, float]]:
-        """Yield (current step, share of the map written 0…1)."""
-        height, width = self._frame.shape_hw
-        file = LabelMapFile(self._path, width, height, self._frame.geotransform, self._frame.crs, self._table)
-        # One thread compresses a strip while this one rasterizes the next.
-        with file as label_map, ThreadPoolExecutor(1) as writer:
-            yield "Rasterizing polygons", 0.0
-            writing: Future[None] | None = None
-            found = self._burn(strip_polygons(self._frame, self._polygons))
-            for (first, _), labels in zip(strips_of(self._frame, STRIP_PIXELS), found):
-                self.counts += count_labels(labels)
-                if writing is not None:
-                    writing.result()
-                writing = writer.submit(label_map.write_rows, first, labels)
-                yield "Rasterizing polygons", (first + len(labels)) / height
+    Args:
+        burn: Function from the results of ``strip_polygons`` to the (H, W) labels of each strip, which workers
+            execute; None to rasterize in this process.
+    """
+    height, width = frame.shape_hw
+    counts = np.zeros(256, np.int64)
+    file = LabelMapFile(path, width, height, frame.geotransform, frame.crs, table)
+    # One thread compresses a strip while this one rasterizes the next.
+    with file, ThreadPoolExecutor(1) as writer:
+        yield "Rasterizing polygons", 0.0
+        writing: Future[None] | None = None
+        if burn is None:
+            layer = BurnLayer(polygons, frame.crs)
+            found = (layer.rasterize(strip, gdal.GDT_Byte) for _, strip in strips_of(frame, STRIP_PIXELS))
+        else:
+            found = burn(strip_polygons(frame, polygons))
+        for (first, _), labels in zip(strips_of(frame, STRIP_PIXELS), found):
+            counts += count_labels(labels)
             if writing is not None:
                 writing.result()
-
-    def _rasterize(self, _: Iterable[tuple]) -> Iterator[np.ndarray]:
-        layer = BurnLayer(self._polygons, self._frame.crs)
-        return (layer.rasterize(strip, gdal.GDT_Byte) for _, strip in strips_of(self._frame, STRIP_PIXELS))
+            writing = writer.submit(file.write_rows, first, labels)
+            yield "Rasterizing polygons", (first + len(labels)) / height
+        if writing is not None:
+            writing.result()
+    return counts
 
 
 def strips_of(frame: MapFrame, pixels: int) -> Iterator[tuple[int, MapFrame]]:
@@ -159,28 +149,14 @@ class BurnLayer:
         return strip.ReadAsArray()
 
 
-class RegionBurning:
-    """Rasterizes regions that don't overlap, as a label map is. Iterate ``steps()`` to the end, then take ``runs``.
-
-    Region n of the list has the number n + 1.
-    """
-
-    def __init__(self, regions: Sequence[DrawnRegion], frame: MapFrame) -> None:
-        polygons = [BurnPolygon(region.wkb, n, 0.0, region.bounds) for n, region in enumerate(regions, start=1)]
-        self._layer = BurnLayer(polygons, frame.crs)
-        self._frame = frame
-        self._strips: list[RegionRuns] = []
-
-    @property
-    def runs(self) -> RegionRuns:
-        """The runs of all regions rasterized so far."""
-        return join_runs(self._strips)
-
-    def steps(self) -> Iterator[tuple[str, float]]:
-        """Yield (current step, share done 0…1)."""
-        for first, strip in strips_of(self._frame, STRIP_PIXELS // 4):
-            self._strips.append(runs_of_strip(self._layer.rasterize(strip, gdal.GDT_Int32), first))
-            yield "Rasterizing landmarks", (first + strip.shape_hw[0]) / self._frame.shape_hw[0]
+def burn_regions(regions: Sequence[DrawnRegion], frame: MapFrame) -> Steps[RegionRuns]:
+    """Rasterize regions that don't overlap, as a label map is; region n of the list has the number n + 1."""
+    polygons = [BurnPolygon(region.wkb, n, 0.0, region.bounds) for n, region in enumerate(regions, start=1)]
+    layer, found = BurnLayer(polygons, frame.crs), []
+    for first, strip in strips_of(frame, STRIP_PIXELS // 4):
+        found.append(runs_of_strip(layer.rasterize(strip, gdal.GDT_Int32), first))
+        yield "Rasterizing landmarks", (first + strip.shape_hw[0]) / frame.shape_hw[0]
+    return join_runs(found)
 
 
 _PIXELS = MapFrame("", WITHOUT_GEOREFERENCE)

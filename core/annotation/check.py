@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import shapely
 
 from ..landmarks.landmarks import minimum_area_px
+from ..steps import Steps
 from .findings import INFORMATION, LOST, MERGED, NOTHING, SMALL, SPLIT, WARNING, Finding
 from .merging import MergeSettings, merge_finding, merge_gaps_and_slivers
 from .overlaps import NARROWEST_M, classes_of_faces, find_same_class_neighbors
@@ -50,56 +51,45 @@ class DrawnRegion:
     area: float
 
 
-class AnnotationCheck:
-    """Checks features for everything except the effects of pixels on landmarks (``find_raster_losses``).
+def check_features(
+    features: Sequence[AnnotatedFeature], settings: CheckSettings
+) -> Steps[tuple[list[Finding], list[DrawnRegion]]]:
+    """Check features for everything except the effects of pixels on landmarks (``find_raster_losses``).
 
-    Iterate ``steps()`` to the end; then both lists are filled.
-
-    Attributes:
-        landmarks: Drawn regions of the landmark classes with at least the minimum area.
+    Returns:
+        The findings, and the drawn regions of the landmark classes with at least the minimum area.
     """
+    findings, surface = yield from overlay_polygons(features, AnnotatedPolygons.drawn_ranks)
+    if surface is None:
+        return findings, []
+    polygons, partition = surface.polygons, surface.partition
+    yield "Looking for gaps and slivers", 0.8
+    findings += find_gaps_and_slivers(polygons, partition, settings.maximum_gap)
+    yield "Checking neighbors of the same class", 0.85
+    findings += find_same_class_neighbors(polygons, partition, surface.ranks, settings.landmark_classes)
+    yield "Checking landmarks", 0.9
+    small, landmarks = _find_landmarks(surface, settings)
+    yield "Checking landmarks", 1.0
+    return findings + small, landmarks
 
-    def __init__(self, features: Sequence[AnnotatedFeature], settings: CheckSettings) -> None:
-        self._features = features
-        self._settings = settings
-        self.findings: list[Finding] = []
-        self.landmarks: list[DrawnRegion] = []
 
-    def steps(self) -> Iterator[tuple[str, float]]:
-        """Check step by step.
-
-        Yields:
-            The current step, and the share done, 0…1.
-        """
-        surface = yield from overlay_polygons(self._features, AnnotatedPolygons.drawn_ranks, self.findings)
-        if surface is None:
-            return
-        polygons, partition = surface.polygons, surface.partition
-        yield "Looking for gaps and slivers", 0.8
-        self.findings += find_gaps_and_slivers(polygons, partition, self._settings.maximum_gap)
-        yield "Checking neighbors of the same class", 0.85
-        classes = self._settings.landmark_classes
-        self.findings += find_same_class_neighbors(polygons, partition, surface.ranks, classes)
-        yield "Checking landmarks", 0.9
-        self._find_landmarks(surface)
-        yield "Checking landmarks", 1.0
-
-    def _find_landmarks(self, surface: Surface) -> None:
-        polygons, partition = surface.polygons, surface.partition
-        wanted = np.isin(surface.classes, [int(value) for value in self._settings.landmark_classes])
-        regions = find_regions(partition, surface.classes)
-        owners = region_owners(regions, surface.top, partition.areas)
-        numbers, groups = np.unique(regions.of_face[wanted], return_inverse=True)
-        for region, geometry in zip(numbers.tolist(), dissolve(partition.faces[wanted], groups.reshape(-1))):
-            value, area = int(regions.classes[region]), float(regions.areas[region])
-            feature_id = int(polygons.feature_ids[owners[region]])
-            if area < self._settings.minimum_area:
-                wkb = to_wkb(geometry)
-                self.findings.append(Finding(SMALL, INFORMATION, wkb, feature_id, None, value, area=area))
-            else:
-                left, bottom, right, top = shapely.bounds(geometry).tolist()
-                bounds = (left, bottom, right, top)
-                self.landmarks.append(DrawnRegion(to_wkb(geometry), bounds, value, feature_id, area))
+def _find_landmarks(surface: Surface, settings: CheckSettings) -> tuple[list[Finding], list[DrawnRegion]]:
+    """Return findings for the regions of the landmark classes that are too small, and the other regions."""
+    polygons, partition = surface.polygons, surface.partition
+    wanted = np.isin(surface.classes, [int(value) for value in settings.landmark_classes])
+    regions = find_regions(partition, surface.classes)
+    owners = region_owners(regions, surface.top, partition.areas)
+    numbers, groups = np.unique(regions.of_face[wanted], return_inverse=True)
+    small, landmarks = [], []
+    for region, geometry in zip(numbers.tolist(), dissolve(partition.faces[wanted], groups.reshape(-1))):
+        value, area = int(regions.classes[region]), float(regions.areas[region])
+        feature_id = int(polygons.feature_ids[owners[region]])
+        if area < settings.minimum_area:
+            small.append(Finding(SMALL, INFORMATION, to_wkb(geometry), feature_id, None, value, area=area))
+        else:
+            left, bottom, right, top = shapely.bounds(geometry).tolist()
+            landmarks.append(DrawnRegion(to_wkb(geometry), (left, bottom, right, top), value, feature_id, area))
+    return small, landmarks
 
 
 def find_gaps_and_slivers(polygons: AnnotatedPolygons, partition: PlanarPartition, maximum_gap: float) -> list[Finding]:

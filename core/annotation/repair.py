@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import shapely
 
+from ..steps import Steps
 from .findings import DISSOLVED, INFORMATION, NOTHING, Finding
 from .merging import MergeSettings, merge_finding, merge_gaps_and_slivers
 from .partition import Regions, dissolve, find_regions, region_owners
@@ -28,53 +29,40 @@ class RepairedPolygon:
     feature: int
 
 
-class AnnotationRepair:
-    """Repairs features. Iterate ``steps()`` to the end; then both lists are filled.
+def repair_features(
+    features: Sequence[AnnotatedFeature], settings: MergeSettings
+) -> Steps[tuple[list[RepairedPolygon], list[Finding]]]:
+    """Repair features; return the polygons and the changes.
 
     On overlaps, the polygon of higher priority remains, then the smaller one, then that of the lower class value. A
     second repair changes nothing, because the polygons of a repaired layer are its faces.
     """
+    changes, surface = yield from overlay_polygons(features, AnnotatedPolygons.repair_ranks)
+    if surface is None:
+        return [], changes
+    yield "Filling gaps and merging slivers", 0.8
+    classes, merges = merge_gaps_and_slivers(surface.partition, surface.classes, settings)
+    changes += [merge_finding(merge, INFORMATION, surface.polygons, surface.partition, surface.top) for merge in merges]
+    yield "Dissolving neighbors", 0.9
+    polygons, dissolved = _dissolve(surface, classes)
+    yield "Dissolving neighbors", 1.0
+    return polygons, changes + dissolved
 
-    def __init__(self, features: Sequence[AnnotatedFeature], settings: MergeSettings) -> None:
-        self._features = features
-        self._settings = settings
-        self.polygons: list[RepairedPolygon] = []
-        self.changes: list[Finding] = []
 
-    def steps(self) -> Iterator[tuple[str, float]]:
-        """Repair step by step.
-
-        Yields:
-            The current step, and the share done, 0…1.
-        """
-        surface = yield from overlay_polygons(self._features, AnnotatedPolygons.repair_ranks, self.changes)
-        if surface is None:
-            return
-        yield "Filling gaps and merging slivers", 0.8
-        classes, merges = merge_gaps_and_slivers(surface.partition, surface.classes, self._settings)
-        self.changes += [
-            merge_finding(merge, INFORMATION, surface.polygons, surface.partition, surface.top) for merge in merges
-        ]
-        yield "Dissolving neighbors", 0.9
-        self._dissolve(surface, classes)
-        yield "Dissolving neighbors", 1.0
-
-    def _dissolve(self, surface: Surface, classes: np.ndarray) -> None:
-        polygons, partition = surface.polygons, surface.partition
-        regions = find_regions(partition, classes)
-        # A face that got a neighbor's class does not count for the attributes of its region.
-        own = np.where(surface.classes == classes, surface.top, -1)
-        owners = region_owners(regions, own, partition.areas)
-        covered = classes != NOTHING
-        numbers, groups = np.unique(regions.of_face[covered], return_inverse=True)
-        geometries = dissolve(partition.faces[covered], groups.reshape(-1))
-        features = polygons.features[owners[numbers]]
-        order = np.lexsort((*shapely.bounds(geometries).T, features))
-        self.polygons = [
-            RepairedPolygon(wkb, feature)
-            for wkb, feature in zip(to_wkb(geometries[order]).tolist(), features[order].tolist())
-        ]
-        self.changes += _dissolved(polygons, regions, own, dict(zip(numbers.tolist(), geometries)), owners)
+def _dissolve(surface: Surface, classes: np.ndarray) -> tuple[list[RepairedPolygon], list[Finding]]:
+    """Return the regions of (F,) class values as polygons, and the findings of ``_dissolved``."""
+    polygons, partition = surface.polygons, surface.partition
+    regions = find_regions(partition, classes)
+    # A face that got a neighbor's class does not count for the attributes of its region.
+    own = np.where(surface.classes == classes, surface.top, -1)
+    owners = region_owners(regions, own, partition.areas)
+    covered = classes != NOTHING
+    numbers, groups = np.unique(regions.of_face[covered], return_inverse=True)
+    geometries = dissolve(partition.faces[covered], groups.reshape(-1))
+    features = polygons.features[owners[numbers]]
+    order = np.lexsort((*shapely.bounds(geometries).T, features))
+    repaired = map(RepairedPolygon, to_wkb(geometries[order]).tolist(), features[order].tolist())
+    return list(repaired), _dissolved(polygons, regions, own, dict(zip(numbers.tolist(), geometries)), owners)
 
 
 def _dissolved(

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Callable
 
 import numpy as np
 
+from ..steps import Steps
 from .findings import Finding
 from .overlaps import classes_of_faces, find_duplicates, find_hidden, find_overlaps
 from .partition import PlanarPartition, partition_polygons
@@ -38,30 +39,25 @@ class Surface:
 
 
 def overlay_polygons(
-    features: Sequence[AnnotatedFeature],
-    ranks_of: Callable[[AnnotatedPolygons], np.ndarray],
-    findings: list[Finding],
-) -> Generator[tuple[str, float], None, Surface | None]:
-    """Overlay features step by step; a generator calls it with ``yield from``.
+    features: Sequence[AnnotatedFeature], ranks_of: Callable[[AnnotatedPolygons], np.ndarray]
+) -> Steps[tuple[list[Finding], Surface | None]]:
+    """Overlay features, as the first steps of a check or repair.
 
     Args:
         ranks_of: Returns the order of drawing: a method of AnnotatedPolygons.
-        findings: Receives invalid geometries, and every duplicate, overlap and hidden polygon.
-
-    Yields:
-        The current step, and the share done of the check or repair, 0…1.
 
     Returns:
-        The surface; None if no feature has an area.
+        Invalid geometries with every duplicate, overlap and hidden polygon, and the surface; None if no feature has an
+        area.
     """
     yield "Checking geometries", 0.0
     geometries = feature_geometries(features)
     parts = split_parts(geometries)
-    findings += find_invalid(features, geometries, parts)
+    findings = find_invalid(features, geometries, parts)
     polygons = valid_polygons(features, parts)
     findings += find_unusable(features, geometries, polygons)
     if not len(polygons):
-        return None
+        return findings, None
     yield "Overlaying polygons", 0.1
     partition = partition_polygons(polygons.geometries)
     yield "Looking for overlaps", 0.6
@@ -70,4 +66,4 @@ def overlay_polygons(
     findings += duplicates
     findings += find_overlaps(polygons, partition, ranks, repeated)
     findings += find_hidden(polygons, partition, ranks, duplicates)
-    return Surface(polygons, partition, ranks, partition.top_polygons(ranks))
+    return findings, Surface(polygons, partition, ranks, partition.top_polygons(ranks))

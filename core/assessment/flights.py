@@ -28,6 +28,7 @@ from ..simulation.conditions import Conditions
 from ..simulation.label_errors import spoil_labels
 from ..simulation.noise import JITTER_LENGTH_PX
 from ..simulation.views import View, cut
+from ..steps import Steps
 from .route import RoutePoints
 
 TURN_DEG, SCALE = 0.3, 0.003
@@ -107,11 +108,7 @@ class FlownRoute:
 
 
 class FlownRoutes:
-    """Simulates the flights of a route.
-
-    Attributes:
-        result: Available after the steps.
-    """
+    """Simulates the flights of a route."""
 
     def __init__(
         self, database: ReferenceDatabase, localizer: Localizer, conditions: Conditions, plan: FlightPlan
@@ -134,10 +131,9 @@ class FlownRoutes:
         self._database, self._localizer, self._conditions, self._plan = database, localizer, conditions, plan
         self._frame = database.parameters.overview_frame
         self._source = ArrayLabels(cast(np.ndarray, database.overview))
-        self.result: FlownRoute | None = None
 
-    def steps(self, points: RoutePoints) -> Iterator[tuple[int, int]]:
-        """Yield (images done, all images) after each image.
+    def fly(self, points: RoutePoints) -> Steps[FlownRoute]:
+        """Fly along the lines of a route.
 
         Raises:
             ParameterError: There are too many images.
@@ -165,8 +161,8 @@ class FlownRoutes:
                     lost[flight, n] = had_track and not pose.is_fix
                     had_track = pose.is_fix
                     done += 1
-                    yield done, flights * count
-        self.result = FlownRoute(points, placed, radii, errors, lost)
+                    yield "Simulating flights along the route", done / (flights * count)
+        return FlownRoute(points, placed, radii, errors, lost)
 
     def _fly(self, points: RoutePoints, members: np.ndarray, number: list[int]) -> Iterator[FlightPose]:
         """Yield the pose of each image of one flight along a line, as known at that image."""

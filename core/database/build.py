@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import gcd
 
@@ -19,6 +19,7 @@ from ..labels.sources import LabelSource
 from ..landmarks.landmarks import BOTTOM, LEFT, NO_ROWS, RIGHT, TOP, Landmarks, objects_from_rows, rows_from_objects
 from ..landmarks.landmarks import minimum_area_px as area_px
 from ..landmarks.tiles import TileLandmarks, crossing_regions
+from ..steps import Steps, result_of
 from ..windows.describe import DescribedWindows
 from ..windows.grid import WindowGrid, whole_pixels
 from ..windows.topology_vector import MINIMUM_REFERENCES, REFERENCES_PER_VECTOR
@@ -91,119 +92,108 @@ class BuildSettings:
         object.__setattr__(self, "levels", tuple(dict.fromkeys(self.levels)))
 
 
-class DatabaseBuilder:
-    """Builds a database by tasks: iterate ``steps()`` to the end, then read ``database``."""
+def build_by_tasks(  # noqa: PLR0913 - the map, settings, runner and sink of the overview
+    frame: MapFrame,
+    table: ClassTable,
+    settings: BuildSettings,
+    plugin_version: str,
+    run: Runner,
+    overview: OverviewSink,
+) -> Steps[ReferenceDatabase]:
+    """Build a database without its overview.
 
-    def __init__(  # noqa: PLR0913 - the map, settings, runner and sink of the overview
-        self,
-        frame: MapFrame,
-        table: ClassTable,
-        settings: BuildSettings,
-        plugin_version: str,
-        run: Runner,
-        overview: OverviewSink,
-    ) -> None:
-        """Read nothing yet.
+    Args:
+        frame: Grid and shape of the map.
+        overview: Receives the pieces of the overview, in any order.
 
-        Args:
-            frame: Grid and shape of the map.
-            overview: Receives the pieces of the overview, in any order.
+    Raises:
+        WindowError: The windows don't fit the map.
+        ClassTableError: No class is a reference class.
+        LabelMapError: The map has no landmark.
+    """
+    table = table.require_references()
+    grids = level_grids(frame.shape_hw, frame.pixel_size, settings)
+    values, minimum_area = tuple(sorted(table.reference_values)), area_px(settings.minimum_area, frame.pixel_size)
+    found, hashes = yield from _scan(run, frame.shape_hw, (values, minimum_area, settings.overview_factor), overview)
+    rows = yield from _join(run, found, minimum_area)
+    objects = objects_from_rows(rows, frame.shape_hw)
+    if not len(objects):
+        raise LabelMapError(
+            "The map has no region of {references} with at least {minimum_area:g} m²; choose other reference classes "
+            "or a smaller minimum area.",
+            references=[c.name for c in table.references],
+            minimum_area=settings.minimum_area,
+        )
+    described = yield from _describe(run, grids, objects, (values, minimum_area, settings.references_per_vector))
+    windows = windows_of(described, frame)
+    distinct = yield from _compare(run, windows)
+    parameters = parameters_of(frame, table, settings, plugin_version, tuple(hashes))
+    windows = replace(windows, distinctiveness=distinct)
+    return ReferenceDatabase(windows, map_references(objects, frame), table, parameters, None)
 
-        Raises:
-            WindowError: The windows don't fit the map.
-            ClassTableError: No class is a reference class.
-        """
-        self._frame = frame
-        self._table = table.require_references()
-        self._settings = settings
-        self._plugin_version = plugin_version
-        self._run = run
-        self._overview = overview
-        self._minimum_area = area_px(settings.minimum_area, frame.pixel_size)
-        self._values = tuple(sorted(self._table.reference_values))
-        self.grids = level_grids(frame.shape_hw, frame.pixel_size, settings)
-        self.database: ReferenceDatabase | None = None
 
-    def steps(self) -> Iterator[tuple[str, float]]:
-        """Build; yield (current step, share done 0…1).
+def _scan(
+    run: Runner, shape_hw: tuple[int, int], shared: tuple[tuple[int, ...], float, int], overview: OverviewSink
+) -> Steps[tuple[list[TileLandmarks], list[str]]]:
+    """Return the landmarks of each tile, and the hashes of all blocks, row by row."""
+    *_, factor = shared
+    boxes = tile_boxes(shape_hw, factor)
+    tiles: dict[int, TileLandmarks] = {}
+    blocks = np.empty(blocks_shape(shape_hw), object)
+    for done, (number, result) in enumerate(run("scan", ((box,) for box in boxes), shared), start=1):
+        rows, pieces, runs, reduced, some = result
+        column, row, width, height = boxes[number]
+        tiles[number] = TileLandmarks(rows, pieces, runs)
+        overview(column // factor, row // factor, reduced)
+        down, across = blocks_shape((height, width))
+        top, left = row // HASHED_BLOCK, column // HASHED_BLOCK
+        blocks[top : top + down, left : left + across] = np.array(some, object).reshape(down, across)
+        yield "Finding landmarks", 0.3 * done / len(boxes)
+    return [tiles[number] for number in sorted(tiles)], blocks.ravel().tolist()
 
-        Raises:
-            LabelMapError: The map has no landmark.
-        """
-        found: list[TileLandmarks] = []
-        hashes: list[str] = []
-        for share in self._scan(found, hashes):
-            yield "Finding landmarks", 0.3 * share
-        rows = [NO_ROWS, *(tile.rows for tile in found)]
-        for share in self._join(found, rows):
-            yield "Joining landmarks", 0.3 + 0.1 * share
-        joined = objects_from_rows(np.concatenate(rows), self._frame.shape_hw)
-        objects = require_landmarks(joined, self._table, self._settings)
-        described: list[tuple[int, WindowGrid, DescribedWindows]] = []
-        for share in self._describe(objects, described):
-            yield "Describing windows", 0.4 + 0.4 * share
-        windows, references = windows_of(described, self._frame), map_references(objects, self._frame)
-        parameters = parameters_of(self._frame, self._table, self._settings, self._plugin_version, tuple(hashes))
-        distinct = np.full(len(windows), np.nan)
-        for share in self._compare(windows, distinct):
-            yield "Comparing windows", 0.8 + 0.2 * share
-        windows = replace(windows, distinctiveness=distinct)
-        self.database = ReferenceDatabase(windows, references, self._table, parameters, None)
 
-    def _scan(self, found: list[TileLandmarks], hashes: list[str]) -> Iterator[float]:
-        """Process the tiles; fill ``hashes`` with those of all blocks, row by row."""
-        factor = self._settings.overview_factor
-        boxes = tile_boxes(self._frame.shape_hw, factor)
-        tiles: list[TileLandmarks | None] = [None] * len(boxes)
-        blocks = np.empty(blocks_shape(self._frame.shape_hw), object)
-        shared = self._values, self._minimum_area, factor
-        for done, (number, result) in enumerate(self._run("scan", ((box,) for box in boxes), shared), start=1):
-            rows, pieces, runs, reduced, some = result
-            column, row, width, height = boxes[number]
-            tiles[number] = TileLandmarks(rows, pieces, runs)
-            self._overview(column // factor, row // factor, reduced)
-            down, across = blocks_shape((height, width))
-            top, left = row // HASHED_BLOCK, column // HASHED_BLOCK
-            blocks[top : top + down, left : left + across] = np.array(some, object).reshape(down, across)
-            yield done / len(boxes)
-        found += [tile for tile in tiles if tile is not None]
-        hashes += blocks.ravel().tolist()
+def _join(run: Runner, found: list[TileLandmarks], minimum_area: float) -> Steps[np.ndarray]:
+    """Return (N, 8) rows of all landmarks, also of the regions across tiles."""
+    regions = np.array(
+        [(value, *region.bounds, *region.first_pixel) for value, region in crossing_regions(found)], np.int64
+    ).reshape(-1, 7)
+    # One task reads neighbors, mostly from one piece of the file.
+    regions = regions[np.lexsort((regions[:, 1], regions[:, 2] // HASHED_BLOCK))]
+    calls = [(regions[first : first + REGIONS_A_TASK],) for first in range(0, len(regions), REGIONS_A_TASK)]
+    rows = [NO_ROWS, *(tile.rows for tile in found)]
+    for done, (_, measured) in enumerate(run("measure", calls, (minimum_area,)), start=1):
+        rows.append(measured)
+        yield "Joining landmarks", 0.3 + 0.1 * done / len(calls)
+    return np.concatenate(rows)
 
-    def _join(self, found: list[TileLandmarks], rows: list[np.ndarray]) -> Iterator[float]:
-        """Measure the regions across tiles, and add them to ``rows``."""
-        regions = np.array(
-            [(value, *region.bounds, *region.first_pixel) for value, region in crossing_regions(found)], np.int64
-        ).reshape(-1, 7)
-        # One task reads neighbors, mostly from one piece of the file.
-        regions = regions[np.lexsort((regions[:, 1], regions[:, 2] // HASHED_BLOCK))]
-        calls = [(regions[first : first + REGIONS_A_TASK],) for first in range(0, len(regions), REGIONS_A_TASK)]
-        for done, (_, measured) in enumerate(self._run("measure", calls, (self._minimum_area,)), start=1):
-            rows.append(measured)
-            yield done / len(calls)
 
-    def _describe(
-        self, objects: Landmarks, described: list[tuple[int, WindowGrid, DescribedWindows]]
-    ) -> Iterator[float]:
-        """Describe the windows of all levels, in the order of a database."""
-        rows, done, total = rows_from_objects(objects), 0, sum(map(len, self.grids))
-        shared = self._values, self._minimum_area, self._settings.references_per_vector
-        for level, grid in enumerate(self.grids, start=1):
-            parts: dict[int, DescribedWindows] = {}
-            calls = ((box, (grid.size, grid.stride), _reaching(rows, box)) for box in window_boxes(grid))
-            for number, part in self._run("describe", calls, shared):
-                parts[number] = DescribedWindows(*part)
-                done += len(parts[number].counts)
-                yield done / total
-            described += [(level, grid, parts[number]) for number in sorted(parts)]
+def _describe(
+    run: Runner, grids: Sequence[WindowGrid], objects: Landmarks, shared: tuple[tuple[int, ...], float, int]
+) -> Steps[list[tuple[int, WindowGrid, DescribedWindows]]]:
+    """Return the described windows of all levels, in the order of a database."""
+    rows, done, total = rows_from_objects(objects), 0, sum(map(len, grids))
+    described: list[tuple[int, WindowGrid, DescribedWindows]] = []
+    for level, grid in enumerate(grids, start=1):
+        parts: dict[int, DescribedWindows] = {}
+        calls = ((box, (grid.size, grid.stride), _reaching(rows, box)) for box in window_boxes(grid))
+        for number, part in run("describe", calls, shared):
+            parts[number] = DescribedWindows(*part)
+            done += len(parts[number].counts)
+            yield "Describing windows", 0.4 + 0.4 * done / total
+        described += [(level, grid, parts[number]) for number in sorted(parts)]
+    return described
 
-    def _compare(self, windows: Windows, distinct: np.ndarray) -> Iterator[float]:
-        """Fill in the distinctiveness; NaN for windows without a vector, or without another one to compare."""
-        index = np.flatnonzero(windows.described)
-        shared = windows.vectors[index], windows.centers[index], windows.sizes[index]
-        stretches = [(n, min(n + COMPARED_A_TASK, len(index))) for n in range(0, len(index), COMPARED_A_TASK)]
-        for done, (number, distances) in enumerate(self._run("compare", stretches, shared), start=1):
-            distinct[index[slice(*stretches[number])]] = np.where(np.isinf(distances), np.nan, distances)
-            yield done / len(stretches)
+
+def _compare(run: Runner, windows: Windows) -> Steps[np.ndarray]:
+    """Return the distinctiveness; NaN for windows without a vector, or without another one to compare."""
+    distinct = np.full(len(windows), np.nan)
+    index = np.flatnonzero(windows.described)
+    shared = windows.vectors[index], windows.centers[index], windows.sizes[index]
+    stretches = [(n, min(n + COMPARED_A_TASK, len(index))) for n in range(0, len(index), COMPARED_A_TASK)]
+    for done, (number, distances) in enumerate(run("compare", stretches, shared), start=1):
+        distinct[index[slice(*stretches[number])]] = np.where(np.isinf(distances), np.nan, distances)
+        yield "Comparing windows", 0.8 + 0.2 * done / len(stretches)
+    return distinct
 
 
 def build_from_labels(
@@ -221,24 +211,8 @@ def build_from_labels(
     """
     frame = frame.of_shape(source.shape_hw)
     overview = HeldOverview(frame.reduced(settings.overview_factor).shape_hw)
-    builder = DatabaseBuilder(frame, table, settings, plugin_version, Threads(source), overview.put)
-    for _ in builder.steps():
-        continue
-    if builder.database is None:
-        raise RuntimeError("the steps ended without a database")
-    return replace(builder.database, overview=overview.labels)
-
-
-def require_landmarks(objects: Landmarks | None, table: ClassTable, settings: BuildSettings) -> Landmarks:
-    """Return the landmarks; raise LabelMapError without any."""
-    if objects is None or not len(objects):
-        raise LabelMapError(
-            "The map has no region of {references} with at least {minimum_area:g} m²; choose other reference classes "
-            "or a smaller minimum area.",
-            references=[c.name for c in table.references],
-            minimum_area=settings.minimum_area,
-        )
-    return objects
+    steps = build_by_tasks(frame, table, settings, plugin_version, Threads(source), overview.put)
+    return replace(result_of(steps), overview=overview.labels)
 
 
 def windows_of(described: Sequence[tuple[int, WindowGrid, DescribedWindows]], frame: MapFrame) -> Windows:

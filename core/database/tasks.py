@@ -1,7 +1,7 @@
 """Independent tasks of a build, and their runner: threads of this process, or Dask's workers.
 
-Each task reads one piece of the label map and returns plain arrays. ``DatabaseBuilder`` defines the tasks, accepts
-their results in any order, and combines them.
+Each task reads one piece of the label map and returns plain arrays. ``build_by_tasks`` defines the tasks, accepts their
+results in any order, and combines them.
 """
 
 from __future__ import annotations

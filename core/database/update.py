@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
 
@@ -11,9 +11,11 @@ import numpy as np
 from ..errors import DatabaseError, LabelMapError
 from ..geometry.frame import MapFrame
 from ..labels.block_hashes import HASHED_BLOCK, BlockHasher, block_hash, blocks_shape, map_hash
+from ..labels.class_table import ClassTable
 from ..labels.overview import most_frequent_labels
 from ..labels.sources import LabelSource, count_labels
 from ..landmarks.landmarks import minimum_area_px
+from ..steps import Steps
 from ..windows.distinctiveness import nearest_distances
 from ..windows.grid import WindowGrid
 from ..windows.topology_vector import MINIMUM_REFERENCES
@@ -43,178 +45,162 @@ class DatabaseChanges:
     parameters: BuildParameters
 
 
-class DatabaseUpdater:
-    """Updates a database step by step: iterate ``steps()`` to the end, then read ``changes``.
+def update_by_tasks(  # noqa: PLR0913 - the map, the database, and how to run
+    source: LabelSource,
+    frame: MapFrame,
+    database: ReferenceDatabase,
+    areas: Sequence[Bounds] | None,
+    plugin_version: str,
+    run: Runner,
+) -> Steps[DatabaseChanges]:
+    """Update a database.
 
     Windows and landmarks without a changed pixel stay as they are. The others are computed from the new map only: the
     old map is not needed.
+
+    Args:
+        source: The corrected label map; the same pieces are read several times.
+        frame: Its grid.
+        database: With the landmarks' bounds and the windows' distinctiveness.
+        areas: Rectangles that contain every changed pixel; parts beyond the map are ignored. None to find changes by
+            comparing block hashes, which reads the whole map. Blocks outside the areas count as unchanged and keep
+            their hashes; the next update without ``areas`` finds changes in them.
+        plugin_version: Version that the updated database states.
+        run: Runs the tasks that describe windows.
+
+    Raises:
+        DatabaseError: The database can't be updated.
+        LabelMapError: The map has another pixel grid or a value without a class, or no landmark is left.
     """
+    require_same_grid(source.shape_hw, frame, database)
+    old, parameters = database.windows, database.parameters
+    levels = [_Level(database, int(level)) for level in np.unique(old.levels)]
+    hashes = yield from _hash(source, parameters.block_hashes, areas)
+    places = changed_places(parameters.block_hashes, hashes, source.shape_hw)
+    _check_values(source, places, database.class_table)
+    landmarks = ChangedLandmarks(source, database, places)
+    for share in landmarks.steps():
+        yield "Finding landmarks", 0.5 + 0.1 * share
+    removed, added = landmarks.removed, landmarks.added
+    if len(database.references) - len(removed) + len(added) == 0:
+        raise LabelMapError("The corrected map has no landmark left; choose another label map.")
+    windows = _copied(old)
+    yield from _describe(run, levels, places, database, windows)
+    yield from _compare(old, windows)
+    return DatabaseChanges(
+        windows,
+        np.flatnonzero(_differ(old, windows)),
+        removed,
+        added,
+        tuple(_overview_piece(source, place, parameters.overview_factor) for place in places),
+        replace(
+            parameters,
+            map_hash=map_hash(source.shape_hw, parameters.frame.geotransform, hashes),
+            block_hashes=tuple(hashes),
+            plugin_version=plugin_version,
+        ),
+    )
 
-    def __init__(  # noqa: PLR0913 - the map, the database, and how to run
-        self,
-        source: LabelSource,
-        frame: MapFrame,
-        database: ReferenceDatabase,
-        areas: Sequence[Bounds] | None,
-        plugin_version: str,
-        run: Runner,
-    ) -> None:
-        """Prepare the update.
 
-        Args:
-            source: The corrected label map; the same pieces are read several times.
-            frame: Its grid.
-            database: With the landmarks' bounds and the windows' distinctiveness.
-            areas: Rectangles that contain every changed pixel; parts beyond the map are ignored. None to find changes
-                by comparing block hashes, which reads the whole map. Blocks outside the areas count as unchanged and
-                keep their hashes; the next update without ``areas`` finds changes in them.
-            plugin_version: Version that the updated database states.
-            run: Runs the tasks that describe windows.
+# --- where the map changed ---
 
-        Raises:
-            DatabaseError: The database can't be updated.
-            LabelMapError: The map has another pixel grid.
-        """
-        require_same_grid(source.shape_hw, frame, database)
-        self._source = source
-        self._frame = database.parameters.frame
-        self._database = database
-        self._areas = areas
-        self._plugin_version = plugin_version
-        self._run = run
-        self._levels = [_Level(database, int(level)) for level in np.unique(database.windows.levels)]
-        self.changes: DatabaseChanges | None = None
 
-    @property
-    def _minimum_area_px(self) -> float:
-        return minimum_area_px(self._database.parameters.minimum_area, self._frame.pixel_size)
-
-    def steps(self) -> Iterator[tuple[str, float]]:
-        """Update; yield (current step, share done 0…1).
-
-        Raises:
-            LabelMapError: No landmark is left, or the map has a value without a class.
-        """
-        hashes: list[str] = []
-        for share in self._hash(hashes):
-            yield "Looking for changes", 0.5 * share
-        places = changed_places(self._database.parameters.block_hashes, hashes, self._source.shape_hw)
-        self._check_values(places)
-        landmarks = ChangedLandmarks(self._source, self._database, places)
-        for share in landmarks.steps():
-            yield "Finding landmarks", 0.5 + 0.1 * share
-        removed, added = landmarks.removed, landmarks.added
-        if len(self._database.references) - len(removed) + len(added) == 0:
-            raise LabelMapError("The corrected map has no landmark left; choose another label map.")
-        windows = _copied(self._database.windows)
-        for share in self._describe(windows, places):
-            yield "Describing windows", 0.6 + 0.2 * share
-        for share in self._compare_windows(windows):
-            yield "Comparing windows", 0.8 + 0.2 * share
-        self.changes = DatabaseChanges(
-            windows,
-            np.flatnonzero(_differ(self._database.windows, windows)),
-            removed,
-            added,
-            tuple(self._overview_piece(place) for place in places),
-            replace(
-                self._database.parameters,
-                map_hash=map_hash(self._source.shape_hw, self._frame.geotransform, hashes),
-                block_hashes=tuple(hashes),
-                plugin_version=self._plugin_version,
-            ),
-        )
-
-    # --- where the map changed ---
-
-    def _hash(self, hashes: list[str]) -> Iterator[float]:
-        """Fill ``hashes`` with those of the new map; yield the share done."""
-        height, width = self._source.shape_hw
-        if self._areas is None:
-            hasher = BlockHasher(width)
-            # A second thread hashes a band while this one reads the next.
-            with ThreadPoolExecutor(1) as pool:
-                hashing: Future[None] | None = None
-                for row in range(0, height, HASHED_BLOCK):
-                    labels = self._source.read(0, row, width, min(HASHED_BLOCK, height - row))
-                    if hashing is not None:
-                        hashing.result()
-                    hashing = pool.submit(hasher.add, labels)
-                    yield row / height
+def _hash(source: LabelSource, before: Sequence[str], areas: Sequence[Bounds] | None) -> Steps[list[str]]:
+    """Return the block hashes of the new map; those ``before`` outside the areas."""
+    height, width = source.shape_hw
+    if areas is None:
+        hasher = BlockHasher(width)
+        # A second thread hashes a band while this one reads the next.
+        with ThreadPoolExecutor(1) as pool:
+            hashing: Future[None] | None = None
+            for row in range(0, height, HASHED_BLOCK):
+                labels = source.read(0, row, width, min(HASHED_BLOCK, height - row))
                 if hashing is not None:
                     hashing.result()
-            hashes += hasher.hashes
-            return
-        hashes += self._database.parameters.block_hashes
-        blocks = sorted(set().union(*(blocks_of(area, (height, width)) for area in self._areas)))
-        for n, block in enumerate(blocks, start=1):
-            left, top, right, bottom = block_bounds(block, (height, width))
-            labels = self._source.read(left, top, right - left, bottom - top)
-            hashes[block[0] * blocks_shape((height, width))[1] + block[1]] = block_hash(labels)
-            yield n / len(blocks)
+                hashing = pool.submit(hasher.add, labels)
+                yield "Looking for changes", 0.5 * row / height
+            if hashing is not None:
+                hashing.result()
+        return list(hasher.hashes)
+    hashes = list(before)
+    blocks = sorted(set().union(*(blocks_of(area, (height, width)) for area in areas)))
+    for n, block in enumerate(blocks, start=1):
+        left, top, right, bottom = block_bounds(block, (height, width))
+        labels = source.read(left, top, right - left, bottom - top)
+        hashes[block[0] * blocks_shape((height, width))[1] + block[1]] = block_hash(labels)
+        yield "Looking for changes", 0.5 * n / len(blocks)
+    return hashes
 
-    def _check_values(self, places: Sequence[Bounds]) -> None:
-        known = {0, *(c.value for c in self._database.class_table)}
-        for left, top, right, bottom in places:
-            counts = count_labels(self._source.read(left, top, right - left, bottom - top))
-            for value in set(np.flatnonzero(counts).tolist()) - known:
-                raise LabelMapError(
-                    "The label map has the value {value}, which is not a class of the database; correct the map, or "
-                    "build a new database.",
-                    value=value,
-                )
 
-    # --- windows ---
+def _check_values(source: LabelSource, places: Sequence[Bounds], table: ClassTable) -> None:
+    known = {0, *(c.value for c in table)}
+    for left, top, right, bottom in places:
+        counts = count_labels(source.read(left, top, right - left, bottom - top))
+        for value in set(np.flatnonzero(counts).tolist()) - known:
+            raise LabelMapError(
+                "The label map has the value {value}, which is not a class of the database; correct the map, or "
+                "build a new database.",
+                value=value,
+            )
 
-    def _describe(self, windows: Windows, places: Sequence[Bounds]) -> Iterator[float]:
-        """Update counts and vectors in ``windows`` of the windows that overlap a changed place."""
-        values = self._database.class_table.reference_values
-        shared = values, self._minimum_area_px, self._database.parameters.references_per_vector
-        tasks = [(level, place) for level in self._levels for place in places]
-        for n, (level, place) in enumerate(tasks, start=1):
-            part = level.windows_around(place)
-            if part is None:
-                continue
-            left, top, right, bottom = part
-            window = level.grid.size, level.grid.stride
-            boxes = window_boxes(WindowGrid(right - left, bottom - top, *window))
-            calls = (((left + column, top + row, *size), window) for column, row, *size in boxes)
-            for _, (columns, rows, counts, vectors) in self._run("describe", calls, shared):
-                index = level.index(columns, rows)
-                windows.counts[index] = counts
-                windows.vectors[index] = vectors
-                windows.described[index] = counts >= MINIMUM_REFERENCES
-                yield n / len(tasks)
 
-    def _compare_windows(self, windows: Windows) -> Iterator[float]:
-        """Update the distinctiveness: with distances to changed windows; from all where the nearest one changed."""
-        old, distinct = self._database.windows, _distinctiveness(windows)
-        changed = (old.described != windows.described) | (old.vectors != windows.vectors).any(axis=1)
-        if not changed.any():
-            return
-        distinct[~windows.described] = np.nan
-        same = np.flatnonzero(windows.described & ~changed)
-        before = _nearest(old, same, np.flatnonzero(changed & old.described))
-        yield 0.3
-        now = _nearest(windows, same, np.flatnonzero(changed & windows.described))
-        yield 0.6
-        known = np.where(np.isnan(distinct[same]), np.inf, distinct[same])
-        lost = np.isfinite(before) & (before <= known)
-        distinct[same] = np.minimum(known, now)
-        again = np.concatenate([np.flatnonzero(windows.described & changed), same[lost]])
-        distinct[again] = _nearest(windows, again, np.flatnonzero(windows.described))
-        distinct[np.isinf(distinct)] = np.nan
-        yield 1.0
+# --- windows ---
 
-    # --- overview ---
 
-    def _overview_piece(self, place: Bounds) -> tuple[int, int, np.ndarray]:
-        factor = self._database.parameters.overview_factor
-        height, width = self._source.shape_hw
-        left, top = place[0] // factor, place[1] // factor
-        right, bottom = min(-(-place[2] // factor) * factor, width), min(-(-place[3] // factor) * factor, height)
-        labels = self._source.read(left * factor, top * factor, right - left * factor, bottom - top * factor)
-        return left, top, most_frequent_labels(labels, factor)
+def _describe(
+    run: Runner, levels: Sequence[_Level], places: Sequence[Bounds], database: ReferenceDatabase, windows: Windows
+) -> Steps[None]:
+    """Update counts and vectors in ``windows`` of the windows that overlap a changed place."""
+    parameters = database.parameters
+    minimum_area = minimum_area_px(parameters.minimum_area, parameters.frame.pixel_size)
+    shared = database.class_table.reference_values, minimum_area, parameters.references_per_vector
+    tasks = [(level, place) for level in levels for place in places]
+    for n, (level, place) in enumerate(tasks, start=1):
+        part = level.windows_around(place)
+        if part is None:
+            continue
+        left, top, right, bottom = part
+        window = level.grid.size, level.grid.stride
+        boxes = window_boxes(WindowGrid(right - left, bottom - top, *window))
+        calls = (((left + column, top + row, *size), window) for column, row, *size in boxes)
+        for _, (columns, rows, counts, vectors) in run("describe", calls, shared):
+            index = level.index(columns, rows)
+            windows.counts[index] = counts
+            windows.vectors[index] = vectors
+            windows.described[index] = counts >= MINIMUM_REFERENCES
+            yield "Describing windows", 0.6 + 0.2 * n / len(tasks)
+
+
+def _compare(old: Windows, windows: Windows) -> Steps[None]:
+    """Update the distinctiveness: with distances to changed windows; from all where the nearest one changed."""
+    distinct = _distinctiveness(windows)
+    changed = (old.described != windows.described) | (old.vectors != windows.vectors).any(axis=1)
+    if not changed.any():
+        return
+    distinct[~windows.described] = np.nan
+    same = np.flatnonzero(windows.described & ~changed)
+    before = _nearest(old, same, np.flatnonzero(changed & old.described))
+    yield "Comparing windows", 0.86
+    now = _nearest(windows, same, np.flatnonzero(changed & windows.described))
+    yield "Comparing windows", 0.92
+    known = np.where(np.isnan(distinct[same]), np.inf, distinct[same])
+    lost = np.isfinite(before) & (before <= known)
+    distinct[same] = np.minimum(known, now)
+    again = np.concatenate([np.flatnonzero(windows.described & changed), same[lost]])
+    distinct[again] = _nearest(windows, again, np.flatnonzero(windows.described))
+    distinct[np.isinf(distinct)] = np.nan
+    yield "Comparing windows", 1.0
+
+
+# --- overview ---
+
+
+def _overview_piece(source: LabelSource, place: Bounds, factor: int) -> tuple[int, int, np.ndarray]:
+    height, width = source.shape_hw
+    left, top = place[0] // factor, place[1] // factor
+    right, bottom = min(-(-place[2] // factor) * factor, width), min(-(-place[3] // factor) * factor, height)
+    labels = source.read(left * factor, top * factor, right - left * factor, bottom - top * factor)
+    return left, top, most_frequent_labels(labels, factor)
 
 
 def require_same_grid(shape_hw: tuple[int, int], frame: MapFrame, database: ReferenceDatabase) -> None:

@@ -167,7 +167,7 @@ class BuildDatabase(SemRefAlgorithm):
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
         from ...storage.database.overview_file import overview_beside
-        from ...storage.database.writer import DatabaseWriter
+        from ...storage.database.writer import write_database
         from ...storage.file_states import state
         from ...storage.label_maps import GdalLabels
         from ..layers.class_styles import database_styles
@@ -185,8 +185,7 @@ class BuildDatabase(SemRefAlgorithm):
                 database = self._build(values, labels, (frame, table, settings), overview.put, feedback)
             degrees = longitudes_latitudes(database.windows.centers, self._layer.crs, values.transform_context)
             styles = database_styles(database.class_table)
-            writer = DatabaseWriter(path, database, *degrees, overview, styles)
-            follow(writer.steps(), feedback, 85, 100)
+            follow(write_database(path, database, *degrees, overview, styles), feedback, 85, 100)
         windows, references = database.windows, len(database.references)
         self._log_result(len(windows), references, int((~windows.described).sum()), feedback)
         return {self.WINDOW_COUNT: len(windows), self.REFERENCE_COUNT: references}
@@ -200,23 +199,18 @@ class BuildDatabase(SemRefAlgorithm):
         feedback: QgsProcessingFeedback,
     ) -> ReferenceDatabase:
         """Build with the workers of SCHEDULER, or with threads of this process."""
-        from ...core.database.build import DatabaseBuilder, level_grids
+        from ...core.database.build import build_by_tasks, level_grids
         from ...core.database.tasks import Threads
-        from ...storage.label_maps import HeldLabels
+        from ...storage.label_maps import hold_labels
 
         frame, _, settings = build
         self._log_rounding(level_grids(frame.shape_hw, frame.pixel_size, settings), frame, settings, feedback)
         if values.has(SCHEDULER):
             with workers(values, feedback, self._before, self._layer.path) as run:
-                builder = DatabaseBuilder(*build, plugin_version(), run, put)
-                follow(builder.steps(), feedback, 0, 85)
-        else:
-            held = HeldLabels(labels)
-            follow(held.steps(), feedback, 0, 10)
-            run = Threads(held.source, worker_threads(), lambda: check_canceled(feedback))
-            builder = DatabaseBuilder(*build, plugin_version(), run, put)
-            follow(builder.steps(), feedback, 10, 85)
-        return builder.database
+                return follow(build_by_tasks(*build, plugin_version(), run, put), feedback, 0, 85)
+        source = follow(hold_labels(labels), feedback, 0, 10)
+        run = Threads(source, worker_threads(), lambda: check_canceled(feedback))
+        return follow(build_by_tasks(*build, plugin_version(), run, put), feedback, 10, 85)
 
     def _table(self, values: Values, labels: GdalLabels, feedback: QgsProcessingFeedback) -> ClassTable:
         """Return the class table of the map with the selected reference classes."""

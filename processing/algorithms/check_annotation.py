@@ -137,21 +137,18 @@ class CheckAnnotation(AnnotationAlgorithm):
         feedback: QgsProcessingFeedback,
     ) -> list[Finding]:
         """Return findings on the features and, if a pixel size is given, on what pixels do to them."""
-        from ...core.annotation.check import AnnotationCheck, CheckSettings, find_raster_losses
-        from ...storage.rasterize import RegionBurning
+        from ...core.annotation.check import CheckSettings, check_features, find_raster_losses
+        from ...storage.rasterize import burn_regions
 
         minimum_area = values.number(self.MINIMUM_AREA)
         landmark_classes = lookup.table.reference_values or tuple(c.value for c in lookup.table)
         settings = CheckSettings(minimum_area, values.number(self.MAXIMUM_GAP), landmark_classes)
-        check = AnnotationCheck(features, settings)
-        follow(interruptible(check.steps(), feedback), feedback, READ, CHECKED)
+        steps = interruptible(check_features(features, settings), feedback)
+        findings, landmarks = follow(steps, feedback, READ, CHECKED)
         pixel_size = values.optional_number(self.PIXEL_SIZE)
-        if pixel_size is None or not check.landmarks:
-            return check.findings
-        bounds = union_of_bounds([landmark.bounds for landmark in check.landmarks])
-        burning = RegionBurning(check.landmarks, pixel_grid(bounds, pixel_size, wkt_for_gdal(crs)))
-        follow(interruptible(burning.steps(), feedback), feedback, CHECKED, BURNT)
-        losses = cancelable(
-            find_raster_losses, check.landmarks, burning.runs, minimum_area, pixel_size, feedback=feedback
-        )
-        return check.findings + losses
+        if pixel_size is None or not landmarks:
+            return findings
+        bounds = union_of_bounds([landmark.bounds for landmark in landmarks])
+        burning = burn_regions(landmarks, pixel_grid(bounds, pixel_size, wkt_for_gdal(crs)))
+        runs = follow(interruptible(burning, feedback), feedback, CHECKED, BURNT)
+        return findings + cancelable(find_raster_losses, landmarks, runs, minimum_area, pixel_size, feedback=feedback)

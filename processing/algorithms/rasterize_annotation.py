@@ -150,13 +150,12 @@ class RasterizeAnnotation(AnnotationAlgorithm):
         """Write the label map and return the pixels of each value. Workers get polygons, so the layer may be of any
         kind."""
         from ...cluster.task_names import BURN
-        from ...storage.rasterize import LabelMapBurning
+        from ...storage.rasterize import burn_label_map
 
         with workers(values, feedback, {}) as run:
             burn = None if run is None else partial(run.in_order, BURN, shared=(frame.crs,))
-            burning = LabelMapBurning(path, frame, table, polygons, burn)
-            follow(burning.steps(), feedback, READING_SHARE, 100)
-        return burning.counts.tolist()
+            steps = burn_label_map(path, frame, table, polygons, burn)
+            return follow(steps, feedback, READING_SHARE, 100).tolist()
 
     def _frame(self, values: Values, crs: QgsCoordinateReferenceSystem, polygons: list[BurnPolygon]) -> MapFrame:
         """Return the whole pixels of the extent, or of the polygons without an extent."""

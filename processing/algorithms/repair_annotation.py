@@ -82,7 +82,7 @@ class RepairAnnotation(AnnotationAlgorithm):
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> None:
         from ...core.annotation.merging import MergeSettings
-        from ...core.annotation.repair import AnnotationRepair
+        from ...core.annotation.repair import repair_features
         from ..layers.class_styles import repaired_renderer
 
         lookup = self.classes(values, feedback)
@@ -90,9 +90,9 @@ class RepairAnnotation(AnnotationAlgorithm):
         reading = self.read_features(values, lookup, crs, feedback, READ, with_attributes=True)
         self.require_known_classes(reading, lookup)
         settings = MergeSettings(values.number(self.MAXIMUM_GAP), values.number(self.MINIMUM_AREA))
-        repair = AnnotationRepair(reading.features, settings)
-        follow(interruptible(repair.steps(), feedback), feedback, READ, REPAIRED)
-        if not repair.polygons:
+        steps = interruptible(repair_features(reading.features, settings), feedback)
+        polygons, repairs = follow(steps, feedback, READ, REPAIRED)
+        if not polygons:
             raise ParameterError(
                 "“{source}” contains no polygon with an area and a class, so there is nothing to repair. Check the "
                 "class field.",
@@ -103,12 +103,12 @@ class RepairAnnotation(AnnotationAlgorithm):
         renderer = repaired_renderer(lookup, self._source)
         fields = self._source.features.fields()
         with outputs.layer(self.OUTPUT, fields, POLYGON, crs, renderer=renderer, is_own=False) as sink:
-            for polygon in repair.polygons:
+            for polygon in polygons:
                 sink.add_row(geometry_of(polygon.wkb), reading.attributes[polygon.feature])
-        changes = [f for f in reading.findings if f.kind != OUTSIDE_CRS or f.severity == ERROR] + repair.changes
+        changes = [f for f in reading.findings if f.kind != OUTSIDE_CRS or f.severity == ERROR] + repairs
         feedback.pushInfo(
             tr("{before} features became {after} polygons; {changes} changes.").format(
-                before=self._source.count, after=len(repair.polygons), changes=len(changes)
+                before=self._source.count, after=len(polygons), changes=len(changes)
             )
         )
         names = {c.value: c.name for c in lookup.table}

@@ -415,7 +415,7 @@ class TrainModel(AnnotationAlgorithm):
     ) -> None:
         """Burn the labels on the pixels of the image, and cut tiles of both."""
         from ...core.labels.training_tiles import TRAIN, VALIDATION, fitting_tiles
-        from ...storage.rasterize import LabelMapBurning
+        from ...storage.rasterize import burn_label_map
         from ...storage.training_ground import frame_of, shape_of
         from ...storage.training_tiles import TileExport
         from ..layers.training_ground import require_two_classes
@@ -424,7 +424,7 @@ class TrainModel(AnnotationAlgorithm):
         if self._labels is None:
             frame = frame_of(image)
             polygons, table = self.burn_polygons(values, feedback, ground.crs, CUT / 4)
-            follow(LabelMapBurning(str(run.labels), frame, table, polygons).steps(), feedback, CUT / 4, CUT / 2)
+            follow(burn_label_map(str(run.labels), frame, table, polygons), feedback, CUT / 4, CUT / 2)
         labels = replace(image, path=str(run.labels)) if self._labels is None else self._labels.file
         size, stride = fitting_tiles(shape_of(image))
         fraction = values.number(self.VALIDATION_FRACTION)

@@ -88,8 +88,8 @@ class UpdateDatabase(SemRefAlgorithm):
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> None:
         from ...core.database.tasks import Threads
-        from ...core.database.update import DatabaseUpdater
-        from ...storage.database.editor import DatabaseEditor
+        from ...core.database.update import update_by_tasks
+        from ...storage.database.editor import write_changes
         from ...storage.database.reader import read_stored_database
         from ...storage.label_maps import GdalLabels
         from ..layers.layer_inputs import map_frame
@@ -100,15 +100,14 @@ class UpdateDatabase(SemRefAlgorithm):
         self._check_crs(stored.database)
         self._check_classes(stored.database.class_table, labels)
         run = Threads(labels, worker_threads(), lambda: check_canceled(feedback))
-        updater = DatabaseUpdater(
-            labels, frame, stored.database, self._areas(frame, values, feedback), plugin_version(), run
-        )
+        areas = self._areas(frame, values, feedback)
         with outputs.database(self.OUTPUT) as path:
-            follow(updater.steps(), feedback, 0, 80)
-            follow(DatabaseEditor(path, stored, updater.changes).steps(), feedback, 80, 100)
+            steps = update_by_tasks(labels, frame, stored.database, areas, plugin_version(), run)
+            changes = follow(steps, feedback, 0, 80)
+            follow(write_changes(path, stored, changes), feedback, 80, 100)
         # If the update replaces the database, it must not undo what others have written in the meantime.
         outputs.require(stored.require_as_read)
-        self._log_result(stored.database, updater.changes, feedback)
+        self._log_result(stored.database, changes, feedback)
 
     def _check_crs(self, database: ReferenceDatabase) -> None:
         from ..layers.reference_systems import describe_crs

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import errno
-from collections.abc import Generator, Mapping
+from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor, wait
 from html import escape
 from pathlib import Path
@@ -27,6 +27,7 @@ from qgis.PyQt.QtGui import QIcon
 
 from ...core.errors import SemRefError
 from ...core.sentences import legible
+from ...core.steps import Steps, advance
 from ..layers.layer_metadata import Note, note_of_run
 from ..messages.sentences import worded
 from ..packages.components import NEEDED, Package, require
@@ -284,30 +285,27 @@ def cancelable(function: Callable[..., Result], *arguments: Any, feedback: QgsPr
         pool.shutdown(wait=False)
 
 
-def interruptible(
-    steps: Generator[tuple[str, float], None, None], feedback: QgsProcessingFeedback
-) -> Generator[tuple[str, float], None, None]:
+def interruptible(steps: Steps[Result], feedback: QgsProcessingFeedback) -> Steps[Result]:
     """Run each step in its own thread, so that a cancel takes effect during a long step."""
     while True:
-        step = cancelable(next, steps, None, feedback=feedback)
+        step, found = cancelable(advance, steps, feedback=feedback)
         if step is None:
-            return
+            return found
         yield step
 
 
-def follow(
-    steps: Generator[tuple[str, float], None, None],
-    feedback: QgsProcessingFeedback,
-    first: float = 0.0,
-    last: float = 100.0,
-) -> None:
-    """Run steps of (what is being done, share done 0…1) and show progress from first to last %. Raises Canceled.
+def follow(steps: Steps[Result], feedback: QgsProcessingFeedback, first: float = 0.0, last: float = 100.0) -> Result:
+    """Run steps, show progress from first to last %, and return their result. Raises Canceled.
 
     The steps are always closed: their files and threads are released before anything is removed.
     """
     shown = None
     with contextlib.closing(steps):
-        for what, share in steps:
+        while True:
+            step, found = advance(steps)
+            if step is None:
+                return found
+            what, share = step
             check_canceled(feedback)
             if what != shown:
                 feedback.setProgressText(tr(what))

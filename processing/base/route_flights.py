@@ -15,7 +15,7 @@ from qgis.core import (
 
 from ..compat import DOUBLE, INTEGER
 from ..translation import tr
-from .algorithm import check_canceled, interruptible
+from .algorithm import follow, interruptible
 from .parameters import SEED, with_help
 from .values import Values
 
@@ -102,11 +102,7 @@ def simulate(
     plan = FlightPlan(count, footprint, values.number(DRIFT) / 100, values.integer(SEED))
     points = route_points(lines, values.optional_number(IMAGE_DISTANCE) or footprint / 3)
     routes = FlownRoutes(database, localizer, conditions, plan)
-    feedback.setProgressText(tr("Simulating flights along the route"))
-    for done, images in interruptible(routes.steps(points), feedback):
-        check_canceled(feedback)
-        feedback.setProgress(FLOWN_PERCENT + (DONE_PERCENT - FLOWN_PERCENT) * done / images)
-    return routes.result
+    return follow(interruptible(routes.fly(points), feedback), feedback, FLOWN_PERCENT, DONE_PERCENT)
 
 
 def numbers(route: AssessedRoute) -> dict[str, float]:

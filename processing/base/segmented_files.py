@@ -13,7 +13,7 @@ from ...core.errors import LabelMapError
 from ...core.labels.class_table import UNLABELED, ClassTable
 from ..compat import POLYGON
 from ..translation import tr
-from .algorithm import check_canceled, interruptible
+from .algorithm import check_canceled, follow, interruptible
 from .annotation import geometry_of
 from .outputs import Outputs
 from .values import Values
@@ -148,7 +148,7 @@ def write_polygons(
     if not outputs.wants(key):
         return
     from ...core.annotation.outlines import areas_and_wkb, can_simplify
-    from ...storage.polygonize import LabelPolygons
+    from ...storage.polygonize import polygonize
     from ...storage.rasters import open_raster, transform_of
     from ..layers.class_styles import annotation_renderer
 
@@ -158,20 +158,18 @@ def write_polygons(
         feedback.pushWarning(
             tr("The polygons keep the edges of the pixels, because simplification needs Shapely 2.1 with GEOS 3.12.")
         )
-    polygons = LabelPolygons(path, values.optional_number("MINIMUM_AREA", 0.0), tolerance)
+    minimum_area = values.optional_number("MINIMUM_AREA", 0.0)
+    steps = polygonize(path, minimum_area, tolerance, lambda: not feedback.isCanceled())
     try:
-        for what, share in interruptible(polygons.steps(lambda: not feedback.isCanceled()), feedback):
-            check_canceled(feedback)
-            feedback.setProgressText(tr(what))
-            feedback.setProgress(100 * share)
+        classes, polygons = follow(interruptible(steps, feedback), feedback)
     except LabelMapError:
         check_canceled(feedback)
         raise
     names = {one.value: one.name for one in table}
-    areas, wkb = areas_and_wkb(polygons.polygons)
+    areas, wkb = areas_and_wkb(polygons)
     renderer = annotation_renderer(table, "class_name")
     with outputs.layer(key, FIELDS, POLYGON, crs, "class_polygons", renderer=renderer) as sink:
-        for n, (value, area, outline) in enumerate(zip(polygons.classes.tolist(), areas.tolist(), wkb)):
+        for n, (value, area, outline) in enumerate(zip(classes.tolist(), areas.tolist(), wkb)):
             if n % _CHECK_EVERY == 0:
                 check_canceled(feedback)
             sink.add_row(geometry_of(outline), (value, names.get(value), area))

@@ -112,9 +112,9 @@ def reference_rows(references: MapLandmarks, table: ClassTable) -> Iterator[tupl
         yield struct.pack("<BIdd", 1, ogr.wkbPoint, x, y), values
 
 
-def parameter_text(parameters: BuildParameters, name: str) -> str:
-    """Return a build parameter as text for the table ``parameters``."""
-    return json.dumps(getattr(parameters, name))
+def parameter_texts(parameters: BuildParameters) -> dict[str, str]:
+    """Return the rows of the table ``parameters``."""
+    return {name: json.dumps(value) for name, value in vars(parameters).items()}
 
 
 def write_feature(

@@ -5,17 +5,18 @@ from __future__ import annotations
 import contextlib
 import re
 import sqlite3
-from collections.abc import Iterator
-from dataclasses import fields
+from collections.abc import Iterable, Iterator, Sequence
 from html import unescape
 from pathlib import Path
 
 import numpy as np
 from osgeo import gdal, gdal_array, ogr, osr
 
-from ...core.database.model import ReferenceDatabase
+from ...core.database.model import ReferenceDatabase, Windows
 from ...core.errors import DatabaseError
+from ...core.labels.class_table import ClassTable
 from ...core.labels.overview import HeldOverview
+from ...core.steps import Steps
 from ..gdal_errors import close, gdal_failure, gdal_failures
 from ..label_map_file import set_class_colors
 from ..vector_files import leave_wal
@@ -47,146 +48,127 @@ _OTHER_ROWS = 1000
 """Estimated rows of classes, parameters and styles, for the progress."""
 
 
-class DatabaseWriter:
-    """Writer of a database. Iterate ``steps()`` to the end."""
+def write_database(  # noqa: PLR0913 - what a file holds; only the plugin has PROJ and styles
+    path: str,
+    database: ReferenceDatabase,
+    longitudes: np.ndarray,
+    latitudes: np.ndarray,
+    overview: np.ndarray | HeldOverview | OverviewFile,
+    styles: dict[str, str],
+) -> Steps[None]:
+    """Write a database. NaN is written as NULL.
 
-    def __init__(  # noqa: PLR0913 - what a file holds; only the plugin has PROJ and styles
-        self,
-        path: str,
-        database: ReferenceDatabase,
-        longitudes: np.ndarray,
-        latitudes: np.ndarray,
-        overview: np.ndarray | HeldOverview | OverviewFile,
-        styles: dict[str, str],
-    ) -> None:
-        """Prepare without writing. NaN is written as NULL.
+    Args:
+        database: The database, with the windows' distinctiveness.
+        longitudes: (N,) degrees of the windows' centers.
+        latitudes: (N,) degrees of the windows' centers.
+        overview: (h, w) uint8 class values, or the object with its parts.
 
-        Args:
-            database: The database, with the windows' distinctiveness.
-            longitudes: (N,) degrees of the windows' centers.
-            latitudes: (N,) degrees of the windows' centers.
-            overview: (h, w) uint8 class values, or the object with its parts.
-        """
-        self._path = path
-        self._database = database
-        self._longitudes = longitudes
-        self._latitudes = latitudes
-        self._overview = overview.labels if isinstance(overview, HeldOverview) else overview
-        self._styles = styles
-
-    def steps(self) -> Iterator[tuple[str, float]]:
-        """Yield (current step, share done 0…1).
-
-        Raises:
-            DatabaseError: GDAL can't write.
-        """
-        try:
-            for share in self._write():
-                yield "Writing the database", share
-        except (RuntimeError, sqlite3.Error) as error:
-            raise DatabaseError("The database can't be written: {reason}.", reason=gdal_failure(error)) from None
-
-    def _write(self) -> Iterator[float]:
-        database, srs = self._database, osr.SpatialReference()
+    Raises:
+        DatabaseError: GDAL can't write.
+    """
+    rows_of = {
+        schema.WINDOWS: _window_rows(database.windows, longitudes, latitudes),
+        schema.REFERENCES: schema.reference_rows(database.references, database.class_table),
+        schema.BOUNDS: _bounds_rows(database.references.bounds_px),
+        schema.CLASSES: _class_rows(database.class_table),
+        schema.PARAMETERS: ((None, row) for row in schema.parameter_texts(database.parameters).items()),
+        schema.STYLES: _style_rows(styles),
+    }
+    total = len(database.windows) + 2 * len(database.references) + _OTHER_ROWS
+    try:
+        srs = osr.SpatialReference()
         srs.ImportFromWkt(database.parameters.crs)
-        dataset = ogr.GetDriverByName("GPKG").CreateDataSource(self._path)
+        dataset = ogr.GetDriverByName("GPKG").CreateDataSource(path)
         if dataset is None:
             raise DatabaseError("The database can't be written: {reason}.", reason=gdal_failure())
-        total = len(database.windows) + 2 * len(database.references) + _OTHER_ROWS
-        for n, done in enumerate(self._write_layers(dataset, srs)):
+        for n, _ in enumerate(_write_layers(dataset, srs, rows_of)):
             if n % _FEATURES_A_STEP == 0:
-                yield 0.9 * done / total
+                yield "Writing the database", 0.9 * n / total
         schema.close(dataset)
-        yield 0.9
-        self._write_overview(srs)
-        leave_wal(self._path)
-        _write_titles(self._path)
-        store_checksums(self._path)
-        yield 1.0
+        yield "Writing the database", 0.9
+        _write_overview(path, database, srs, overview)
+        leave_wal(path)
+        _write_titles(path)
+        store_checksums(path)
+        yield "Writing the database", 1.0
+    except (RuntimeError, sqlite3.Error) as error:
+        raise DatabaseError("The database can't be written: {reason}.", reason=gdal_failure(error)) from None
 
-    def _write_layers(self, dataset: ogr.DataSource, srs: osr.SpatialReference) -> Iterator[int]:
-        done = 0
-        rows_of = {
-            schema.WINDOWS: self._window_rows,
-            schema.REFERENCES: self._reference_rows,
-            schema.BOUNDS: self._bounds_rows,
-            schema.CLASSES: self._class_rows,
-            schema.PARAMETERS: self._parameter_rows,
-            schema.STYLES: self._style_rows,
-        }
-        for name, (_, columns) in schema.LAYERS.items():
-            layer = schema.create_layer(dataset, name, srs)
-            rows = rows_of[name]()
-            dataset.StartTransaction()
-            for wkb, values in rows:
-                schema.write_feature(layer, columns, wkb, values)
-                done += 1
-                yield done
-            dataset.CommitTransaction()
 
-    def _window_rows(self) -> Iterator[tuple[bytes, tuple]]:
-        windows = self._database.windows
-        for i in range(len(windows)):
-            (x, y), half = windows.centers[i].tolist(), float(windows.sizes[i]) / 2
-            vector = windows.vectors[i].astype("<f4").tobytes() if windows.described[i] else None
-            values = (
-                windows.name(i),
-                int(windows.levels[i]),
-                float(windows.sizes[i]),
-                x,
-                y,
-                float(self._longitudes[i]),
-                float(self._latitudes[i]),
-                int(windows.counts[i]),
-                vector,
-                float(windows.distinctiveness[i]),
-            )
-            yield schema.square_wkb(x - half, y - half, x + half, y + half), values
+def _write_layers(
+    dataset: ogr.DataSource, srs: osr.SpatialReference, rows_of: dict[str, Iterable[tuple[bytes | None, Sequence]]]
+) -> Iterator[None]:
+    """Write the rows of all layers; yield after each."""
+    for name, (_, columns) in schema.LAYERS.items():
+        layer = schema.create_layer(dataset, name, srs)
+        dataset.StartTransaction()
+        for wkb, values in rows_of[name]:
+            schema.write_feature(layer, columns, wkb, values)
+            yield
+        dataset.CommitTransaction()
 
-    def _reference_rows(self) -> Iterator[tuple[bytes, tuple]]:
-        return schema.reference_rows(self._database.references, self._database.class_table)
 
-    def _bounds_rows(self) -> Iterator[tuple[None, tuple]]:
-        # In the order of the references, so that the fids are equal.
-        bounds = self._database.references.bounds_px
-        for first in range(0, len(bounds), BATCH):
-            for row in bounds[first : first + BATCH].tolist():
-                yield None, tuple(row)
+def _window_rows(windows: Windows, longitudes: np.ndarray, latitudes: np.ndarray) -> Iterator[tuple[bytes, tuple]]:
+    for i in range(len(windows)):
+        (x, y), half = windows.centers[i].tolist(), float(windows.sizes[i]) / 2
+        values = (
+            windows.name(i),
+            int(windows.levels[i]),
+            float(windows.sizes[i]),
+            x,
+            y,
+            float(longitudes[i]),
+            float(latitudes[i]),
+            int(windows.counts[i]),
+            windows.vectors[i].astype("<f4").tobytes() if windows.described[i] else None,
+            float(windows.distinctiveness[i]),
+        )
+        yield schema.square_wkb(x - half, y - half, x + half, y + half), values
 
-    def _class_rows(self) -> Iterator[tuple[None, tuple]]:
-        for c in self._database.class_table:
-            hsv = (None if limit is None else " ".join(map(str, limit)) for limit in (c.hsv_min, c.hsv_max))
-            yield None, (c.value, c.name, c.color, c.role, c.draw_order, *hsv)
 
-    def _parameter_rows(self) -> Iterator[tuple[None, tuple]]:
-        parameters = self._database.parameters
-        for item in fields(parameters):
-            yield None, (item.name, schema.parameter_text(parameters, item.name))
+def _bounds_rows(bounds: np.ndarray) -> Iterator[tuple[None, list]]:
+    # In the order of the references, so that the fids are equal.
+    for first in range(0, len(bounds), BATCH):
+        for row in bounds[first : first + BATCH].tolist():
+            yield None, row
 
-    def _style_rows(self) -> Iterator[tuple[None, tuple]]:
-        for table, qml in self._styles.items():
-            yield None, ("", "", table, "geom", table, qml, None, 1, "SemRef", "", None, "now")
 
-    def _write_overview(self, srs: osr.SpatialReference) -> None:
-        # GDAL's drivers copy datasets; the dataset of an array shares its memory.
-        held = isinstance(self._overview, np.ndarray)
-        memory = gdal_array.OpenArray(self._overview) if held else self._overview.dataset()
-        memory.SetGeoTransform(self._database.parameters.overview_frame.geotransform)
-        memory.SetProjection(srs.ExportToWkt())
-        band = memory.GetRasterBand(1)
-        set_class_colors(band, self._database.class_table)
-        options = ["APPEND_SUBDATASET=YES", f"RASTER_TABLE={schema.OVERVIEW}", "TILE_FORMAT=PNG"]
-        is_made = False
-        with gdal_failures() as failures:
-            # GDAL writes its last tables when it closes the file.
-            made = gdal.GetDriverByName("GPKG").CreateCopy(self._path, memory, options=options)
-            is_made = made is not None
-            close(made)
-            del made
-        if failures or not is_made:
-            raise DatabaseError(
-                "The overview can't be written: {reason}.", reason=failures[0] if failures else gdal_failure()
-            )
+def _class_rows(table: ClassTable) -> Iterator[tuple[None, tuple]]:
+    for c in table:
+        hsv = (None if limit is None else " ".join(map(str, limit)) for limit in (c.hsv_min, c.hsv_max))
+        yield None, (c.value, c.name, c.color, c.role, c.draw_order, *hsv)
+
+
+def _style_rows(styles: dict[str, str]) -> Iterator[tuple[None, tuple]]:
+    for table, qml in styles.items():
+        yield None, ("", "", table, "geom", table, qml, None, 1, "SemRef", "", None, "now")
+
+
+def _write_overview(
+    path: str,
+    database: ReferenceDatabase,
+    srs: osr.SpatialReference,
+    overview: np.ndarray | HeldOverview | OverviewFile,
+) -> None:
+    labels = overview.labels if isinstance(overview, HeldOverview) else overview
+    # GDAL's drivers copy datasets; the dataset of an array shares its memory.
+    memory = gdal_array.OpenArray(labels) if isinstance(labels, np.ndarray) else labels.dataset()
+    memory.SetGeoTransform(database.parameters.overview_frame.geotransform)
+    memory.SetProjection(srs.ExportToWkt())
+    set_class_colors(memory.GetRasterBand(1), database.class_table)
+    options = ["APPEND_SUBDATASET=YES", f"RASTER_TABLE={schema.OVERVIEW}", "TILE_FORMAT=PNG"]
+    is_made = False
+    with gdal_failures() as failures:
+        # GDAL writes its last tables when it closes the file.
+        made = gdal.GetDriverByName("GPKG").CreateCopy(path, memory, options=options)
+        is_made = made is not None
+        close(made)
+        del made
+    if failures or not is_made:
+        raise DatabaseError(
+            "The overview can't be written: {reason}.", reason=failures[0] if failures else gdal_failure()
+        )
 
 
 def _write_titles(path: str) -> None:

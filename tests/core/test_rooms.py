@@ -52,7 +52,7 @@ PARTS = {
 NEVER = {"processing": ("qgis.gui", "qgis.PyQt.QtWidgets")}
 """Algorithms run without windows."""
 
-FOR_ALL = {"errors", "events", "limits", "named_files", "sentences", "tables", "values"}
+FOR_ALL = {"errors", "events", "limits", "named_files", "sentences", "steps", "tables", "values"}
 """Rooms of core that every room may import."""
 
 ABOVE_THE_IMAGE = {"geometry", "labels", "landmarks", "database", "localization", "localizer", "simulation"}
@@ -60,6 +60,7 @@ ABOVE_THE_IMAGE = {"geometry", "labels", "landmarks", "database", "localization"
 MAY_IMPORT = {
     "core": {
         "sentences": set(),
+        "steps": set(),
         "errors": set(),
         "events": set(),
         "limits": set(),

@@ -8,8 +8,8 @@ from made_models import painted, write_model
 from osgeo import gdal, ogr
 from qgis.core import QgsProcessingException, QgsVectorLayer
 
+from semref.core.steps import result_of
 from semref.storage import polygonize
-from semref.storage.polygonize import LabelPolygons
 
 SEGMENT = "semref:segmentimage"
 LABELS = scattered_objects(170, 230, 60, seed=3, background=0)
@@ -25,23 +25,20 @@ def speckled(height: int, width: int, seed: int) -> np.ndarray:
 
 
 def outlined(path, minimum_area=0.0, tolerance=0.0):
-    polygons = LabelPolygons(str(path), minimum_area, tolerance)
-    for _ in polygons.steps():
-        continue
-    return polygons
+    return result_of(polygonize.polygonize(str(path), minimum_area, tolerance))
 
 
 @pytest.mark.parametrize("seed", [1, 2])
 def test_they_are_those_of_gdal(qgis_app, tmp_path, seed):
     path = str(write_raster(tmp_path / "labels.tif", speckled(120, 150, seed), transform=(WEST, 2, 0, NORTH, 0, -2)))
-    polygons = outlined(path)
+    classes, polygons = outlined(path)
     kept = (ogr.GetDriverByName("Memory") or ogr.GetDriverByName("MEM")).CreateDataSource("")
     made = kept.CreateLayer("p")
     made.CreateField(ogr.FieldDefn("value", ogr.OFTInteger))
     source = gdal.Open(path)
     gdal.Polygonize(source.GetRasterBand(1), None, made, 0, [])
     expected = [(one.GetField(0), bytes(one.GetGeometryRef().ExportToWkb())) for one in made if one.GetField(0)]
-    own = zip(polygons.classes.tolist(), shapely.to_wkb(_plain(polygons.polygons)))
+    own = zip(classes.tolist(), shapely.to_wkb(_plain(polygons)))
     assert sorted(own) == sorted((v, shapely.to_wkb(_plain(shapely.from_wkb(wkb)))) for v, wkb in expected)
 
 
@@ -55,10 +52,10 @@ def test_small_regions_go_to_their_largest_neighbor(qgis_app, tmp_path):
     labels[20:24, 30:34] = 1
     labels[40:42, 10:13] = 3
     path = str(write_raster(tmp_path / "labels.tif", labels, transform=(WEST, 2, 0, NORTH, 0, -2)))
-    polygons = outlined(path, minimum_area=64)
+    classes, polygons = outlined(path, minimum_area=64)
     # 4 × 4 pixels of 4 m² are 64 m²; 2 × 3 are less.
-    assert sorted(polygons.classes.tolist()) == [1, 2]
-    assert shapely.area(polygons.polygons).sum() == 60 * 80 * 4
+    assert sorted(classes.tolist()) == [1, 2]
+    assert shapely.area(polygons).sum() == 60 * 80 * 4
 
 
 @pytest.fixture

@@ -16,7 +16,6 @@ from qgis.core import QgsProcessingException, QgsVectorLayer
 
 from semref.storage.database import editor
 from semref.storage.database.connection import DatabaseChangedError
-from semref.storage.database.editor import DatabaseEditor
 from semref.storage.database.reader import read_database, read_overview
 
 BUILD, UPDATE = "semref:builddatabase", "semref:updatedatabase"
@@ -183,14 +182,14 @@ def test_a_database_of_an_older_version_is_refused_in_one_sentence(update, old, 
 def test_what_others_wrote_meanwhile_is_not_undone(update, old, tmp_path, monkeypatch):
     area = tmp_path / "area.gpkg"
     shutil.copy(old, area)
-    real = editor.DatabaseEditor.steps
+    real = editor.write_changes
 
-    def steps(self):
-        yield from real(self)
+    def write_changes(*arguments):
+        yield from real(*arguments)
         with contextlib.closing(sqlite3.connect(area)) as connection, connection:
             connection.execute("UPDATE classes SET color = '#123456'")
 
-    monkeypatch.setattr(editor.DatabaseEditor, "steps", steps)
+    monkeypatch.setattr(editor, "write_changes", write_changes)
     with refused("changed by another program"):
         update(DATABASE=str(area), OUTPUT=str(area))
     assert rows(area, "SELECT DISTINCT color FROM classes") == [("#123456",)]
@@ -219,15 +218,15 @@ def test_a_database_that_another_program_locks_before_the_end_is_not_replaced(
 ):
     """Otherwise the other program would commit into a file that is no longer in use."""
     place = str(shutil.copy(old, tmp_path / "area.gpkg"))
-    steps = DatabaseEditor.steps
+    write_changes = editor.write_changes
     with contextlib.closing(sqlite3.connect(place, isolation_level=None)) as other:
 
-        def lock_at_the_end(editor):
-            yield from steps(editor)
+        def lock_at_the_end(*arguments):
+            yield from write_changes(*arguments)
             other.execute(begin)
             other.execute("UPDATE classes SET name = 'tower' WHERE fid = 2")
 
-        monkeypatch.setattr(DatabaseEditor, "steps", lock_at_the_end)
+        monkeypatch.setattr(editor, "write_changes", lock_at_the_end)
         with pytest.raises(QgsProcessingException, match="another program"):
             update(DATABASE=place, OUTPUT=place)
         other.execute("COMMIT")

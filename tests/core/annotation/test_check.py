@@ -11,10 +11,11 @@ import shapely
 from made_annotation import KINDS, SOUTH, WEST, feature, numbered, random_features, square
 
 from semref.core.annotation import findings as kinds
-from semref.core.annotation.check import AnnotationCheck, CheckSettings, DrawnRegion, find_raster_losses
+from semref.core.annotation.check import CheckSettings, DrawnRegion, check_features, find_raster_losses
 from semref.core.annotation.findings import ERROR, INFORMATION, NOTHING, WARNING
 from semref.core.annotation.polygons import AnnotatedFeature
 from semref.core.annotation.raster_losses import count_pieces, join_runs, lost_regions, merged_regions, runs_of_strip
+from semref.core.steps import result_of
 
 LANDMARKS = (1, 2, 3, 4)
 BROKEN_LINE = [(kinds.INVALID, ERROR, 0, None), (kinds.NO_AREA, WARNING, 0, None)]
@@ -23,15 +24,13 @@ TWO_BOWTIES = shapely.multipolygons([BOWTIE, shapely.transform(BOWTIE, lambda xy
 LINE = shapely.from_wkt("POLYGON ((0 0, 4 4, 0 0, 0 0))")
 
 
-def check(features, minimum_area=0.0, maximum_gap=1.0) -> AnnotationCheck:
-    done = AnnotationCheck(features, CheckSettings(minimum_area, maximum_gap, LANDMARKS))
-    list(done.steps())
-    return done
+def check(features, minimum_area=0.0, maximum_gap=1.0) -> list:
+    return result_of(check_features(features, CheckSettings(minimum_area, maximum_gap, LANDMARKS)))[0]
 
 
 def found(features, **settings) -> list:
     """Return (kind, severity, feature, other) of each finding, sorted."""
-    findings = check(numbered(features), **settings).findings
+    findings = check(numbered(features), **settings)
     return sorted((f.kind, f.severity, f.feature_id, f.other_id) for f in findings)
 
 
@@ -92,7 +91,7 @@ def test_each_kind_is_found_with_its_severity_and_ids(features, expected):
 
 
 def test_a_crossing_is_reported_with_its_place_and_reason():
-    (finding,) = check(numbered([feature(square(9, 9, 1)), feature(BOWTIE, 3)])).findings
+    (finding,) = check(numbered([feature(square(9, 9, 1)), feature(BOWTIE, 3)]))
     assert (finding.feature_id, finding.class_value) == (1, 3)
     assert finding.reason == f"Self-intersection ({WEST + 2:.2f}, {SOUTH + 2:.2f})"
     assert shapely.from_wkb(finding.wkb).centroid.coords[0] == pytest.approx((WEST + 2, SOUTH + 2))
@@ -100,27 +99,27 @@ def test_a_crossing_is_reported_with_its_place_and_reason():
 
 def test_neighbors_of_one_class_are_listed_smaller_first_with_their_border():
     features = [feature(square(0, 0, 5)), feature(square(5, 1, 3)), feature(square(0, 5, 5), 2)]
-    (finding,) = check(numbered(features)).findings
+    (finding,) = check(numbered(features))
     assert (finding.feature_id, finding.other_id, finding.is_landmark) == (1, 0, True)
     assert finding.number == pytest.approx(3)
 
 
 def test_small_landmarks_are_reported_as_drawn():
     features = [feature(square(x, 0, 3)) for x in (0, 3, 20)] + [feature(square(40, 0, 3), class_value=9)]
-    small = [f for f in check(numbered(features), minimum_area=10).findings if f.kind == kinds.SMALL]
+    small = [f for f in check(numbered(features), minimum_area=10) if f.kind == kinds.SMALL]
     assert [(f.feature_id, f.area) for f in small] == [(2, pytest.approx(9))]
 
 
 def test_invalid_coordinates_are_reported_and_left_out():
     with np.errstate(invalid="ignore"):
         broken = shapely.to_wkb(shapely.polygons([[0, 0], [np.nan, 5], [5, 5]]))
-    findings = check([AnnotatedFeature(7, broken, 1), feature(square(0, 0, 5))]).findings
+    findings = check([AnnotatedFeature(7, broken, 1), feature(square(0, 0, 5))])
     assert [(f.kind, f.feature_id) for f in findings] == [(kinds.INVALID, 7)]
 
 
 def test_a_multipolygon_whose_parts_touch_along_an_edge_is_invalid_though_its_parts_are_not():
     parts = shapely.multipolygons([square(0, 0, 5), square(5, 0, 5)])
-    assert [f.kind for f in check([feature(parts)]).findings] == [kinds.INVALID]
+    assert [f.kind for f in check([feature(parts)])] == [kinds.INVALID]
 
 
 def test_rounding_is_no_overlap():
@@ -139,9 +138,9 @@ def test_overlaps_have_the_area_of_a_plain_pairwise_intersection(kind, seed):
             area = shapes[one].intersection(shapes[other]).area
             if features[one].class_value != features[other].class_value and area > 0.01:
                 expected[one, other] = area
-    repeated = {f.feature_id for f in check(features).findings if f.kind == kinds.DUPLICATE}
+    repeated = {f.feature_id for f in check(features) if f.kind == kinds.DUPLICATE}
     areas = Counter()
-    for finding in check(features).findings:
+    for finding in check(features):
         if finding.kind == kinds.OVERLAP:
             areas[tuple(sorted((finding.feature_id, finding.other_id), reverse=True))] += finding.area
     expected = {pair: area for pair, area in expected.items() if not repeated & set(pair)}

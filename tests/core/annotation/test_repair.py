@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -12,17 +13,17 @@ from made_annotation import KINDS, feature, moved, numbered, random_features, sq
 from semref.core.annotation.findings import DISSOLVED, GAP, INVALID, NO_AREA, NOTHING, OVERLAP, SLIVER
 from semref.core.annotation.merging import THIN_M, MergeSettings
 from semref.core.annotation.polygons import AnnotatedFeature
-from semref.core.annotation.repair import AnnotationRepair
+from semref.core.annotation.repair import repair_features
+from semref.core.steps import result_of
 
 SEEDS = range(3)
 every_kind = pytest.mark.parametrize("kind", KINDS)
 every_seed = pytest.mark.parametrize("seed", SEEDS)
 
 
-def repair(features, maximum_gap=1.0, minimum_area=0.0) -> AnnotationRepair:
-    done = AnnotationRepair(features, MergeSettings(maximum_gap, minimum_area))
-    list(done.steps())
-    return done
+def repair(features, maximum_gap=1.0, minimum_area=0.0) -> SimpleNamespace:
+    polygons, changes = result_of(repair_features(features, MergeSettings(maximum_gap, minimum_area)))
+    return SimpleNamespace(polygons=polygons, changes=changes)
 
 
 def polygons_of(done) -> np.ndarray:

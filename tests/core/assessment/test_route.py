@@ -10,6 +10,7 @@ from semref.core.assessment.route import ShiftHint, best_shift, gaps, route_poin
 from semref.core.errors import DatabaseError, ParameterError
 from semref.core.simulation.conditions import Conditions
 from semref.core.simulation.noise import LabelNoise
+from semref.core.steps import result_of
 
 BENT = np.array([(0.0, 0.0), (100.0, 0.0), (100.0, 0.0), (100.0, 55.0)])
 
@@ -90,10 +91,7 @@ ALONG = np.array([(600110.0, 5199700.0), (600880.0, 5199700.0)])
 
 
 def flown(database, localizer, plan, line=ALONG, spacing=70.0):
-    routes = FlownRoutes(database, localizer, CLEAR, plan)
-    steps = list(routes.steps(route_points([line], spacing)))
-    assert steps[-1] == (plan.flights * len(routes.result.points),) * 2
-    return routes.result
+    return result_of(FlownRoutes(database, localizer, CLEAR, plan).fly(route_points([line], spacing)))
 
 
 @pytest.fixture(scope="module")
@@ -142,4 +140,4 @@ def test_impossible_flights_are_refused(assessed_database, localizer):
         FlownRoutes(without, localizer, CLEAR, FlightPlan(1, 200.0, 0.01, 1))
     routes = FlownRoutes(assessed_database, localizer, CLEAR, FlightPlan(20_001, 200.0, 0.01, 1))
     with pytest.raises(ParameterError, match="at most 20000"):
-        next(routes.steps(route_points([ALONG], 50.0)))
+        next(routes.fly(route_points([ALONG], 50.0)))

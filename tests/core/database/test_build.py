@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from made_labels import TABLE, blobs
 
-from semref.core.database.build import BuildSettings, DatabaseBuilder, build_from_labels, level_grids
+from semref.core.database.build import BuildSettings, build_by_tasks, build_from_labels, level_grids
 from semref.core.database.tasks import Threads
 from semref.core.errors import ClassTableError, LabelMapError, WindowError
 from semref.core.geometry.frame import MapFrame
@@ -23,10 +23,10 @@ FRAME = MapFrame("a metric CRS", (600000.0, PIXEL, 0.0, 5200000.0, 0.0, -PIXEL))
 SETTINGS = BuildSettings(window_size=80.0, stride=36.0, minimum_area=20.0)
 
 
-def builder_of(labels, settings=SETTINGS, table=TABLE, threads=1):
+def steps_of(labels, settings=SETTINGS, table=TABLE, threads=1):
     frame = FRAME.of_shape(labels.shape)
     overview = HeldOverview(frame.reduced(settings.overview_factor).shape_hw)
-    return DatabaseBuilder(frame, table, settings, "1.2.3", Threads(ArrayLabels(labels), threads), overview.put)
+    return build_by_tasks(frame, table, settings, "1.2.3", Threads(ArrayLabels(labels), threads), overview.put)
 
 
 def built(labels, settings=SETTINGS, table=TABLE, frame=FRAME):
@@ -57,7 +57,7 @@ def test_a_map_without_landmarks_is_refused(labels, made, area):
 
 def test_a_table_without_reference_classes_is_refused_before_any_work(labels):
     with pytest.raises(ClassTableError, match="^No class is a reference class. Choose at least one of 2 building"):
-        builder_of(labels, table=TABLE.with_references([]))
+        next(steps_of(labels, table=TABLE.with_references([])))
 
 
 @pytest.mark.parametrize("area", [0.0, -1.0, float("nan")])
@@ -90,7 +90,7 @@ def test_levels_that_are_no_multipliers_are_refused(levels):
 )
 def test_windows_that_do_not_fit_the_map_are_refused_before_any_work(labels, window_size, stride, levels, sentence):
     with pytest.raises(WindowError, match=f"^{re.escape(sentence)}"):
-        builder_of(labels, BuildSettings(window_size, stride, 20.0, levels))
+        next(steps_of(labels, BuildSettings(window_size, stride, 20.0, levels)))
 
 
 def test_windows_are_at_the_place_of_their_name(database):
@@ -175,10 +175,9 @@ def test_the_overview_is_the_map_reduced(labels, factor):
 @pytest.mark.slow
 @pytest.mark.parametrize("steps_taken", [0, 1, 3, 6])
 @pytest.mark.parametrize("threads", [1, 3])
-def test_stopping_half_way_leaves_no_thread_and_no_database(labels, steps_taken, threads):
+def test_stopping_half_way_leaves_no_thread(labels, steps_taken, threads):
     before = threading.active_count()
-    builder = builder_of(labels, BuildSettings(40.0, 4.0, 20.0), threads=threads)
-    steps = builder.steps()
+    steps = steps_of(labels, BuildSettings(40.0, 4.0, 20.0), threads=threads)
     for _ in range(steps_taken):
         next(steps)
     steps.close()
@@ -187,7 +186,6 @@ def test_stopping_half_way_leaves_no_thread_and_no_database(labels, steps_taken,
         time.sleep(0.01)
     # Threads of earlier tests may have ended meanwhile.
     assert threading.active_count() <= before
-    assert builder.database is None
 
 
 def test_distinctiveness_is_the_distance_to_the_nearest_window_elsewhere(labels):

@@ -9,11 +9,12 @@ import pytest
 from made_labels import TABLE, blobs
 
 from semref.core.database import build
-from semref.core.database.build import BuildSettings, DatabaseBuilder, tile_boxes
+from semref.core.database.build import BuildSettings, build_by_tasks, tile_boxes
 from semref.core.database.tasks import TASKS, Threads
 from semref.core.geometry.frame import MapFrame
 from semref.core.labels.overview import HeldOverview
 from semref.core.labels.sources import ArrayLabels
+from semref.core.steps import advance
 
 FRAME = MapFrame("a metric CRS", (600000.0, 2.0, 0.0, 5200000.0, 0.0, -2.0))
 SETTINGS = BuildSettings(window_size=200.0, stride=74.0, minimum_area=20.0, levels=(1.0, 2.5))
@@ -45,10 +46,13 @@ class Loop:
 def built(run, labels, settings=SETTINGS):
     frame = FRAME.of_shape(labels.shape)
     overview = HeldOverview(frame.reduced(settings.overview_factor).shape_hw)
-    builder = DatabaseBuilder(frame, TABLE, settings, "1.2.3", run, overview.put)
-    shares = [share for _, share in builder.steps()]
+    steps, shares = build_by_tasks(frame, TABLE, settings, "1.2.3", run, overview.put), []
+    step, database = advance(steps)
+    while step is not None:
+        shares.append(step[1])
+        step, database = advance(steps)
     assert shares == sorted(shares) and shares[-1] == pytest.approx(1)
-    return replace(builder.database, overview=overview.labels)
+    return replace(database, overview=overview.labels)
 
 
 @pytest.fixture

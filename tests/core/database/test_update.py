@@ -12,12 +12,13 @@ from semref.core.database import changed_regions, update
 from semref.core.database.build import BuildSettings, build_from_labels
 from semref.core.database.model import MapLandmarks, Windows
 from semref.core.database.tasks import Threads
-from semref.core.database.update import DatabaseUpdater
+from semref.core.database.update import update_by_tasks
 from semref.core.errors import DatabaseError, LabelMapError
 from semref.core.geometry.frame import MapFrame
 from semref.core.labels import block_hashes as map_hash_module
 from semref.core.labels.sources import ArrayLabels
 from semref.core.landmarks.regions import ReachingRegions
+from semref.core.steps import result_of
 
 VALUES = (0, 2, 3, 5)
 PIXEL = 0.7
@@ -69,16 +70,13 @@ def built(labels, settings=SETTINGS):
     return build_from_labels(ArrayLabels(labels), FRAME, TABLE, settings, "1.2.3")
 
 
-def updater_of(source, database, areas=None, frame=FRAME):
-    return DatabaseUpdater(source, frame, database, areas, "1.2.3", Threads(source))
+def steps_of(source, database, areas=None, frame=FRAME):
+    return update_by_tasks(source, frame, database, areas, "1.2.3", Threads(source))
 
 
 def updated(database, labels, areas=None, frame=FRAME):
     """Return (database, changes) after an update of the database ``before``."""
-    updater = updater_of(ArrayLabels(labels), database, areas, frame)
-    for _ in updater.steps():
-        pass
-    changes, old = updater.changes, database.references
+    changes, old = result_of(steps_of(ArrayLabels(labels), database, areas, frame)), database.references
     kept = np.delete(np.arange(len(old)), changes.removed)
     names = [item.name for item in fields(MapLandmarks)]
     references = {n: np.concatenate([getattr(old, n)[kept], getattr(changes.added, n)]) for n in names}
@@ -217,9 +215,7 @@ def test_only_the_changed_areas_are_read():
             seen[row : row + height, column : column + width] = True
             return super().read(column, row, width, height)
 
-    updater = updater_of(Watched(edited), before, [(80, 70, 86, 76)])
-    for _ in updater.steps():
-        pass
+    result_of(steps_of(Watched(edited), before, [(80, 70, 86, 76)]))
     assert seen[70:76, 80:86].all() and seen.mean() < 0.6
 
 
