@@ -18,7 +18,7 @@ from qgis.core import (
     QgsVectorFileWriter,
     QgsVectorLayer,
 )
-from qgis.gui import QgsRubberBand, QgsVertexMarker
+from qgis.gui import QgsRubberBand
 from qgis.PyQt.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
 from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent
 
@@ -146,8 +146,8 @@ def shown_outline(iface):
 
 
 def shown_center(iface):
-    markers = [item for item in iface.canvas.scene().items() if isinstance(item, QgsVertexMarker) and item.isVisible()]
-    return markers[0].center() if markers else None
+    places = rubber_bands(iface, "Point")
+    return places[0].boundingBox().center() if places else None
 
 
 def cut_extent():

@@ -20,6 +20,7 @@ from qgis.PyQt.QtWidgets import QApplication, QMessageBox
 
 from semref.ui.tabs.correct.places_table import PlaceRow, PlacesTable
 from semref.ui.tabs.correct.tab import CorrectTab
+from semref.ui.widgets.database_box import DatabaseBox
 from semref.ui.widgets.messages import Messages
 
 SPECK_M = 0.1
@@ -29,7 +30,7 @@ SPECK_M = 0.1
 def tab(iface):
     iface.canvas.setDestinationCrs(QgsCoordinateReferenceSystem(CRS))
     QgsSettings().remove("semref/correct")
-    tab = CorrectTab(iface.canvas, Messages(iface.bar))
+    tab = CorrectTab(iface.canvas, DatabaseBox(), Messages(iface.bar))
     tab.open.setChecked(False)
     yield tab
     tab.shut_down()

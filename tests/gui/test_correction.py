@@ -74,7 +74,7 @@ def correct(annotation) -> None:
 
 def press(dock, box) -> None:
     box.button.click()
-    wait_until(lambda: not dock.content.correct.run.running, "the update")
+    wait_until(lambda: not dock.content.correct.updating.run.running, "the update")
     settle()
 
 
@@ -102,7 +102,7 @@ def test_one_button_makes_the_database_that_a_full_build_would(
 def test_the_next_update_rasterizes_and_compares_only_what_was_changed_since(
     dock, iface, box, annotation, database, run_algorithm, tmp_path
 ):
-    run, extents = dock.content.correct.run, []
+    run, extents = dock.content.correct.updating.run, []
     start = run._run.start_algorithm
     run._run.start_algorithm = lambda name, given, title: extents.append(given.get("EXTENT")) or start(
         name, given, title
@@ -154,7 +154,7 @@ def test_a_canceled_update_leaves_the_database_as_it_is(dock, box, annotation, d
     box.button.click()
     assert box.button.text() == "Cancel"
     box.button.click()
-    wait_until(lambda: not dock.content.correct.run.running, "the cancel")
+    wait_until(lambda: not dock.content.correct.updating.run.running, "the cancel")
     settle()
     assert Path(database).read_bytes() == before
     assert box.state.text_shown == "Canceled." and box.button.isEnabled()
@@ -237,4 +237,4 @@ def test_a_label_map_that_the_update_made_old_is_offered_to_be_rasterized_again(
     ((name, given),) = asked
     assert name == "semref:rasterizeannotation" and Path(labels).read_bytes() == before
     assert (given["OUTPUT"], given["INPUT"], given["PIXEL_SIZE"]) == (labels, annotation.id(), 0.5)
-    dock.content.rasterizing.close()
+    dock.content.correct.updating.rasterizing.close()

@@ -92,7 +92,7 @@ class Session:
     def show_everything(self) -> None:
         """Show the whole sample area without marks."""
         self.dock.content.localize.results.list.clearSelection()
-        self.dock.content.inspect.use(None)
+        self.dock.content.inspect.forget_database()
         self.iface.mapCanvas().setReferencedExtent(QgsProject.instance().viewSettings().defaultViewExtent())
         self.iface.mapCanvas().refresh()
 

@@ -5,16 +5,17 @@ from __future__ import annotations
 from math import cos, radians, sin, sqrt
 
 from qgis.core import QgsGeometry, QgsPointXY
-from qgis.gui import QgsMapCanvas, QgsVertexMarker
+from qgis.gui import QgsMapCanvas, QgsRubberBand
+from qgis.PyQt.QtGui import QColor
 
 from ...processing.compat import LINE_GEOMETRY, POLYGON_GEOMETRY
-from ...processing.layers.reference_systems import transformed_point
 from ..findings import Finding
-from .marks import ORANGE, POINTS_A_SIDE, RED, RIM, Marks, band, to_canvas
+from .marks import ORANGE, POINTS_A_SIDE, RED, RIM, Marks, band, dots
 
 _ZOOM_MARGIN = 2.0
 """Factor by which the visible extent exceeds the footprint."""
 
+_CENTER_PX = 11
 _ARROW_HEAD = 0.12
 """Length of the barbs of the heading arrow, as a share of its shaft."""
 
@@ -33,57 +34,32 @@ class HitHighlight(Marks):
                 "heading": band(canvas, LINE_GEOMETRY, RED),
                 "error": band(canvas, POLYGON_GEOMETRY, RED),
                 "possible": band(canvas, POLYGON_GEOMETRY, ORANGE),
+                "center": _center(canvas),
             },
         )
-        self._hit: Finding | None = None
-        self._center: QgsVertexMarker | None = _center_marker(canvas)
 
     def show(self, finding: Finding | None) -> bool:
         """Show a finding's position or possible places; nothing for None. False if the canvas's CRS can't show it."""
-        shown = finding is not None and (finding.center is not None or finding.possible)
-        self._hit = finding if shown else None
-        if self._hit is None:
+        if finding is None or (finding.center is None and not finding.possible):
             self.clear()
             return True
-        color = ORANGE if self._hit.is_likely else RED
+        color = ORANGE if finding.is_likely else RED
         for name in ("outline", "heading", "error"):
             self._bands[name].setStrokeColor(color)
-        self._center.setFillColor(color)
-        return self.draw(_shapes(self._hit), self._hit.crs)
+        self._bands["center"].setFillColor(color)
+        return self.draw(_shapes(finding), finding.crs)
 
     def zoom(self) -> None:
         """Move the canvas to the shown position or places, if any."""
         # An image has a position or possible places, never both.
         self.zoom_to("possible" if self.drawn("outline").isEmpty() else "outline", _ZOOM_MARGIN)
 
-    def remove(self) -> None:
-        super().remove()
-        self._canvas.scene().removeItem(self._center)
-        self._center = None
 
-    def _place(self) -> bool:
-        fits = super()._place()
-        center = self._center_on_canvas() if fits and self._visible else None
-        self._center.setVisible(center is not None)
-        if center is not None:
-            self._center.setCenter(center)
-        return fits
-
-    def _center_on_canvas(self) -> QgsPointXY | None:
-        if self._hit is None or self._hit.center is None:
-            return None
-        return transformed_point(to_canvas(self._canvas, self._hit.crs), self._hit.center)
-
-
-def _center_marker(canvas: QgsMapCanvas) -> QgsVertexMarker:
-    marker = QgsVertexMarker(canvas)
-    marker.setIconType(QgsVertexMarker.IconType.ICON_CIRCLE)
-    marker.setIconSize(11)
-    marker.setPenWidth(2)
-    marker.setColor(RIM)
-    marker.setFillColor(RED)
-    marker.hide()
-    return marker
+def _center(canvas: QgsMapCanvas) -> QgsRubberBand:
+    """Return a small white disk. ``show`` fills it."""
+    center = dots(canvas, RIM, _CENTER_PX)
+    center.setSecondaryStrokeColor(QColor())
+    return center
 
 
 def _shapes(hit: Finding) -> dict[str, QgsGeometry]:
@@ -95,6 +71,7 @@ def _shapes(hit: Finding) -> dict[str, QgsGeometry]:
         "heading": _arrow(hit),
         "error": _error_circle(hit),
         "possible": QgsGeometry.collectGeometry(possible),
+        "center": QgsGeometry() if hit.center is None else QgsGeometry.fromPointXY(hit.center),
     }
 
 

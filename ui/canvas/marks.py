@@ -9,6 +9,7 @@ from qgis.core import (
     QgsCoordinateTransform,
     QgsCsException,
     QgsGeometry,
+    QgsPointXY,
     QgsProject,
     QgsRectangle,
 )
@@ -16,7 +17,7 @@ from qgis.gui import QgsMapCanvas, QgsRubberBand
 from qgis.PyQt.QtCore import QObject
 from qgis.PyQt.QtGui import QColor
 
-from ...processing.compat import POLYGON_GEOMETRY
+from ...processing.compat import POINT_GEOMETRY, POLYGON_GEOMETRY
 
 # Red with a white rim is visible on land-cover colors, aerial images, white and black.
 RED = QColor("#e8344e")
@@ -148,6 +149,33 @@ def square(x: float, y: float, size: float) -> QgsGeometry:
     half = size / 2
     outline = QgsGeometry.fromRect(QgsRectangle(x - half, y - half, x + half, y + half))
     return outline.densifyByCount(POINTS_A_SIDE)
+
+
+def dots(canvas: QgsMapCanvas, color: QColor, size_px: int) -> QgsRubberBand:
+    """Return an empty rubber band for points, drawn as disks with a white rim."""
+    made = band(canvas, POINT_GEOMETRY, color)
+    made.setIcon(made.IconType.ICON_CIRCLE)
+    made.setIconSize(size_px)
+    made.setFillColor(color)
+    return made
+
+
+class CircleMark(Marks):
+    """Circle that is round in the CRS of the canvas."""
+
+    def __init__(self, canvas: QgsMapCanvas) -> None:
+        super().__init__(canvas, {"circle": band(canvas, POLYGON_GEOMETRY, BLUE, filled=30, rim=False)})
+
+    def show(self, middle: QgsPointXY, edge: QgsPointXY, crs: QgsCoordinateReferenceSystem) -> None:
+        """Draw a circle around ``middle`` through ``edge``, both in ``crs``."""
+        self.draw({"circle": QgsGeometry.fromPolylineXY([middle, edge])}, crs)
+
+    def _on_canvas(self) -> dict[str, QgsGeometry] | None:
+        placed = super()._on_canvas()
+        for name, radius in (placed or {}).items():
+            middle = radius.asPolyline()[0]
+            placed[name] = QgsGeometry.fromPointXY(middle).buffer(radius.length(), POINTS_A_SIDE)
+        return placed
 
 
 class PlaceMark(Marks):

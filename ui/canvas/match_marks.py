@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from qgis.core import QgsCoordinateReferenceSystem, QgsCsException, QgsPointXY
+from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry, QgsPointXY
 from qgis.gui import QgsMapCanvas, QgsMapCanvasItem
 from qgis.PyQt.QtCore import QPointF, QRectF
 from qgis.PyQt.QtGui import QPainter, QPen
 
 from ..findings import MatchPoints
-from .marks import RED, RIM, Marks, to_canvas
+from .marks import RED, RIM, Marks
 from .numbers import paint_numbers, paint_ring
 
 _RING_PX = 6.0
@@ -18,56 +18,30 @@ class MatchMarks(Marks):
     """Pairs of matched landmarks."""
 
     def __init__(self, canvas: QgsMapCanvas) -> None:
-        super().__init__(canvas, {})
-        self._item: _Item | None = _Item(canvas)
-        self._matches: MatchPoints | None = None
+        super().__init__(canvas, {"pairs": _Pairs(canvas)})
 
     @property
-    def pairs(self) -> list[tuple[QgsPointXY, QgsPointXY]]:
-        """(image's landmark, map's landmark) of each match, as drawn, in the canvas's CRS."""
-        return self._item.pairs
+    def pairs(self) -> list[list[QgsPointXY]]:
+        """[image's landmark, map's landmark] of each match, as drawn, in the canvas's CRS."""
+        return self._bands["pairs"].pairs
 
     def show(self, matches: MatchPoints, crs: QgsCoordinateReferenceSystem) -> None:
         """Draw matches with map coordinates in ``crs``."""
-        self._matches, self._crs = matches, crs
-        self._place()
-
-    def clear(self) -> None:
-        self._matches = None
-        self._place()
-
-    def remove(self) -> None:
-        super().remove()
-        self._canvas.scene().removeItem(self._item)
-        self._item = None
-
-    def _place(self) -> bool:
-        pairs = self._pairs_on_canvas() if self._matches is not None and self._visible else []
-        self._item.show_pairs(pairs or [])
-        return pairs is not None
-
-    def _pairs_on_canvas(self) -> list[tuple[QgsPointXY, QgsPointXY]] | None:
-        transform = to_canvas(self._canvas, self._crs)
-        try:
-            return [
-                (transform.transform(QgsPointXY(*seen)), transform.transform(QgsPointXY(*on_map)))
-                for seen, on_map in zip(self._matches.seen, self._matches.on_map)
-            ]
-        except QgsCsException:
-            return None
+        pairs = [[QgsPointXY(*seen), QgsPointXY(*on_map)] for seen, on_map in zip(matches.seen, matches.on_map)]
+        self.draw({"pairs": QgsGeometry.fromMultiPolylineXY(pairs)}, crs)
 
 
-class _Item(QgsMapCanvasItem):
-    """Paints the pairs of ``MatchMarks``."""
+class _Pairs(QgsMapCanvasItem):
+    """Lines with rings and numbers at their ends; a rubber band has no text."""
 
     def __init__(self, canvas: QgsMapCanvas) -> None:
         super().__init__(canvas)
         self._canvas = canvas
-        self.pairs: list[tuple[QgsPointXY, QgsPointXY]] = []
+        self.pairs: list[list[QgsPointXY]] = []
 
-    def show_pairs(self, pairs: list[tuple[QgsPointXY, QgsPointXY]]) -> None:
-        self.pairs = pairs
-        self.setVisible(bool(pairs))
+    def setToGeometry(self, lines: QgsGeometry) -> None:
+        self.pairs = [] if lines.isEmpty() else lines.asMultiPolyline()
+        self.setVisible(bool(self.pairs))
         self.updatePosition()
 
     def places(self) -> list[tuple[int, QPointF]]:

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from qgis.core import QgsGeometry
 from qgis.gui import QgsMapCanvas
 
-from ...processing.compat import LINE_GEOMETRY, POINT_GEOMETRY
+from ...processing.compat import LINE_GEOMETRY
 from ..findings import Finding
-from .marks import BLUE, ORANGE, RED, RIM, Marks, band, with_opacity
+from .marks import BLUE, ORANGE, RED, Marks, band, dots, with_opacity
 
 _DOT_PX, _WIDTH_PX = 9, 2
 
@@ -22,9 +22,9 @@ class TrackMarks(Marks):
             canvas,
             {
                 "track": band(canvas, LINE_GEOMETRY, with_opacity(BLUE, 180), _WIDTH_PX),
-                "own": _dots(canvas, BLUE),
-                "flight": _dots(canvas, ORANGE),
-                "outvoted": _dots(canvas, RED),
+                "own": dots(canvas, BLUE, _DOT_PX),
+                "flight": dots(canvas, ORANGE, _DOT_PX),
+                "outvoted": dots(canvas, RED, _DOT_PX),
             },
         )
 
@@ -43,12 +43,3 @@ class TrackMarks(Marks):
 
 def _kind(finding: Finding) -> str:
     return "outvoted" if finding.outvoted else str(finding.source)
-
-
-def _dots(canvas: QgsMapCanvas, color):
-    dots = band(canvas, POINT_GEOMETRY, color)
-    dots.setIcon(dots.IconType.ICON_CIRCLE)
-    dots.setIconSize(_DOT_PX)
-    dots.setFillColor(color)
-    dots.setSecondaryStrokeColor(RIM)
-    return dots

@@ -1,11 +1,9 @@
-"""The inspected window on the canvas with landmarks and similar windows, and the map tool that picks a window."""
+"""The inspected window on the canvas with landmarks and similar windows."""
 
 from __future__ import annotations
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry, QgsPointXY
-from qgis.gui import QgsMapCanvas, QgsMapMouseEvent, QgsMapToolEmitPoint
-from qgis.PyQt.QtCore import Qt, pyqtSignal
-from qgis.PyQt.QtGui import QKeyEvent
+from qgis.gui import QgsMapCanvas
 
 from ...processing.compat import LINE_GEOMETRY, POLYGON_GEOMETRY
 from ...processing.inspection.window import InspectedWindow
@@ -43,23 +41,3 @@ class WindowMarks(Marks):
         """Move the canvas to the window unless all of it is visible."""
         if not self._canvas.extent().contains(self.drawn("window").boundingBox()):
             self.zoom_to("window", _ZOOM_MARGIN)
-
-
-class WindowTool(QgsMapToolEmitPoint):
-    """Emits ``picked`` with the point in the canvas's CRS; Escape returns to the previous tool."""
-
-    picked = pyqtSignal(QgsPointXY)
-
-    def __init__(self, canvas: QgsMapCanvas) -> None:
-        super().__init__(canvas)
-        self.setCursor(Qt.CursorShape.WhatsThisCursor)
-
-    def canvasReleaseEvent(self, event: QgsMapMouseEvent) -> None:
-        if event.button() == Qt.MouseButton.LeftButton:
-            self.picked.emit(event.mapPoint())
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() == Qt.Key.Key_Escape:
-            self.canvas().unsetMapTool(self)
-        else:
-            super().keyPressEvent(event)

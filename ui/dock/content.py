@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
-
 from qgis.core import QgsProject, QgsSettings
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtCore import QSize, Qt, QUrl
@@ -11,12 +9,10 @@ from qgis.PyQt.QtGui import QDesktopServices
 from qgis.PyQt.QtWidgets import QFrame, QScrollArea, QTabWidget, QVBoxLayout, QWidget
 
 from ...core.errors import DatabaseError
-from ...processing.layers.database_layers import add_database_to_map, reload_database
+from ...processing.layers.database_layers import add_database_to_map
 from ...processing.messages.sentences import worded
 from ...processing.translation import tr
 from ...processing.version import guide_url
-from ..running.background import DatabaseShelf, Reader
-from ..running.correction_run import RASTERIZE
 from ..tabs.correct.tab import CorrectTab
 from ..tabs.inspect.tab import InspectTab
 from ..tabs.localize.tab import LocalizeTab
@@ -37,16 +33,14 @@ _LEAST_WIDTH_PX = 300
 class DockContent(QWidget):
     """Connects the tabs with the database and with each other. Call ``shut_down`` before deleting it."""
 
-    def __init__(self, canvas: QgsMapCanvas, messages: Messages, shelf: DatabaseShelf) -> None:
+    def __init__(self, canvas: QgsMapCanvas, messages: Messages) -> None:
         super().__init__()
-        self._messages, self._shelf = messages, shelf
+        self._messages = messages
         self.database = DatabaseBox()
-        self.localize = LocalizeTab(canvas, self.database, messages, shelf)
-        self.inspect = InspectTab(canvas, messages)
-        self.correct = CorrectTab(canvas, messages)
+        self.localize = LocalizeTab(canvas, self.database, messages)
+        self.inspect = InspectTab(canvas, self.database, messages)
+        self.correct = CorrectTab(canvas, self.database, messages)
         self.tabs = QTabWidget()
-        self.rasterizing: QWidget | None = None
-        self._reader = Reader(self)
         self._lay_out()
         self._connect()
 
@@ -70,17 +64,10 @@ class DockContent(QWidget):
         layout.addWidget(self.tabs, 1)
 
     def _connect(self) -> None:
-        self.database.changed.connect(self._forget_database)
-        self.database.addToMapAsked.connect(self._add_database_to_map)
+        self.database.add_to_map.clicked.connect(self._add_database_to_map)
         self.tabs.currentChanged.connect(self._remember_tab)
         self.help.clicked.connect(lambda: QDesktopServices.openUrl(QUrl(guide_url())))
         self.localize.hit.described.connect(self.inspect.compare_with)
-        self.inspect.databaseWanted.connect(self._read_database)
-        self.correct.updated.connect(self._show_updated)
-        self.correct.outdated.connect(self._offer_label_map)
-        self._reader.answered.connect(self.inspect.use)
-        self._reader.failed.connect(self._messages.error)
-        self.correct.updating.use_database(self.database.path())
 
     def minimumSizeHint(self) -> QSize:
         least = super().minimumSizeHint()
@@ -88,44 +75,14 @@ class DockContent(QWidget):
 
     def shut_down(self) -> None:
         """Cancel runs and background reading, and clear the canvas."""
-        self._reader.shut_down()
         for part in (self.localize, self.database, self.inspect, self.correct):
             part.shut_down()
-
-    def _forget_database(self) -> None:
-        self._reader.forget()
-        self.inspect.use(None)
-        self.correct.updating.use_database(self.database.path())
-
-    def _read_database(self) -> None:
-        """Read the database for the tab *Inspect* in the background."""
-        if not self.database.path():
-            self._messages.info(tr("Choose a database."))
-            return
-        self._reader.read(tr("Reading the database"), self._shelf.read, self.database.path())
 
     def _add_database_to_map(self) -> None:
         try:
             add_database_to_map(self.database.path(), QgsProject.instance())
         except DatabaseError as error:
             self._messages.error(worded(error))
-
-    def _show_updated(self, path: str) -> None:
-        """Reload a replaced database on the map and in the tabs."""
-        reload_database(path, QgsProject.instance())
-        if path == self.database.path():
-            self.database.choose(path)
-
-    def _offer_label_map(self, layer: str, parameters: dict) -> None:
-        sentence = tr("The label map “{layer}” is now older than the database.").format(layer=layer)
-        self._messages.success_with(sentence, tr("Rasterize it again…"), partial(self._rasterize, parameters))
-
-    def _rasterize(self, parameters: dict) -> None:
-        """Open the dialog of *Rasterize land-cover layer*. It is not modal."""
-        from processing import createAlgorithmDialog
-
-        self.rasterizing = createAlgorithmDialog(RASTERIZE, parameters)
-        self.rasterizing.show()
 
     def _remember_tab(self, tab: int) -> None:
         QgsSettings().setValue(_TAB_SETTING, tab)

@@ -17,7 +17,6 @@ from ...processing.layers.database_layers import OPENED, reload_raster
 from ...processing.translation import tr
 from ..packages.missing_notice import MissingNotice
 from ..project_state import DATABASE_SETTING, DockState, read_state, write_state
-from ..running.background import DatabaseShelf
 from ..widgets.layouts import narrow
 from ..widgets.messages import Messages, open_file
 
@@ -48,7 +47,6 @@ class SemRefDock(QgsDockWidget):
         self._layout.addStretch()
         self.setWidget(whole)
         self._canvas = canvas
-        self._shelf = DatabaseShelf()
         self._content: DockContent | None = None
         self.setting_up: SetUpAreaDialog | None = None
         self._opens = False
@@ -84,11 +82,12 @@ class SemRefDock(QgsDockWidget):
     def _make_content(self) -> DockContent:
         from .content import DockContent
 
-        content = DockContent(self._canvas, self.messages, self._shelf)
+        content = DockContent(self._canvas, self.messages)
         content.localize.found.connect(self._show_found)
-        content.database.setUpAsked.connect(self.set_up_area)
-        content.localize.modelChosen.connect(self.notice.use_model)
-        self.notice.use_model(content.localize.images.model_path())
+        content.database.set_up.clicked.connect(self.set_up_area)
+        images = content.localize.images
+        images.changed.connect(lambda: self.notice.use_model(images.model_path()))
+        self.notice.use_model(images.model_path())
         self._layout.addWidget(content, 1)
         if self._wanted_state is not None:
             content.localize.show_state(self._wanted_state)

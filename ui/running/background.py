@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import traceback
+from functools import lru_cache
 from typing import TYPE_CHECKING, Callable
 
 from qgis.core import QgsTask
@@ -117,21 +118,22 @@ def _hidden():
     return getattr(QgsTask.Flag, "Hidden", QgsTask.Flag.CanCancel)
 
 
-class DatabaseShelf:
-    """Keeps the last database, and reads it again if its file has changed. For background threads."""
+def latest_database(path: str) -> ReferenceDatabase:
+    """Return a database, which is read again only if its file has changed. For background threads.
 
-    def __init__(self) -> None:
-        self._held: tuple = (None, None)
+    Raises DatabaseError.
+    """
+    return _read(path, changed_at(path))
 
-    def read(self, path: str) -> ReferenceDatabase:
-        """Return the database. Raises DatabaseError."""
-        key = path, os.path.getmtime(path) if os.path.exists(path) else None
-        known, database = self._held
-        if key != known:
-            # Imported here because it loads NumPy and GDAL, which would delay the start of QGIS.
-            from ...storage.database.reader import read_database
 
-            database = read_database(path)
-            # One assignment, so that another thread sees the old pair or the new one.
-            self._held = key, database
-        return database
+@lru_cache(maxsize=1)
+def _read(path: str, _changed: float | None) -> ReferenceDatabase:
+    # Imported here because it loads NumPy and GDAL, which would delay the start of QGIS.
+    from ...storage.database.reader import read_database
+
+    return read_database(path)
+
+
+def changed_at(path: str) -> float | None:
+    """Return the time of the last change of a file; None if it does not exist."""
+    return os.path.getmtime(path) if os.path.exists(path) else None

@@ -35,8 +35,6 @@ class DatabaseBox(FoldingBox):
     changed = pyqtSignal()
     replaced = pyqtSignal()
     checked = pyqtSignal()
-    addToMapAsked = pyqtSignal()
-    setUpAsked = pyqtSignal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Reference database"), parent)
@@ -69,9 +67,7 @@ class DatabaseBox(FoldingBox):
         layout.addWidget(self.set_up)
         name_fold(self)
         self.file.fileChanged.connect(self._remember)
-        self.add_to_map.clicked.connect(self.addToMapAsked)
         self.make.clicked.connect(self._make_database)
-        self.set_up.clicked.connect(self.setUpAsked)
         self._reader = Reader(self)
         self._reader.answered.connect(lambda _nothing: self._show_fault(""))
         self._reader.failed.connect(self._show_fault)

@@ -6,21 +6,18 @@ import json
 import time
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import replace
 
 from qgis.core import QgsFeature, QgsMapLayerProxyModel, QgsProject, QgsSettings, QgsVectorLayer
 from qgis.gui import QgsMapCanvas, QgsMapLayerComboBox
-from qgis.PyQt.QtCore import Qt, QTimer, pyqtSignal
+from qgis.PyQt.QtCore import Qt, QTimer
 from qgis.PyQt.QtWidgets import QCheckBox, QLabel, QProgressBar, QPushButton, QVBoxLayout, QWidget
 
 from ....core.annotation.findings import INFORMATION
 from ....processing.inspection.repair import REPAIRABLE
 from ....processing.translation import tr
 from ...canvas.marks import PlaceMark
-from ...layer_files import label_maps_of, layer_file
-from ...running.background import Reader
-from ...running.correction_run import Correction, CorrectionRun
 from ...widgets.controls import ChoiceBox, shortcut, tool_button
+from ...widgets.database_box import DatabaseBox
 from ...widgets.layouts import narrow, row_of
 from ...widgets.messages import Messages
 from ...widgets.texts import number_text
@@ -41,18 +38,9 @@ _FILL_S = 0.03
 
 
 class CorrectTab(QWidget):
-    """Tab *Correct*. Call ``shut_down`` before deleting it.
+    """Tab *Correct*. Call ``shut_down`` before deleting it."""
 
-    updated: path of a database that was replaced; outdated: name of its label map in the project, and the parameters to
-    rasterize it again.
-    """
-
-    updated = pyqtSignal(str)
-    outdated = pyqtSignal(str, dict)
-
-    _undone = ""
-
-    def __init__(self, canvas: QgsMapCanvas, messages: Messages) -> None:
+    def __init__(self, canvas: QgsMapCanvas, database: DatabaseBox, messages: Messages) -> None:
         super().__init__()
         self._canvas = canvas
         self._done: set[int] = set()
@@ -70,12 +58,10 @@ class CorrectTab(QWidget):
         self._listing.timeout.connect(self._list_layers)
         self._layer: QgsVectorLayer | None = None
         self._mark = PlaceMark(canvas)
-        self.run = CorrectionRun(self)
-        self._undoing = Reader(self)
+        self.updating = UpdateBox(database, messages, lambda: self._layer)
         self._lay_out()
         self._connect()
-        for part in (self.repair, self.run, self._undoing):
-            part.failed.connect(messages.error)
+        self.repair.failed.connect(messages.error)
         self._list_layers()
         self._use_layer()
 
@@ -90,7 +76,6 @@ class CorrectTab(QWidget):
         self.kind = ChoiceBox()
         self.kind.setAccessibleName(tr("Kind"))
         self.kind.setToolTip(tr("Show places of one kind only"))
-        self.updating = UpdateBox()
         self.repair = RepairButton(self.updating.correction)
         self.repair.setMinimumWidth(1)
         self.text = QLabel()
@@ -130,16 +115,6 @@ class CorrectTab(QWidget):
         shortcut("Ctrl+D", self).activated.connect(self._mark_done)
         self.open.toggled.connect(lambda on: self._choose_rows(OPEN_SETTING, on))
         self.problems.toggled.connect(lambda on: self._choose_rows(PROBLEMS_SETTING, on))
-        self.updating.startAsked.connect(self._update_database)
-        self.updating.cancelAsked.connect(self.run.cancel)
-        self.updating.undoAsked.connect(self._undo_update)
-        self.run.textChanged.connect(self.updating.state.show_text)
-        self.run.progressed.connect(self.updating.progress.show_percent)
-        self.run.done.connect(self._show_updated)
-        self.run.canceled.connect(lambda: self.updating.show_running(False, tr("Canceled.")))
-        self._undoing.answered.connect(lambda _: self._show_undone())
-        for part in (self.run, self._undoing):
-            part.failed.connect(lambda _: self.updating.show_running(False))
         project = QgsProject.instance()
         project.layersWillBeRemoved.connect(self._leave_removed)
         project.layersAdded.connect(self._take_added)
@@ -150,8 +125,7 @@ class CorrectTab(QWidget):
             timer.stop()
         self._rows = iter(())
         self.repair.shut_down()
-        self.run.shut_down()
-        self._undoing.shut_down()
+        self.updating.shut_down()
         project = QgsProject.instance()
         project.layersWillBeRemoved.disconnect(self._leave_removed)
         project.layersAdded.disconnect(self._take_added)
@@ -331,29 +305,3 @@ class CorrectTab(QWidget):
         if self.places.rowCount() or self._layer is None:
             return ""
         return tr("All places are done.") if self._counted else tr("There is no place to check.")
-
-    # --- updating the database ---
-
-    def _update_database(self, correction: Correction) -> None:
-        self.updating.show_running(True)
-        self.run.start(replace(correction, places=self._layer))
-
-    def _show_updated(self, database: str) -> None:
-        self.updating.show_running(False, tr("The database is up to date. The previous file is kept next to it."))
-        self.updated.emit(database)
-        grid = self.run.rasterizing
-        for layer in label_maps_of(QgsProject.instance(), grid["EXTENT"], grid["PIXEL_SIZE"])[:1]:
-            # The file belongs to the user, so only the user replaces it.
-            again = {**grid, "INPUT": grid["INPUT"].id(), "OUTPUT": layer_file(layer)}
-            self.outdated.emit(layer.name(), again)
-
-    def _undo_update(self, database: str) -> None:
-        # Imported here because it would delay the opening of the dock.
-        from ....storage.database.undo import undo_update
-
-        self._undone = database
-        self._undoing.read(tr("Undoing the update"), undo_update, database)
-
-    def _show_undone(self) -> None:
-        self.updating.show_running(False, tr("The last update of the database is undone."))
-        self.updated.emit(self._undone)

@@ -3,19 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import partial
+from typing import Callable
 
 from qgis.core import QgsMapLayer, QgsMapLayerProxyModel, QgsProject, QgsVectorLayer
 from qgis.gui import QgsCollapsibleGroupBox, QgsFieldComboBox, QgsMapLayerComboBox
-from qgis.PyQt.QtCore import pyqtSignal
-from qgis.PyQt.QtWidgets import QFormLayout, QPushButton
+from qgis.PyQt.QtWidgets import QFormLayout, QPushButton, QWidget
 
-from ....processing.layers.database_layers import database_file
+from ....processing.layers.database_layers import database_file, reload_database
 from ....processing.layers.guess_fields import class_field_of, class_of_all, priority_field_of
 from ....processing.translation import tr
-from ....storage.database.undo import can_undo, file_before
+from ....storage.database.undo import can_undo, file_before, undo_update
 from ...fields.class_name_box import ClassNameBox
-from ...running.correction_run import Correction
+from ...layer_files import label_maps_of, layer_file
+from ...running.background import Reader
+from ...running.correction_run import RASTERIZE, Correction, CorrectionRun
+from ...widgets.database_box import DatabaseBox
 from ...widgets.layouts import content_of, name_fold, narrow
+from ...widgets.messages import Messages
 from ...widgets.progress import RemainingBar, StatusLine
 from ...widgets.texts import plain_tip
 from .places_table import is_places
@@ -26,17 +31,17 @@ _VALUE_ENTRIES = ("/class_field", "/priority_field", "/class")
 
 
 class UpdateBox(QgsCollapsibleGroupBox):
-    """startAsked: a Correction without places; cancelAsked: during an update; undoAsked: path of the database."""
+    """Updates the chosen database from a land-cover layer. Call ``shut_down`` before deleting it."""
 
-    startAsked = pyqtSignal(object)
-    cancelAsked = pyqtSignal()
-    undoAsked = pyqtSignal(str)
-
-    def __init__(self) -> None:
+    def __init__(self, database: DatabaseBox, messages: Messages, places: Callable[[], QgsVectorLayer | None]) -> None:
+        """``places`` returns the layer of corrected places; None without one."""
         super().__init__(tr("Update the database"))
         self.setObjectName("SemRefUpdate")
-        self._database = ""
-        self._running = False
+        self._database, self._messages, self._places = database, messages, places
+        self._undone = ""
+        self.run = CorrectionRun(self)
+        self._undoing = Reader(self)
+        self.rasterizing: QWidget | None = None
         self.annotation = QgsMapLayerComboBox()
         self.annotation.setFilters(QgsMapLayerProxyModel.Filter.PolygonLayer)
         self.annotation.setAllowEmptyLayer(True, tr("Choose the corrected land-cover layer"))
@@ -65,26 +70,36 @@ class UpdateBox(QgsCollapsibleGroupBox):
         name_fold(self)
         self._connect()
         self.list_layers(QgsProject.instance().mapLayers().values())
-        self.show_running(False)
+        self._show_running()
 
     def _connect(self) -> None:
         self.annotation.layerChanged.connect(self._use_annotation)
         self.class_field.fieldChanged.connect(self._show_ready)
         self.class_of_all.currentTextChanged.connect(self._show_ready)
         self.button.clicked.connect(self._press)
-        self.undo.clicked.connect(lambda: self.undoAsked.emit(self._database))
+        self.undo.clicked.connect(self._undo_update)
+        self._database.changed.connect(self._show_ready)
+        self.run.textChanged.connect(self.state.show_text)
+        self.run.progressed.connect(self.progress.show_percent)
+        self.run.done.connect(self._show_updated)
+        self.run.canceled.connect(lambda: self._show_end(tr("Canceled.")))
+        self._undoing.answered.connect(lambda _: self._show_undone())
+        for part in (self.run, self._undoing):
+            part.failed.connect(lambda _: self._show_end(""))
+            part.failed.connect(self._messages.error)
 
-    def use_database(self, path: str) -> None:
-        """Set the database that is updated."""
-        self._database = path
-        self._show_ready()
+    def shut_down(self) -> None:
+        """Cancel the update, and wait until the background thread has ended."""
+        self.run.shut_down()
+        self._undoing.shut_down()
 
     def correction(self) -> Correction | None:
         """Return the choices; None without a layer, or without its class field or class."""
         layer, of_all = self.annotation.currentLayer(), self.class_of_all.class_name()
         fields = self.class_field.currentField(), self.priority_field.currentField()
-        has_classes = bool(of_all or fields[0])
-        return Correction(self._database, layer, *fields, of_all) if layer is not None and has_classes else None
+        if layer is None or not (of_all or fields[0]):
+            return None
+        return Correction(self._database.path(), layer, *fields, of_all, self._places())
 
     def leave_out(self, layers: Iterable[QgsMapLayer]) -> None:
         """Hide places and database layers among ``layers``, all layers of the project."""
@@ -99,9 +114,8 @@ class UpdateBox(QgsCollapsibleGroupBox):
         if self.annotation.currentLayer() is not self.class_field.layer():
             self._use_annotation(self.annotation.currentLayer())
 
-    def show_running(self, running: bool, text: str = "") -> None:
-        """Show whether an update is running, and ``text`` about it."""
-        self._running = running
+    def _show_running(self) -> None:
+        running = self.run.running
         for part in (self.annotation, self.class_of_all, self.priority_field):
             part.setEnabled(not running)
         self.progress.setVisible(running)
@@ -113,35 +127,70 @@ class UpdateBox(QgsCollapsibleGroupBox):
                 "previous file is kept."
             )
         )
-        self.state.show_text(text)
         self._show_ready()
 
+    def _show_end(self, text: str) -> None:
+        self.state.show_text(text)
+        self._show_running()
+
     def _show_ready(self, *_) -> None:
-        self.class_field.setEnabled(not self._running and not self.class_of_all.class_name())
-        ready = bool(self._database and self.correction())
-        self.button.setEnabled(self._running or ready)
-        if not self._running and not self._database:
+        running, database = self.run.running, self._database.path()
+        self.class_field.setEnabled(not running and not self.class_of_all.class_name())
+        self.button.setEnabled(running or bool(database and self.correction()))
+        if not running and not database:
             self.state.show_text(tr("Choose a database."))
         elif self.state.text_shown == tr("Choose a database."):
             self.state.show_text("")
-        possible = not self._running and can_undo(self._database)
+        possible = not running and can_undo(database)
         self.undo.setVisible(possible)
         if possible:
-            self.undo.setToolTip(
-                plain_tip(tr("Restore the database from {file}").format(file=file_before(self._database)))
-            )
+            self.undo.setToolTip(plain_tip(tr("Restore the database from {file}").format(file=file_before(database))))
 
     def _press(self) -> None:
-        if self._running:
+        if self.run.running:
             self.button.setEnabled(False)
             self.state.show_text(tr("Canceling…"))
-            self.cancelAsked.emit()
+            self.run.cancel()
             return
         wanted, project = self.correction(), QgsProject.instance()
         values = wanted.class_field, wanted.priority_field, wanted.class_of_all
         for entry, value in zip((_ANNOTATION_ENTRY, *_VALUE_ENTRIES), (wanted.annotation.id(), *values)):
             project.writeEntry(SCOPE, entry, value)
-        self.startAsked.emit(wanted)
+        self.run.start(wanted)
+        self._show_running()
+
+    # --- after an update ---
+
+    def _show_updated(self, path: str) -> None:
+        self._show_end(tr("The database is up to date. The previous file is kept next to it."))
+        self._reload(path)
+        grid = self.run.rasterizing
+        for layer in label_maps_of(QgsProject.instance(), grid["EXTENT"], grid["PIXEL_SIZE"])[:1]:
+            # The file belongs to the user, so only the user replaces it.
+            again = {**grid, "INPUT": grid["INPUT"].id(), "OUTPUT": layer_file(layer)}
+            sentence = tr("The label map “{layer}” is now older than the database.").format(layer=layer.name())
+            self._messages.success_with(sentence, tr("Rasterize it again…"), partial(self._rasterize, again))
+
+    def _reload(self, path: str) -> None:
+        """Reload a replaced database on the map and in the dock."""
+        reload_database(path, QgsProject.instance())
+        if path == self._database.path():
+            self._database.choose(path)
+
+    def _rasterize(self, parameters: dict) -> None:
+        """Open the dialog of *Rasterize land-cover layer*. It is not modal."""
+        from processing import createAlgorithmDialog
+
+        self.rasterizing = createAlgorithmDialog(RASTERIZE, parameters)
+        self.rasterizing.show()
+
+    def _undo_update(self) -> None:
+        self._undone = self._database.path()
+        self._undoing.read(tr("Undoing the update"), undo_update, self._undone)
+
+    def _show_undone(self) -> None:
+        self._show_end(tr("The last update of the database is undone."))
+        self._reload(self._undone)
 
     # --- guesses that the user can change ---
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Callable
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsPointXY, QgsProject
 from qgis.gui import QgsMapCanvas
-from qgis.PyQt.QtCore import Qt, pyqtSignal
+from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
@@ -34,8 +34,11 @@ from ....processing.inspection.window import (
 from ....processing.layers.reference_systems import transformed_point
 from ....processing.messages.numbers import LocalTemplate
 from ....processing.translation import tr
-from ...canvas.window_marks import WindowMarks, WindowTool
+from ...canvas.map_tools import WindowTool
+from ...canvas.window_marks import WindowMarks
+from ...running.background import Reader, latest_database
 from ...widgets.controls import tool_button
+from ...widgets.database_box import DatabaseBox
 from ...widgets.layouts import narrow, row_of
 from ...widgets.messages import Messages
 from ...widgets.texts import number_text
@@ -52,20 +55,18 @@ _DIFFERS = 0.1
 
 
 class InspectTab(QWidget):
-    """Emits ``databaseWanted`` and gets a database by ``use``. Call ``shut_down`` before deleting it."""
+    """Reads the chosen database for the first window. Call ``shut_down`` before deleting it."""
 
-    databaseWanted = pyqtSignal()
-
-    def __init__(self, canvas: QgsMapCanvas, messages: Messages) -> None:
+    def __init__(self, canvas: QgsMapCanvas, database: DatabaseBox, messages: Messages) -> None:
         super().__init__()
-        self._canvas, self._messages = canvas, messages
+        self._canvas, self._chosen, self._messages = canvas, database, messages
+        self._reader = Reader(self)
         self._database: ReferenceDatabase | None = None
         self._crs: QgsCoordinateReferenceSystem | None = None
         self._window: InspectedWindow | None = None
         self._image_vector: np.ndarray | None = None
         self._image_name = ""
-        self._wanted: Callable[[], None] | None = None
-        self.tool = WindowTool(canvas)
+        self._wanted: Callable[[], None] = self._show_nothing
         self._marks = WindowMarks(canvas)
         self._lay_out()
         self._connect()
@@ -77,6 +78,7 @@ class InspectTab(QWidget):
         )
         self.pick.setText(tr("Pick on map"))
         self.pick.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.tool = WindowTool(self._canvas, self.pick)
         self.name = QLineEdit()
         self.name.setPlaceholderText(tr("Window name"))
         self.name.setAccessibleName(tr("Window name"))
@@ -111,9 +113,10 @@ class InspectTab(QWidget):
         layout.addWidget(self.look_alikes, 2)
 
     def _connect(self) -> None:
-        self.pick.toggled.connect(self._pick)
+        self._chosen.changed.connect(self.forget_database)
+        self._reader.answered.connect(self._use)
+        self._reader.failed.connect(self._messages.error)
         self.tool.picked.connect(self._show_at)
-        self.tool.deactivated.connect(self._unpick)
         self.name.returnPressed.connect(self._show_named)
         self.before.clicked.connect(lambda: self._step(-1))
         self.after.clicked.connect(lambda: self._step(1))
@@ -121,32 +124,35 @@ class InspectTab(QWidget):
         self.look_alikes.cellDoubleClicked.connect(self._show_look_alike)
 
     def shut_down(self) -> None:
-        """Release the map tool and clear the canvas."""
-        self.tool.picked.disconnect(self._show_at)
-        self.tool.deactivated.disconnect(self._unpick)
-        self._canvas.unsetMapTool(self.tool)
+        """Stop reading, release the map tool and clear the canvas."""
+        self._reader.shut_down()
+        self.tool.leave()
         self._marks.remove()
 
     # --- choosing a window ---
 
-    def use(self, database: ReferenceDatabase | None) -> None:
-        """Use another database, and repeat the step that had to wait for it; None for no database."""
-        self._database = database
+    def forget_database(self) -> None:
+        """Clear window and marks. The next step reads the chosen database."""
+        self._reader.forget()
+        self._database = None
         self.name.clear()
         self._show_nothing()
-        if database is None:
-            return
-        self._crs = QgsCoordinateReferenceSystem.fromWkt(database.parameters.crs)
-        wanted, self._wanted = self._wanted, None
-        if wanted is not None:
-            wanted()
 
     def _must_wait(self, step: Callable[..., None], *arguments) -> bool:
-        """Return whether there is no database yet; ``use`` then takes the step."""
-        if self._database is None:
+        """Return whether there is no database yet. It is then read, and the step follows."""
+        if self._database is not None:
+            return False
+        if self._chosen.path():
             self._wanted = partial(step, *arguments)
-            self.databaseWanted.emit()
-        return self._database is None
+            self._reader.read(tr("Reading the database"), latest_database, self._chosen.path())
+        else:
+            self._messages.info(tr("Choose a database."))
+        return True
+
+    def _use(self, database: ReferenceDatabase) -> None:
+        self._database = database
+        self._crs = QgsCoordinateReferenceSystem.fromWkt(database.parameters.crs)
+        self._wanted()
 
     def show_window(self, name: str) -> None:
         """Inspect the window with this name as soon as the database is read."""
@@ -196,15 +202,6 @@ class InspectTab(QWidget):
         # Without a window, the next one is the first and the previous one is the last.
         start = -max(step, 0) if self._window is None else self._window.index
         self._show((start + step) % len(self._database.windows))
-
-    def _pick(self, on: bool) -> None:
-        if on:
-            self._canvas.setMapTool(self.tool)
-        else:
-            self._canvas.unsetMapTool(self.tool)
-
-    def _unpick(self) -> None:
-        self.pick.setChecked(False)
 
     # --- display ---
 

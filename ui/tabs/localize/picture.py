@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from qgis.PyQt.QtGui import QImage
 
 from ....processing.inspection.image import ImageInspector, ImageQuery, InspectedImage, photo_rgba
-from ...running.background import DatabaseShelf
+from ...running.background import changed_at, latest_database
 
 LONGEST_SHOWN_PX = 1600
 """Larger images are reduced, because a dock is a few hundred pixels wide."""
@@ -46,10 +46,9 @@ class ImagePicture:
 class PictureShelf:
     """Creates pictures and caches the last few; for one background thread at a time."""
 
-    def __init__(self, databases: DatabaseShelf) -> None:
-        self._databases = databases
+    def __init__(self) -> None:
         self._inspector = ImageInspector()
-        self._pictures: dict[tuple, ImagePicture] = {}
+        self._kept = lru_cache(maxsize=_PICTURES_KEPT)(self._make)
 
     def read(self, query: ImageQuery, database: str) -> ImagePicture:
         """Return the picture of an image, with its vector for the windows of a database.
@@ -57,26 +56,16 @@ class PictureShelf:
         Raises:
             SemRefError: Image, database or model can't be used.
         """
-        key = (query, *(_changed(path) for path in (query.image, query.labels, query.model, database)), database)
-        if key not in self._pictures:
-            picture = self._make(query, database)
-            if len(self._pictures) == _PICTURES_KEPT:
-                del self._pictures[next(iter(self._pictures))]
-            self._pictures[key] = picture
-        return self._pictures[key]
+        files = query.image, query.labels, query.model, database
+        return self._kept(query, database, *map(changed_at, files))
 
-    def _make(self, query: ImageQuery, path: str) -> ImagePicture:
-        database = self._databases.read(path)
+    def _make(self, query: ImageQuery, path: str, *_changed: float | None) -> ImagePicture:
+        database = latest_database(path)
         table = database.class_table
         photo = picture_of(photo_rgba(query.image, LONGEST_SHOWN_PX)) if query.model else None
         seen = self._inspector.inspect(query, database)
         labels = label_picture(seen.labels_hw, {c.value: c.rgb for c in table})
         return ImagePicture(query.image, photo, labels, seen, {c.value: c.color for c in table})
-
-
-def _changed(path: str) -> float | None:
-    """Return the time of the last change of a file; None if it does not exist."""
-    return os.path.getmtime(path) if os.path.exists(path) else None
 
 
 def label_picture(labels_hw: np.ndarray, colors: Mapping[int, tuple[int, int, int]]) -> QImage:

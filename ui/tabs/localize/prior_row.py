@@ -9,7 +9,8 @@ from qgis.PyQt.QtWidgets import QWidget
 from ....processing.layers.reference_systems import transformed_point
 from ....processing.messages.numbers import LocalTemplate
 from ....processing.translation import tr
-from ...canvas.prior_tool import PriorTool
+from ...canvas.map_tools import CircleTool
+from ...canvas.marks import CircleMark
 from ...project_state import Prior
 from ...widgets.controls import tool_button
 from ...widgets.layouts import narrow, row_of
@@ -25,16 +26,16 @@ class PriorRow(QWidget):
         self._canvas = canvas
         self._circle: Prior | None = None
         self._radius_m = 0.0
-        self.tool = PriorTool(canvas)
+        self._mark = CircleMark(canvas)
         self.text = StatusLine()
         self.draw = tool_button("/mActionCircle2Points.svg", tr("Draw the search area"), checkable=True)
         self.draw.setToolTip(tr("Draw the search area on the map: press at its center and drag to its edge"))
         self.clear = tool_button("/mActionDeleteSelected.svg", tr("Search the whole database"))
         self.setLayout(narrow(row_of((self.text, 1), self.draw, self.clear), 0))
-        self.draw.toggled.connect(self._draw)
         self.clear.clicked.connect(self.forget)
-        self.tool.drawn.connect(self.set_circle)
-        self.tool.deactivated.connect(self._stop_drawing)
+        self._tool = CircleTool(canvas, self.draw)
+        self._tool.dragged.connect(self._preview)
+        self._tool.drawn.connect(self.set_circle)
         self.forget()
 
     def parameters(self) -> dict:
@@ -56,7 +57,7 @@ class PriorRow(QWidget):
                 # Drawn outside the area of the CRS, such as beside a globe: there is no such place.
                 return
         self.restore((middle.x(), middle.y(), edge.x(), edge.y(), crs.authid()))
-        self._canvas.unsetMapTool(self.tool)
+        self._tool.leave()
 
     def circle(self) -> Prior | None:
         """Return the search circle; None without one."""
@@ -78,28 +79,21 @@ class PriorRow(QWidget):
         # Not the project's ellipsoid, which may be none: degrees would be taken for meters.
         measure.setEllipsoid(crs.ellipsoidAcronym() or "EPSG:7030" if crs.isValid() else "NONE")
         self._radius_m = measure.measureLine(middle, edge)
-        self.tool.circle.show(middle, edge, crs)
+        self._mark.show(middle, edge, crs)
         self.text.show_text(LocalTemplate(tr("Search area: radius {radius:.0f} m")).format(radius=self._radius_m))
         self.clear.setEnabled(True)
 
     def forget(self) -> None:
         """Search the whole database."""
         self._circle = None
-        self.tool.circle.clear()
+        self._mark.clear()
         self.text.show_text(tr("Search area: the whole database"))
         self.clear.setEnabled(False)
 
     def shut_down(self) -> None:
         """Release the map tool and remove the circle from the canvas."""
-        self.tool.deactivated.disconnect(self._stop_drawing)
-        self._canvas.unsetMapTool(self.tool)
-        self.tool.remove()
+        self._tool.leave()
+        self._mark.remove()
 
-    def _draw(self, on: bool) -> None:
-        if on:
-            self._canvas.setMapTool(self.tool)
-        else:
-            self._canvas.unsetMapTool(self.tool)
-
-    def _stop_drawing(self) -> None:
-        self.draw.setChecked(False)
+    def _preview(self, middle: QgsPointXY, edge: QgsPointXY) -> None:
+        self._mark.show(middle, edge, self._canvas.mapSettings().destinationCrs())

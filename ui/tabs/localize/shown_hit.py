@@ -20,7 +20,7 @@ from ...canvas.highlight import HitHighlight
 from ...canvas.match_marks import MatchMarks
 from ...canvas.track_marks import TrackMarks
 from ...findings import Finding
-from ...running.background import DatabaseShelf, Reader
+from ...running.background import Reader
 from ...widgets.messages import Messages
 from .picture import ImagePicture, PictureShelf
 from .results import ResultsBox
@@ -34,13 +34,13 @@ class ShownHit(QObject):
 
     described = pyqtSignal(str, object)
 
-    def __init__(self, canvas: QgsMapCanvas, results: ResultsBox, messages: Messages, shelf: DatabaseShelf) -> None:
+    def __init__(self, canvas: QgsMapCanvas, results: ResultsBox, messages: Messages) -> None:
         super().__init__(results)
         self._results, self._messages = results, messages
         self.highlight = HitHighlight(canvas)
         self.matches = MatchMarks(canvas)
         self.track = TrackMarks(canvas)
-        self._pictures = PictureShelf(shelf)
+        self._pictures = PictureShelf()
         self._picture_reader = Reader(self)
         self._drape_reader = Reader(self)
         self._database = self._model = self._draped_name = self._draped_crs = ""

@@ -19,7 +19,7 @@ from ....processing.messages.sentences import worded
 from ....processing.translation import tr
 from ...findings import Finding, ResultLayers, read_findings
 from ...project_state import DockState
-from ...running.background import DatabaseShelf, Reader
+from ...running.background import Reader
 from ...running.localization_run import LocalizationRun, named_results
 from ...running.run_history import RunRecord, forget_old_runs, labels_of, run_records, runs_folder
 from ...widgets.database_box import DatabaseBox
@@ -43,7 +43,7 @@ class LocalizeTab(QWidget):
     modelChosen = pyqtSignal(str)
     found = pyqtSignal(str)
 
-    def __init__(self, canvas: QgsMapCanvas, database: DatabaseBox, messages: Messages, shelf: DatabaseShelf) -> None:
+    def __init__(self, canvas: QgsMapCanvas, database: DatabaseBox, messages: Messages) -> None:
         super().__init__()
         self._database, self._messages = database, messages
         self._findings: list[Finding] = []
@@ -58,7 +58,7 @@ class LocalizeTab(QWidget):
         self.progress = RemainingBar()
         self.state = StatusLine()
         self.results = ResultsBox()
-        self.hit = ShownHit(canvas, self.results, messages, shelf)
+        self.hit = ShownHit(canvas, self.results, messages)
         self._lay_out()
         self._connect()
         self._show_idle()
