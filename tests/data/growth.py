@@ -10,12 +10,10 @@ LINEAR = 10.0
 def growth(function: Callable, made: Callable[[int], object], count: int) -> float:
     """Return the time for ``made(4 * count)`` divided by that for ``made(count)``, the best of three runs each."""
     small, large = (made(n) for n in (count, 4 * count))
-    return min(_seconds(function, large) for _ in range(3)) / max(
-        min(_seconds(function, small) for _ in range(3)), 1e-4
-    )
+    return min(seconds(function, large) for _ in range(3)) / max(min(seconds(function, small) for _ in range(3)), 1e-4)
 
 
-def _seconds(function: Callable, given: object) -> float:
+def seconds(function: Callable, given: object) -> float:
     began = time.process_time()
     function(given)
     return time.process_time() - began

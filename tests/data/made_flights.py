@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass, replace
 
-import cv2
 import numpy as np
 
 from semref.core.flight.model import FlightImage
@@ -19,15 +18,6 @@ TABLE = ClassTable(tuple(LandCoverClass(n, f"class {n}", f"#0000{n}0", "referenc
 EDGE_PX, PIXEL_M = 96, 3.0
 FEW = replace(FLIGHT, candidates=40, added=10, hypotheses=30, nulls=40)
 """Settings for a small map."""
-
-
-def patches(seed=21, count=700):
-    """Return (420, 480) uint8 patches of classes 1 to 5."""
-    rng = np.random.default_rng(seed)
-    points = np.full(FRAME.shape_hw, 255, np.uint8)
-    points[rng.integers(0, FRAME.shape_hw[0], count), rng.integers(0, FRAME.shape_hw[1], count)] = 0
-    _, cells = cv2.distanceTransformWithLabels(points, cv2.DIST_L2, 5, labelType=cv2.DIST_LABEL_PIXEL)
-    return rng.integers(1, 6, cells.max() + 1).astype(np.uint8)[cells]
 
 
 @dataclass

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import cv2
 import numpy as np
+from made_labels import scattered_objects as scattered_objects
 from osgeo import gdal, ogr, osr
 
 METRIC_CRS = 32632
@@ -144,21 +145,6 @@ def write_photo(path: Path, size_wh=(32, 24), **tags: str) -> str:
     gdal.GetDriverByName("JPEG").CreateCopy(str(path), memory)
     Path(f"{path}.aux.xml").unlink(missing_ok=True)
     return str(path)
-
-
-def scattered_objects(height: int, width: int, count: int, seed: int, background: int = 4) -> np.ndarray:
-    """Return (H, W) uint8 labels: ``count`` separate rectangles of classes 1 to 3 on ``background``."""
-    random = np.random.default_rng(seed)
-    labels = np.full((height, width), background, np.uint8)
-    placed = 0
-    while placed < count:
-        h, w = random.integers(6, 16, 2)
-        row, column = random.integers(1, height - h - 1), random.integers(1, width - w - 1)
-        around = labels[row - 1 : row + h + 1, column - 1 : column + w + 1]
-        if (around == background).all():
-            labels[row : row + h, column : column + w] = random.integers(1, 4)
-            placed += 1
-    return labels
 
 
 def landmarks_in_the_west() -> np.ndarray:

@@ -40,3 +40,27 @@ def squares(size: int = 400) -> np.ndarray:
         for left in range(10, size - 20, 40):
             labels[top : top + 20, left : left + 20] = 1 + (top // 40 + left // 40) % 2
     return labels
+
+
+def scattered_objects(height: int, width: int, count: int, seed: int, background: int = 4) -> np.ndarray:
+    """Return (H, W) uint8 labels: ``count`` separate rectangles of classes 1 to 3 on ``background``."""
+    random = np.random.default_rng(seed)
+    labels = np.full((height, width), background, np.uint8)
+    placed = 0
+    while placed < count:
+        h, w = random.integers(6, 16, 2)
+        row, column = random.integers(1, height - h - 1), random.integers(1, width - w - 1)
+        around = labels[row - 1 : row + h + 1, column - 1 : column + w + 1]
+        if (around == background).all():
+            labels[row : row + h, column : column + w] = random.integers(1, 4)
+            placed += 1
+    return labels
+
+
+def patches(random: int | np.random.Generator, shape_hw: tuple[int, int], count: int, first: int = 1) -> np.ndarray:
+    """Return (H, W) uint8: ``count`` patches of five classes from ``first`` on, each around a random point."""
+    rng = np.random.default_rng(random)
+    points = np.full(shape_hw, 255, np.uint8)
+    points[rng.integers(0, shape_hw[0], count), rng.integers(0, shape_hw[1], count)] = 0
+    _, cells = cv2.distanceTransformWithLabels(points, cv2.DIST_L2, 5, labelType=cv2.DIST_LABEL_PIXEL)
+    return rng.integers(first, first + 5, cells.max() + 1).astype(np.uint8)[cells]

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import cv2
 import numpy as np
+from made_labels import patches
 
 from benchmarks.network_errors import NetworkNoise, spoil
 from semref.core.geometry.frame import MapFrame
@@ -21,10 +22,7 @@ STRONG = replace(_NETWORK, merge_gap=10, split=0.4, jitter=6, jitter_length=18, 
 def made_map(seed: int, width: int = 2600, height: int = 2000) -> np.ndarray:
     """Return (height, width) uint8 patches of classes 2 to 6 around random points, rows of houses (1), border of 0."""
     rng = np.random.default_rng(seed)
-    small = np.full((height // 4, width // 4), 255, np.uint8)
-    small[rng.integers(0, height // 4, 500), rng.integers(0, width // 4, 500)] = 0
-    _, cells = cv2.distanceTransformWithLabels(small, cv2.DIST_L2, 5, labelType=cv2.DIST_LABEL_PIXEL)
-    labels = rng.integers(2, 7, cells.max() + 1).astype(np.uint8)[cells]
+    labels = patches(rng, (height // 4, width // 4), 500, first=2)
     labels = cv2.resize(labels, (width, height), interpolation=cv2.INTER_NEAREST)
     for x, y in rng.uniform(0, 1, (400, 2)) * (width - 40, height - 30):
         labels[int(y) : int(y) + 14, int(x) : int(x) + 22] = 1

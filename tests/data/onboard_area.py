@@ -3,6 +3,7 @@
 import shutil
 
 import numpy as np
+from made_labels import scattered_objects
 from onboard_blobs import linear
 
 from semref.core.database.build import BuildSettings, build_from_labels
@@ -22,21 +23,7 @@ TABLE = ClassTable(
 )
 FRAME = MapFrame('PROJCS["a metric CRS"]', (600000.0, 1.0, 0.0, 5200000.0, 0.0, -1.0))
 SIZE = 200
-
-
-def scattered(height=700, width=700, count=420):
-    random = np.random.default_rng(7)
-    labels = np.full((height, width), 4, np.uint8)
-    while count:
-        h, w = random.integers(6, 16, 2)
-        row, column = random.integers(1, height - h - 1), random.integers(1, width - w - 1)
-        if (labels[row - 1 : row + h + 1, column - 1 : column + w + 1] == 4).all():
-            labels[row : row + h, column : column + w] = random.integers(1, 4)
-            count -= 1
-    return labels
-
-
-MAP = scattered()
+MAP = scattered_objects(700, 700, 420, seed=7)
 HERE = np.ascontiguousarray(np.rot90(MAP[300 : 300 + SIZE, 150 : 150 + SIZE]))
 CENTER = (600250.0, 5199600.0)
 SMALL = np.ascontiguousarray(HERE[:110, :110])

@@ -1,4 +1,4 @@
-"""Paint the custom widgets of ui/ in Qt 6, without QGIS: a program for tests/core/test_qt6_widgets.py.
+"""Paint the custom widgets of ui/ in Qt 6, without QGIS: a program for tests/core/test_qt6_names.py.
 
     python qt6_widgets.py PROFILE [PICTURES]
 

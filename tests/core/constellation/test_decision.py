@@ -1,9 +1,12 @@
-"""The constellation's decision from log odds."""
+"""Clusters of poses, and the constellation's decision from log odds."""
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
+from semref.core.constellation import clusters
+from semref.core.constellation.clusters import CELL_OF_IMAGE, CELL_OF_TURN, Poses, cluster, poses_in_cells
 from semref.core.constellation.decision import Opponents, may_be_a_fix, risk_against, risk_of_best, verdict
 from semref.core.constellation.settings import CONSTELLATION
 from semref.core.localization import LEAST_RISK, RISK, Status
@@ -63,3 +66,78 @@ def test_a_rival_below_even_odds_takes_nothing_off_and_one_above_does():
     doubtful = replace(SURE, log_odds=20.0)
     alone, worse, little = (risk_against(doubtful, rival, CONSTELLATION.decision) for rival in (0.0, -5.0, 0.5))
     assert alone == worse < little
+
+
+STEP = CELL_OF_TURN
+
+
+def made_poses(rng, count, spread):
+    """Return poses spread evenly over a number of positions, a few sizes and headings."""
+    places = rng.integers(-spread, spread, (4, count)).astype(np.int32)
+    places[2:] //= max(spread // 3, 1)
+    centers, turns = rng.normal(size=(2, count)) + 1j * rng.normal(size=(2, count))
+    return Poses(centers, turns, np.arange(count) + 0j, places)
+
+
+@pytest.mark.parametrize("spread", [3, 30, 300, 3_000_000])
+def test_of_very_many_poses_the_fullest_cells_are_the_same_as_when_all_are_sorted(monkeypatch, spread):
+    """Cases: few full cells; many cells, some full; so many cells that few contain two poses."""
+    poses = made_poses(np.random.default_rng(4), 30_000, spread)
+    counted = cluster([poses], False, 40)
+    monkeypatch.setattr(clusters, "_SORTED_AT_ONCE", 10**9)
+    everything = cluster([poses], False, 40)
+    assert len(counted.votes) >= 40
+    for name in ("centers", "turns", "focuses", "votes"):
+        np.testing.assert_array_equal(getattr(counted, name), getattr(everything, name))
+
+
+def test_the_fullest_cells_are_found_though_others_share_their_groups(monkeypatch):
+    """Two full cells among single poses; there are so few groups that all are large."""
+    rng = np.random.default_rng(8)
+    poses = made_poses(rng, 30_000, 3_000_000)
+    poses.places[:, :500] = np.array([[40], [80], [2], [5]])
+    poses.places[:, 500:900] = np.array([[-40], [80], [2], [5]])
+    mixed = poses.select(rng.permutation(30_000))
+    for bits in (8, 12, 21):
+        monkeypatch.setattr(clusters, "_GROUP_BITS", bits)
+        assert cluster([mixed], False, 2).votes.tolist() == [500, 400]
+
+
+def test_clusters_of_portions_are_those_of_all_poses_together():
+    poses = made_poses(np.random.default_rng(5), 30_000, 60)
+    parts = [poses.select(part) for part in np.split(np.arange(30_000), [0, 100, 20_000])]
+    for portions in (parts, [*parts[:2], poses.select(np.arange(0)), *parts[2:]]):
+        one, other = cluster(portions, True, 40), cluster([poses], True, 40)
+        for name in ("centers", "turns", "focuses", "votes"):
+            np.testing.assert_array_equal(getattr(one, name), getattr(other, name))
+        assert one.capped
+    assert len(cluster([], False, 40).votes) == 0
+
+
+def test_cells_of_poses_grow_with_the_pixel_size_by_steps():
+    rng = np.random.default_rng(2)
+    count, diagonal = 400, 900.0
+    centers = rng.uniform(-5e4, 5e4, count) + 1j * rng.uniform(-5e4, 5e4, count)
+    turns = np.exp(rng.uniform(-1.5, 1.5, count) + 1j * rng.uniform(-4, 4, count))
+    poses = poses_in_cells(centers, turns, centers * 0, diagonal)
+    steps = np.rint(np.log(np.abs(turns)) / STEP)
+    cells = CELL_OF_IMAGE * diagonal * np.exp(steps * STEP)
+    for shift in (0, 1):
+        lattice = clusters._Lattice(shift)
+        across, along, sizes, turned = lattice.columns(poses.places)
+        np.testing.assert_array_equal(across, np.floor(centers.real / cells + shift / 2))
+        np.testing.assert_array_equal(along, np.floor(centers.imag / cells + shift / 2))
+        np.testing.assert_array_equal(sizes, steps)
+        around = int(np.ceil(2 * np.pi / STEP))
+        headings = np.floor((np.angle(turns) + np.pi) / (2 * np.pi) * around + shift / 2) % around
+        np.testing.assert_array_equal(turned, headings)
+    assert len(poses_in_cells(centers[:0], turns[:0], centers[:0], diagonal)) == 0
+
+
+def test_poses_of_one_cell_are_one_cluster_at_their_mean(monkeypatch):
+    centers, turns = np.array([10 + 10j, 12 + 14j, 900 + 0j]), np.array([1 + 0j, 1.002 + 0j, 1 + 0j])
+    focuses = np.array([0j, 30 + 0j, 7j])
+    monkeypatch.setattr(clusters, "CELL_OF_IMAGE", 0.1)
+    seeds = cluster([poses_in_cells(centers, turns, focuses, 900.0)], False, 1)
+    assert seeds.votes.tolist() == [2] and not seeds.capped
+    assert (seeds.centers[0], seeds.turns[0], seeds.focuses[0]) == pytest.approx((11 + 12j, 1.001, 15))

@@ -1,6 +1,7 @@
 """A made map of patches, and images cut from it."""
 
 import cv2
+import made_labels
 import numpy as np
 import pytest
 
@@ -11,11 +12,7 @@ from semref.core.geometry.frame import MapFrame
 @pytest.fixture(scope="package")
 def patches():
     """Return (300, 360) uint8 patches of classes 1 to 5; pixels are 4 m."""
-    rng = np.random.default_rng(21)
-    points = np.full((300, 360), 255, np.uint8)
-    points[rng.integers(0, 300, 400), rng.integers(0, 360, 400)] = 0
-    _, cells = cv2.distanceTransformWithLabels(points, cv2.DIST_L2, 5, labelType=cv2.DIST_LABEL_PIXEL)
-    return rng.integers(1, 6, cells.max() + 1).astype(np.uint8)[cells]
+    return made_labels.patches(21, (300, 360), 400)
 
 
 @pytest.fixture(scope="package")

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from made_labels import scattered_objects
 
 from semref.core.database.build import BuildSettings, build_from_labels
 from semref.core.errors import ParameterError
@@ -33,18 +34,7 @@ TABLE = ClassTable((*REFERENCES, LandCoverClass(4, "field", "#c0c0c0", "backgrou
 CLEAN = {"missed": (0, 0), "invented": (0, 0), "misnamed": (0, 0), "ragged": (0, 0)}
 
 
-def scattered(height=600, width=700, count=400, seed=3):
-    rng = np.random.default_rng(seed)
-    labels = np.full((height, width), 4, np.uint8)
-    for _ in range(count):
-        h, w = rng.integers(6, 16, 2)
-        row, column = rng.integers(1, height - h - 1), rng.integers(1, width - w - 1)
-        if (labels[row - 1 : row + h + 1, column - 1 : column + w + 1] == 4).all():
-            labels[row : row + h, column : column + w] = rng.integers(1, 4)
-    return labels
-
-
-LABELS = scattered()
+LABELS = scattered_objects(600, 700, 308, seed=3)
 
 
 @pytest.fixture(scope="module")

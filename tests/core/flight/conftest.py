@@ -1,7 +1,8 @@
 """One made map of patches, and a flight over it, for all tests of flights."""
 
 import pytest
-from made_flights import FRAME, TABLE, fly, patches
+from made_flights import FRAME, TABLE, fly
+from made_labels import patches
 
 from semref.core.database.build import BuildSettings, build_from_labels
 from semref.core.labels.sources import ArrayLabels
@@ -10,7 +11,7 @@ from semref.core.localizer.localizer import Localizer
 
 @pytest.fixture(scope="package")
 def labels():
-    return patches()
+    return patches(21, FRAME.shape_hw, 700)
 
 
 @pytest.fixture(scope="package")

@@ -1,13 +1,15 @@
-"""Localizing a flight image by image: restarts and bounded memory."""
+"""Flights over a made map, whole and image by image: positions, restarts and bounded memory."""
 
 from dataclasses import replace
 
 import numpy as np
 import pytest
-from made_flights import FEW, FRAME, errors_m, fly, own_fix, patches, with_own
+from made_flights import FEW, FRAME, errors_m, fly, link_between, own_fix, with_own
+from made_labels import patches
 
 from semref.core.errors import ParameterError
 from semref.core.flight.evidence import SeenImage
+from semref.core.flight.flight import FlightSolver, localize_flight
 from semref.core.flight.memory import NOWHERE, Past
 from semref.core.flight.model import PoseSource
 from semref.core.flight.tracker import STATE_VERSION, FlightTracker
@@ -60,7 +62,7 @@ def test_a_track_that_the_images_contradict_is_lost_and_found_again_under_anothe
 @pytest.mark.slow
 def test_over_ground_that_the_map_does_not_show_the_place_is_predicted_until_images_agree_again(labels, localizer):
     flown = fly(labels, seed=3, count=11, start=(500_300.0, 5_198_500.0), step=130.0)
-    tracker, changed = FlightTracker(localizer, replace(FEW, window=5)), patches(seed=6)
+    tracker, changed = FlightTracker(localizer, replace(FEW, window=5)), patches(6, FRAME.shape_hw, 700)
     images = [
         replace(image, labels_hw=cut(changed, FRAME, view)) if 3 <= number < 9 else image
         for number, (image, view) in enumerate(zip(flown.images, flown.views))
@@ -157,3 +159,63 @@ def test_what_own_fixes_contest_outlives_a_restart(labels, localizer):
     again = FlightTracker.from_state(localizer, tracker.state(), FEW)
     blank = replace(other.images[1], labels_hw=np.zeros_like(other.images[1].labels_hw))
     assert not again.add(blank, other.links[0]).is_fix
+
+
+@pytest.fixture(scope="module")
+def poses(flown, localizer):
+    return localize_flight(flown.images, flown.links, localizer, FEW)
+
+
+@pytest.mark.slow
+def test_a_flight_is_placed_from_its_first_image_on(poses, flown):
+    assert [pose.status for pose in poses] == [Status.FIX] * len(flown.images)
+    assert {pose.track for pose in poses} == {1}
+    assert errors_m(poses, flown.views).max() < 12
+
+
+def test_headings_and_pixel_sizes_are_those_of_the_images(poses, flown):
+    for pose, view in zip(poses, flown.views):
+        heading, size = pose.place.oriented
+        assert abs((heading - view.heading_deg + 180) % 360 - 180) < 3
+        assert size == pytest.approx(view.pixel_size, rel=0.03)
+
+
+def test_the_radius_contains_most_errors_and_is_no_larger_than_an_image(poses, flown):
+    radii = np.array([pose.error_95_m for pose in poses])
+    assert (errors_m(poses, flown.views) <= radii).mean() > 0.8
+    assert radii.max() < 60
+
+
+@pytest.mark.slow
+def test_a_mirrored_flight_is_nowhere(flown, localizer):
+    other = flown.mirrored()
+    poses = localize_flight(other.images, other.links, localizer, FEW)
+    assert not any(pose.is_fix for pose in poses)
+
+
+@pytest.mark.slow
+def test_a_missing_link_is_bridged(flown, localizer):
+    links = [link for link in flown.links if link.second != 5]
+    poses = localize_flight(flown.images, links, localizer, FEW)
+    assert all(pose.is_fix for pose in poses)
+    assert errors_m(poses, flown.views).max() < 20
+
+
+def test_a_link_of_a_missing_image_is_refused(flown, localizer):
+    with pytest.raises(ParameterError, match="9"):
+        localize_flight(flown.images[:2], [link_between(8, *flown.views[:2])], localizer)
+
+
+def test_steps_report_their_progress(flown, localizer):
+    solver = FlightSolver(localizer, FEW)
+    assert list(solver.steps(flown.images[:2], flown.links[:1])) == [(1, 2), (2, 2)]
+    assert len(solver.poses) == 2
+
+
+def test_a_wrong_fix_of_one_image_is_outvoted_and_marked(flown, localizer):
+    images = with_own(flown)
+    images[4] = replace(flown.images[4], own=own_fix(flown.views[4], off=400.0))
+    poses = localize_flight(images, flown.links, localizer, FEW)
+    assert [pose.is_outvoted for pose in poses] == [number == 4 for number in range(len(poses))]
+    assert [pose.source is PoseSource.OWN for pose in poses] == [number != 4 for number in range(len(poses))]
+    assert errors_m(poses, flown.views).max() < 8

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 import cv2
+import made_labels
 import numpy as np
 import pytest
 
@@ -28,11 +29,7 @@ WIDTH, HEIGHT = 2400, 2000
 
 def patches(seed: int) -> np.ndarray:
     """Return (HEIGHT, WIDTH) uint8 patches of classes 2 to 6 around random points."""
-    rng = np.random.default_rng(seed)
-    small = np.full((HEIGHT // 4, WIDTH // 4), 255, np.uint8)
-    small[rng.integers(0, HEIGHT // 4, 500), rng.integers(0, WIDTH // 4, 500)] = 0
-    _, cells = cv2.distanceTransformWithLabels(small, cv2.DIST_L2, 5, labelType=cv2.DIST_LABEL_PIXEL)
-    labels = rng.integers(2, 7, cells.max() + 1).astype(np.uint8)[cells]
+    labels = made_labels.patches(seed, (HEIGHT // 4, WIDTH // 4), 500, first=2)
     return cv2.resize(labels, (WIDTH, HEIGHT), interpolation=cv2.INTER_NEAREST)
 
 

@@ -7,6 +7,7 @@ from onboard_area import write_area
 from onboard_blobs import build_blobs, linear
 
 from semref.core.geometry.lon_lat import fit_lon_lat
+from semref.core.onboard import logs, tables
 from semref.core.onboard.write import write_onboard
 
 
@@ -33,6 +34,12 @@ def area(tmp_path_factory) -> str:
     path = str(tmp_path_factory.mktemp("onboard") / "area.npz")
     write_area(path)
     return path
+
+
+@pytest.fixture
+def never_late(monkeypatch):
+    for module in (logs, tables):
+        monkeypatch.setattr(module, "ROW_WITHIN_S", 0.0)
 
 
 @pytest.fixture

@@ -10,7 +10,6 @@ from semref.core.errors import ParameterError
 from semref.core.flight.cameras import read_cameras
 from semref.core.flight.motion import LinkSource
 from semref.core.onboard import cameras as module
-from semref.core.onboard import tables
 from semref.core.onboard.cameras import open_cameras
 
 SRT = """1
@@ -20,9 +19,7 @@ SRT = """1
 """
 
 
-@pytest.fixture(autouse=True)
-def never_late(monkeypatch):
-    monkeypatch.setattr(tables, "ROW_WITHIN_S", 0.0)
+pytestmark = pytest.mark.usefixtures("never_late")
 
 
 @pytest.fixture

@@ -17,9 +17,7 @@ from semref.core.onboard.tables import OdometryTable
 HEADER = "image,dx_m,dy_m,dheading_deg,sigma_m\n"
 
 
-@pytest.fixture(autouse=True)
-def never_late(monkeypatch):
-    monkeypatch.setattr(tables, "ROW_WITHIN_S", 0.0)
+pytestmark = pytest.mark.usefixtures("never_late")
 
 
 @pytest.fixture

@@ -1,4 +1,4 @@
-"""Writing an onboard file: rounding, size, and values that it can't store."""
+"""Writing an onboard file, also of an area: rounding, size, and values that it can't store."""
 
 from __future__ import annotations
 
@@ -10,9 +10,13 @@ import pytest
 from onboard_blobs import TABLE
 
 from semref.core import limits
+from semref.core.database.build import BuildSettings, build_from_labels
 from semref.core.database.model import Windows
 from semref.core.errors import DatabaseError
+from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_table import ClassTable, LandCoverClass
+from semref.core.labels.sources import ArrayLabels
+from semref.core.onboard.area import area_mask, clip_database
 from semref.core.onboard.read import read_onboard
 from semref.core.onboard.write import write_onboard
 
@@ -89,3 +93,53 @@ def test_what_the_format_can_not_hold_is_refused(database, tmp_path, monkeypatch
         with pytest.raises(DatabaseError, match=said):
             write_onboard(str(tmp_path / "odd.npz"), odd, None)
     assert not list(tmp_path.iterdir())
+
+
+FRAME = MapFrame('PROJCS["a metric CRS"]', (600000.0, 2.0, 0.0, 5200000.0, 0.0, -2.0))
+OVERVIEW_PIXEL = 8.0
+RING = np.array([(600200, 5199900), (600500, 5199900), (600500, 5199600), (600200, 5199600), (600200, 5199900)])
+
+
+@pytest.fixture(scope="module")
+def squared():
+    """Return a database of 800 × 640 m with a square landmark every 20 m."""
+    labels = np.zeros((320, 400), np.uint8)
+    for row in range(2, 316, 10):
+        for column in range(2, 396, 10):
+            labels[row : row + 4, column : column + 4] = 1
+    table = ClassTable((LandCoverClass(1, "building", "#ff0000", "reference"),))
+    return build_from_labels(ArrayLabels(labels), FRAME, table, BuildSettings(120.0, 40.0, 28.0), "1.2.3")
+
+
+def within(points_xy, margin):
+    low, high = RING.min(axis=0) - margin, RING.max(axis=0) + margin
+    return ((points_xy >= low) & (points_xy <= high)).all(axis=1)
+
+
+def test_the_mask_is_the_area_to_a_pixel_of_the_overview(squared):
+    mask = area_mask([RING], squared.parameters)
+    assert mask.shape == squared.overview.shape
+    assert mask[14:49, 26:62].all()
+    assert mask.sum() == mask[12:51, 24:64].sum()
+
+
+def test_a_ring_within_another_is_a_hole(squared):
+    hole = RING.mean(axis=0) + (RING - RING.mean(axis=0)) / 3
+    mask = area_mask([RING, hole], squared.parameters)
+    assert mask[15, 30] and not mask[31, 43]
+
+
+def test_only_the_content_of_the_area_is_kept(squared):
+    part = clip_database(squared, area_mask([RING], squared.parameters))
+    assert (
+        within(part.references.positions, OVERVIEW_PIXEL).all() and within(part.windows.centers, OVERVIEW_PIXEL).all()
+    )
+    least, most = (within(squared.references.positions, margin).sum() for margin in (-OVERVIEW_PIXEL, OVERVIEW_PIXEL))
+    assert 0 < least <= len(part.references) <= most
+    assert part.overview.shape == squared.overview.shape
+    assert not part.overview[:, : 200 // 8 - 1].any() and part.overview[20:40, 30:60].any()
+
+
+def test_an_area_without_landmarks_is_refused(squared):
+    with pytest.raises(DatabaseError, match="area contains no landmark"):
+        clip_database(squared, np.zeros(squared.overview.shape, bool))

@@ -5,7 +5,7 @@ import struct
 import time
 
 import pytest
-from growth import LINEAR, growth
+from growth import LINEAR, growth, seconds
 
 from semref.core import limits
 from semref.core.errors import ParameterError
@@ -71,14 +71,8 @@ def test_reading_takes_linear_time(name):
 
 def test_a_subtitle_of_spaces_takes_no_longer_than_one_of_text():
     plain = "00:00:00,000 --> " + "word " * 790
-    slow, usual = (min(_seconds(read_srt, block * 30) for _ in range(3)) for block in (BLOCK, plain))
+    slow, usual = (min(seconds(read_srt, block * 30) for _ in range(3)) for block in (BLOCK, plain))
     assert slow < 5 * usual
-
-
-def _seconds(function, given):
-    began = time.process_time()
-    function(given)
-    return time.process_time() - began
 
 
 def test_a_topic_larger_than_a_message_is_not_laid_out():
