@@ -111,7 +111,7 @@ class AddModel(SemRefAlgorithm):
             *self._standardization(),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.THRESHOLD, tr("Threshold"), type=DOUBLE, optional=True, minValue=0, maxValue=1
+                    self.THRESHOLD, tr("Threshold"), DOUBLE, optional=True, minValue=0, maxValue=1
                 ),
                 tr("Probability from which a pixel has the class, for networks with one output. If not set, 0.5."),
             ),

@@ -69,13 +69,13 @@ class AssessDatabase(AssessAlgorithm):
                 ),
             ),
             with_help(
-                QgsProcessingParameterNumber(self.SPACING, tr("Spacing (m)"), type=DOUBLE, optional=True, minValue=0.0),
+                QgsProcessingParameterNumber(self.SPACING, tr("Spacing (m)"), DOUBLE, optional=True, minValue=0.0),
                 tr("Edge length of the squares. If not set, half the smallest footprint width."),
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.TRIALS, tr("Simulated images"), type=INTEGER, defaultValue=1000, minValue=20, maxValue=100_000
+                    self.TRIALS, tr("Simulated images"), INTEGER, 1000, minValue=20, maxValue=100_000
                 ),
                 tr(
                     "Number of simulated images for each footprint width, spread evenly over the ground. More images "

@@ -115,12 +115,7 @@ class AssessRoute(AssessAlgorithm):
             *self._lengths(),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.TRIALS,
-                    tr("Simulated images per point"),
-                    type=INTEGER,
-                    defaultValue=10,
-                    minValue=1,
-                    maxValue=1000,
+                    self.TRIALS, tr("Simulated images per point"), INTEGER, 10, minValue=1, maxValue=1000
                 ),
                 tr(
                     "Number of simulated images at each point, for example 10. More images give narrower intervals. "
@@ -171,7 +166,7 @@ class AssessRoute(AssessAlgorithm):
         rare = self.SPACING, self.SHIFT
         return tuple(
             with_help(
-                QgsProcessingParameterNumber(key, title, type=DOUBLE, optional=True, minValue=0.0),
+                QgsProcessingParameterNumber(key, title, DOUBLE, optional=True, minValue=0.0),
                 text,
                 advanced=key in rare,
             )

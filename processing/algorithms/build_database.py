@@ -80,9 +80,7 @@ class BuildDatabase(SemRefAlgorithm):
             ),
             *self._windows(),
             with_help(
-                QgsProcessingParameterNumber(
-                    self.MINIMUM_AREA, tr("Minimum area (m²)"), type=DOUBLE, defaultValue=100.0, minValue=0.0
-                ),
+                QgsProcessingParameterNumber(self.MINIMUM_AREA, tr("Minimum area (m²)"), DOUBLE, 100.0, minValue=0.0),
                 tr("Regions smaller than this area are not used as landmarks."),
             ),
             with_help(
@@ -95,8 +93,8 @@ class BuildDatabase(SemRefAlgorithm):
                 QgsProcessingParameterNumber(
                     self.MAP_ACCURACY,
                     tr("Map accuracy (m)"),
-                    type=DOUBLE,
-                    defaultValue=1.2,
+                    DOUBLE,
+                    1.2,
                     optional=True,
                     minValue=0.0,
                     maxValue=10000.0,
@@ -118,15 +116,11 @@ class BuildDatabase(SemRefAlgorithm):
         """Return the parameters of windows and vectors."""
         return (
             with_help(
-                QgsProcessingParameterNumber(
-                    self.WINDOW_SIZE, tr("Window size (m)"), type=DOUBLE, defaultValue=1280.0, minValue=0.001
-                ),
+                QgsProcessingParameterNumber(self.WINDOW_SIZE, tr("Window size (m)"), DOUBLE, 1280.0, minValue=0.001),
                 tr("Edge length of a window on the ground, about the footprint width of an image."),
             ),
             with_help(
-                QgsProcessingParameterNumber(
-                    self.STRIDE, tr("Stride (m)"), type=DOUBLE, defaultValue=350.0, minValue=0.001
-                ),
+                QgsProcessingParameterNumber(self.STRIDE, tr("Stride (m)"), DOUBLE, 350.0, minValue=0.001),
                 tr("Distance between neighboring windows. It must not be larger than the window size."),
             ),
             with_help(
@@ -139,12 +133,7 @@ class BuildDatabase(SemRefAlgorithm):
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.REFERENCES_PER_VECTOR,
-                    tr("Landmarks per vector"),
-                    type=INTEGER,
-                    defaultValue=10,
-                    minValue=3,
-                    maxValue=1000,
+                    self.REFERENCES_PER_VECTOR, tr("Landmarks per vector"), INTEGER, 10, minValue=3, maxValue=1000
                 ),
                 tr("Number of landmarks in a vector: those nearest to the center of the window."),
                 advanced=True,

@@ -63,12 +63,7 @@ class CheckAnnotation(AnnotationAlgorithm):
             *parameters.annotation(),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.MINIMUM_AREA,
-                    tr("Minimum area (m²)"),
-                    type=DOUBLE,
-                    defaultValue=100.0,
-                    optional=True,
-                    minValue=0.0,
+                    self.MINIMUM_AREA, tr("Minimum area (m²)"), DOUBLE, 100.0, optional=True, minValue=0.0
                 ),
                 tr(
                     "Landmarks smaller than this area are reported, because “Build reference database” does not use "
@@ -77,7 +72,7 @@ class CheckAnnotation(AnnotationAlgorithm):
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.PIXEL_SIZE, tr("Pixel size (m)"), type=DOUBLE, optional=True, minValue=0.001
+                    self.PIXEL_SIZE, tr("Pixel size (m)"), DOUBLE, optional=True, minValue=0.001
                 ),
                 tr(
                     "Pixel size for “Rasterize land-cover layer”. Landmarks that are lost, merged or split at this "
@@ -85,9 +80,7 @@ class CheckAnnotation(AnnotationAlgorithm):
                 ),
             ),
             with_help(
-                QgsProcessingParameterNumber(
-                    self.MAXIMUM_GAP, tr("Maximum gap (m²)"), type=DOUBLE, defaultValue=1.0, minValue=0.0
-                ),
+                QgsProcessingParameterNumber(self.MAXIMUM_GAP, tr("Maximum gap (m²)"), DOUBLE, 1.0, minValue=0.0),
                 tr(
                     "Uncovered areas up to this size, enclosed by polygons, are reported as gaps. Thin areas are "
                     "reported at any size."

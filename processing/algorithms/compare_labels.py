@@ -79,7 +79,7 @@ class CompareLabels(SemRefAlgorithm):
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.MINIMUM_AREA, tr("Minimum area"), type=DOUBLE, defaultValue=10.0, optional=True, minValue=0.0
+                    self.MINIMUM_AREA, tr("Minimum area"), DOUBLE, 10.0, optional=True, minValue=0.0
                 ),
                 tr(
                     "Disagreements and landmarks smaller than this area are not counted, in square map units (square "

@@ -113,9 +113,7 @@ class DescribeImage(SemRefAlgorithm):
                 )
             ),
             with_help(
-                QgsProcessingParameterNumber(
-                    self.MINIMUM_AREA, tr("Minimum area"), type=DOUBLE, defaultValue=100.0, minValue=0.0
-                ),
+                QgsProcessingParameterNumber(self.MINIMUM_AREA, tr("Minimum area"), DOUBLE, 100.0, minValue=0.0),
                 tr(
                     "Smallest landmark, if no database is selected, in square map units (square pixels without a "
                     "georeference)."
@@ -123,7 +121,7 @@ class DescribeImage(SemRefAlgorithm):
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.REFERENCES_PER_VECTOR, tr("Landmarks per vector"), type=INTEGER, defaultValue=10, minValue=3
+                    self.REFERENCES_PER_VECTOR, tr("Landmarks per vector"), INTEGER, 10, minValue=3
                 ),
                 tr("Number of landmarks in the vector, if no database is selected: those nearest to the center."),
                 advanced=True,

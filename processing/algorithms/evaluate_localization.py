@@ -147,9 +147,7 @@ class EvaluateLocalization(SemRefAlgorithm):
         """Return the numbers of trials."""
         return (
             with_help(
-                QgsProcessingParameterNumber(
-                    self.TRIALS, tr("Trials"), type=INTEGER, defaultValue=200, minValue=1, maxValue=1_000_000
-                ),
+                QgsProcessingParameterNumber(self.TRIALS, tr("Trials"), INTEGER, 200, minValue=1, maxValue=1_000_000),
                 tr(
                     "Number of images. The report needs about 1.5 times as many additional images for noise and "
                     "offset, and 66 for its tables."
@@ -157,12 +155,7 @@ class EvaluateLocalization(SemRefAlgorithm):
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.MIRRORED,
-                    tr("Mirrored images (%)"),
-                    type=DOUBLE,
-                    defaultValue=25.0,
-                    minValue=0.0,
-                    maxValue=90.0,
+                    self.MIRRORED, tr("Mirrored images (%)"), DOUBLE, 25.0, minValue=0.0, maxValue=90.0
                 ),
                 tr(
                     "Share of trials that show a mirrored part of the map. Such an image has no correct position, so "
@@ -203,11 +196,7 @@ class EvaluateLocalization(SemRefAlgorithm):
         return (
             with_help(
                 QgsProcessingParameterNumber(
-                    self.MINIMUM_REFERENCES,
-                    tr("Minimum landmarks in the window"),
-                    type=INTEGER,
-                    defaultValue=3,
-                    minValue=0,
+                    self.MINIMUM_REFERENCES, tr("Minimum landmarks in the window"), INTEGER, 3, minValue=0
                 ),
                 tr(
                     "Trials are placed around windows with at least this number of landmarks. 20 excludes open country."
@@ -215,7 +204,7 @@ class EvaluateLocalization(SemRefAlgorithm):
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.RIGHT_WITHIN, tr("Right within (m)"), type=DOUBLE, optional=True, minValue=0.0
+                    self.RIGHT_WITHIN, tr("Right within (m)"), DOUBLE, optional=True, minValue=0.0
                 ),
                 tr(
                     "Largest error of a position that counts as right. If not set, 2 % of the footprint width. A "

@@ -65,7 +65,7 @@ class ExportOnboard(SemRefAlgorithm):
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.DISTANCE, tr("Distance around area or route (m)"), type=DOUBLE, defaultValue=0.0, minValue=0.0
+                    self.DISTANCE, tr("Distance around area or route (m)"), DOUBLE, 0.0, minValue=0.0
                 ),
                 tr("Half the width of the corridor along a route. Use at least the footprint width of the images."),
             ),
@@ -89,9 +89,7 @@ class ExportOnboard(SemRefAlgorithm):
     def _file_parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
-                QgsProcessingParameterNumber(
-                    self.PRECISION, tr("Precision (m)"), type=DOUBLE, optional=True, minValue=1e-6
-                ),
+                QgsProcessingParameterNumber(self.PRECISION, tr("Precision (m)"), DOUBLE, optional=True, minValue=1e-6),
                 tr("Maximum rounding error of the x and y of a landmark. If not set, 0.01 pixels of the label map."),
                 advanced=True,
             ),

@@ -58,15 +58,11 @@ class ExportTrainingTiles(SemRefAlgorithm):
                 tr("Single-band raster of class values for the same ground; 0 where the class is unknown.")
             ),
             with_help(
-                QgsProcessingParameterNumber(
-                    self.TILE_SIZE, tr("Tile size (pixels)"), type=INTEGER, defaultValue=512, minValue=32
-                ),
+                QgsProcessingParameterNumber(self.TILE_SIZE, tr("Tile size (pixels)"), INTEGER, 512, minValue=32),
                 tr("Edge length of a tile, for example 512. Multiples of 32 suit most networks."),
             ),
             with_help(
-                QgsProcessingParameterNumber(
-                    self.STRIDE, tr("Stride (pixels)"), type=INTEGER, defaultValue=512, minValue=1
-                ),
+                QgsProcessingParameterNumber(self.STRIDE, tr("Stride (pixels)"), INTEGER, 512, minValue=1),
                 tr("Distance between neighboring tiles. A stride smaller than the tile size makes tiles overlap."),
             ),
             parameters.validation_fraction(optional=True),

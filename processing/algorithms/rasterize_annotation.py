@@ -63,9 +63,7 @@ class RasterizeAnnotation(AnnotationAlgorithm):
         return (
             *parameters.annotation(),
             with_help(
-                QgsProcessingParameterNumber(
-                    self.PIXEL_SIZE, tr("Pixel size (m)"), type=DOUBLE, defaultValue=1.0, minValue=0.001
-                ),
+                QgsProcessingParameterNumber(self.PIXEL_SIZE, tr("Pixel size (m)"), DOUBLE, 1.0, minValue=0.001),
                 tr("Edge length of a pixel, for example 1. The smallest landmark should cover about 50 pixels."),
             ),
             with_help(

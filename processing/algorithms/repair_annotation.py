@@ -47,7 +47,7 @@ class RepairAnnotation(AnnotationAlgorithm):
             *parameters.annotation(),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.MAXIMUM_GAP, tr("Maximum gap (m²)"), type=DOUBLE, defaultValue=1.0, optional=True, minValue=0.0
+                    self.MAXIMUM_GAP, tr("Maximum gap (m²)"), DOUBLE, 1.0, optional=True, minValue=0.0
                 ),
                 tr(
                     "Uncovered areas up to this size, enclosed by polygons, are filled. Thin areas are filled at any "
@@ -56,12 +56,7 @@ class RepairAnnotation(AnnotationAlgorithm):
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.MINIMUM_AREA,
-                    tr("Minimum area (m²)"),
-                    type=DOUBLE,
-                    defaultValue=0.0,
-                    optional=True,
-                    minValue=0.0,
+                    self.MINIMUM_AREA, tr("Minimum area (m²)"), DOUBLE, 0.0, optional=True, minValue=0.0
                 ),
                 tr(
                     "Pieces smaller than this area are merged with a neighbor that they touch. Pieces without a "

@@ -107,7 +107,7 @@ class SegmentImage(SemRefAlgorithm):
         return (
             with_help(
                 QgsProcessingParameterNumber(
-                    self.OVERLAP, tr("Tile overlap (%)"), type=DOUBLE, optional=True, minValue=0, maxValue=75
+                    self.OVERLAP, tr("Tile overlap (%)"), DOUBLE, optional=True, minValue=0, maxValue=75
                 ),
                 tr(
                     "Overlap of neighboring tiles, typically 20. If not set, the value in the metadata of the model "
@@ -135,7 +135,7 @@ class SegmentImage(SemRefAlgorithm):
                 QgsProcessingParameterNumber(
                     self.MINIMUM_AREA,
                     tr("Minimum area of polygons (square map units)"),
-                    type=DOUBLE,
+                    DOUBLE,
                     optional=True,
                     minValue=0,
                 ),
@@ -149,7 +149,7 @@ class SegmentImage(SemRefAlgorithm):
                 QgsProcessingParameterNumber(
                     self.TOLERANCE,
                     tr("Simplification tolerance of polygons (map units)"),
-                    type=DOUBLE,
+                    DOUBLE,
                     optional=True,
                     minValue=0,
                 ),

@@ -112,7 +112,7 @@ class SetUpArea(SemRefAlgorithm):
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.PHOTO_WIDTH, tr("Ground width of a photo (m)"), type=DOUBLE, optional=True, minValue=1.0
+                    self.PHOTO_WIDTH, tr("Ground width of a photo (m)"), DOUBLE, optional=True, minValue=1.0
                 ),
                 tr(
                     "Width of the ground that a typical photo shows, for example 150. If not set, height and focal "
@@ -152,9 +152,7 @@ class SetUpArea(SemRefAlgorithm):
                 ),
             ),
             with_help(
-                QgsProcessingParameterNumber(
-                    self.MINUTES, tr("Training (minutes)"), type=DOUBLE, defaultValue=0.0, minValue=0.0
-                ),
+                QgsProcessingParameterNumber(self.MINUTES, tr("Training (minutes)"), DOUBLE, 0.0, minValue=0.0),
                 tr("Duration of the training. 0 means that the model is used as it is."),
             ),
             parameters.model(

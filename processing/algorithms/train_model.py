@@ -147,7 +147,7 @@ class TrainModel(AnnotationAlgorithm):
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.MINUTES, tr("Time limit (minutes)"), type=DOUBLE, defaultValue=30, optional=True, minValue=0
+                    self.MINUTES, tr("Time limit (minutes)"), DOUBLE, 30, optional=True, minValue=0
                 ),
                 tr(
                     "Time from the start until the model is written. 10 minutes are enough for a test, 60 minutes "
@@ -183,14 +183,12 @@ class TrainModel(AnnotationAlgorithm):
     def _learning_parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
-                QgsProcessingParameterNumber(self.EPOCHS, tr("Epochs"), type=INTEGER, defaultValue=200, minValue=1),
+                QgsProcessingParameterNumber(self.EPOCHS, tr("Epochs"), INTEGER, 200, minValue=1),
                 tr("Maximum number of passes over the training tiles. The time limit may end training earlier."),
                 advanced=True,
             ),
             with_help(
-                QgsProcessingParameterNumber(
-                    self.PATIENCE, tr("Patience (epochs)"), type=INTEGER, defaultValue=30, minValue=0
-                ),
+                QgsProcessingParameterNumber(self.PATIENCE, tr("Patience (epochs)"), INTEGER, 30, minValue=0),
                 tr(
                     "Training stops if the result on the ground set aside has not improved for this number of epochs. "
                     "0 means never."

@@ -89,7 +89,7 @@ def noise_ranges(
 
 def _noise(key: str, title: str, text: str) -> QgsProcessingParameterDefinition:
     usual, most = USUAL[key]
-    parameter = QgsProcessingParameterNumber(key, title, type=DOUBLE, defaultValue=usual, minValue=0.0)
+    parameter = QgsProcessingParameterNumber(key, title, DOUBLE, usual, minValue=0.0)
     if most is not None:
         parameter.setMaximum(most)
     return with_help(parameter, text, advanced=True)
@@ -107,12 +107,7 @@ class AssessAlgorithm(SemRefAlgorithm):
         return (
             with_help(
                 QgsProcessingParameterNumber(
-                    self.THRESHOLD,
-                    tr("Success threshold (%)"),
-                    type=DOUBLE,
-                    defaultValue=90.0,
-                    minValue=1.0,
-                    maxValue=99.9,
+                    self.THRESHOLD, tr("Success threshold (%)"), DOUBLE, 90.0, minValue=1.0, maxValue=99.9
                 ),
                 tr("Expected success from which a place counts as localizable, for example 90."),
                 advanced=True,

@@ -101,9 +101,7 @@ class LocalizeAlgorithm(SemRefAlgorithm):
 
     def risk_parameter(self, title: str, text: str) -> QgsProcessingParameterDefinition:
         """Return the maximum error probability of a position."""
-        risk = QgsProcessingParameterNumber(
-            self.RISK, title, type=DOUBLE, defaultValue=RISK, minValue=LEAST_RISK, maxValue=0.5
-        )
+        risk = QgsProcessingParameterNumber(self.RISK, title, DOUBLE, RISK, minValue=LEAST_RISK, maxValue=0.5)
         risk.setMetadata({"widget_wrapper": {"decimals": 12}})
         return with_help(risk, text, advanced=True)
 
@@ -118,7 +116,7 @@ class LocalizeAlgorithm(SemRefAlgorithm):
     def speed_parameter(self) -> QgsProcessingParameterDefinition:
         return with_help(
             QgsProcessingParameterNumber(
-                self.MAXIMUM_SPEED, tr("Maximum speed (m/s)"), type=DOUBLE, optional=True, minValue=0.001
+                self.MAXIMUM_SPEED, tr("Maximum speed (m/s)"), DOUBLE, optional=True, minValue=0.001
             ),
             tr(
                 "Highest ground speed of the flight, for example 20. Images without a position are searched again on "

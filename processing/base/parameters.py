@@ -113,9 +113,7 @@ def mask() -> QgsProcessingParameterDefinition:
 
 def resolution(text: str, advanced: bool = True) -> QgsProcessingParameterDefinition:
     return with_help(
-        QgsProcessingParameterNumber(
-            RESOLUTION, tr("Resolution (cm per pixel)"), type=DOUBLE, optional=True, minValue=0.1
-        ),
+        QgsProcessingParameterNumber(RESOLUTION, tr("Resolution (cm per pixel)"), DOUBLE, optional=True, minValue=0.1),
         text,
         advanced=advanced,
     )
@@ -154,7 +152,7 @@ def validation_fraction(optional: bool = False, advanced: bool = False) -> QgsPr
     title = tr("Validation fraction")
     return with_help(
         QgsProcessingParameterNumber(
-            VALIDATION_FRACTION, title, type=DOUBLE, defaultValue=0.2, optional=optional, minValue=0.0, maxValue=0.9
+            VALIDATION_FRACTION, title, DOUBLE, 0.2, optional=optional, minValue=0.0, maxValue=0.9
         ),
         text,
         advanced=advanced,
@@ -165,7 +163,7 @@ def seed(text: str = "", default: int = 1) -> QgsProcessingParameterDefinition:
     """Return the seed of random numbers; ``text`` replaces its help."""
     text = text or tr("Start value of the random numbers. The same number gives the same trials again.")
     return with_help(
-        QgsProcessingParameterNumber(SEED, tr("Seed"), type=INTEGER, defaultValue=default, minValue=0),
+        QgsProcessingParameterNumber(SEED, tr("Seed"), INTEGER, default, minValue=0),
         text,
         advanced=True,
     )
@@ -174,7 +172,7 @@ def seed(text: str = "", default: int = 1) -> QgsProcessingParameterDefinition:
 def sun_direction(text: str) -> QgsProcessingParameterDefinition:
     return with_help(
         QgsProcessingParameterNumber(
-            SUN_DIRECTION, tr("Direction of the sun (°)"), type=DOUBLE, optional=True, minValue=0.0, maxValue=360.0
+            SUN_DIRECTION, tr("Direction of the sun (°)"), DOUBLE, optional=True, minValue=0.0, maxValue=360.0
         ),
         text,
         advanced=True,

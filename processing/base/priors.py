@@ -30,15 +30,13 @@ def parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
             advanced=True,
         ),
         with_help(
-            QgsProcessingParameterNumber(
-                PRIOR_RADIUS, tr("Search radius (m)"), type=DOUBLE, defaultValue=1000.0, minValue=0.01
-            ),
+            QgsProcessingParameterNumber(PRIOR_RADIUS, tr("Search radius (m)"), DOUBLE, 1000.0, minValue=0.01),
             tr("Radius of the search area around the prior position. It is used only with a prior position."),
             advanced=True,
         ),
         with_help(
             QgsProcessingParameterNumber(
-                PRIOR_HEADING, tr("Prior heading (°)"), type=DOUBLE, optional=True, minValue=-360, maxValue=360
+                PRIOR_HEADING, tr("Prior heading (°)"), DOUBLE, optional=True, minValue=-360, maxValue=360
             ),
             tr(
                 "Approximate direction of the top of the images, in degrees clockwise from grid north. If not set, "
@@ -48,12 +46,7 @@ def parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
         ),
         with_help(
             QgsProcessingParameterNumber(
-                PRIOR_HEADING_RANGE,
-                tr("Heading tolerance (± °)"),
-                type=DOUBLE,
-                defaultValue=20.0,
-                minValue=1,
-                maxValue=180,
+                PRIOR_HEADING_RANGE, tr("Heading tolerance (± °)"), DOUBLE, 20.0, minValue=1, maxValue=180
             ),
             tr(
                 "Only headings within this tolerance of the prior heading are searched. It is used only with a prior "
@@ -74,7 +67,7 @@ def _scale_parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
     titles = {SCALE_MINIMUM: tr("Minimum scale"), SCALE_MAXIMUM: tr("Maximum scale")}
     return tuple(
         with_help(
-            QgsProcessingParameterNumber(key, title, type=DOUBLE, optional=True, minValue=0.01, maxValue=100),
+            QgsProcessingParameterNumber(key, title, DOUBLE, optional=True, minValue=0.01, maxValue=100),
             scale,
             advanced=True,
         )
