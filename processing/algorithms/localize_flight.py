@@ -19,7 +19,7 @@ from ...core.localization import Method
 from ..base import parameters, priors
 from ..base.algorithm import Declared, cancelable, check_canceled, interruptible
 from ..base.localized_image import LabelImages, LocalizedImage, log_result, with_far_photos, with_jumps
-from ..base.localizing import LocalizeAlgorithm
+from ..base.localizing import LocalizeAlgorithm, require_images
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.photo_labels import pace_results
@@ -130,8 +130,7 @@ class LocalizeFlight(LocalizeAlgorithm):
 
     def check(self, values: Values) -> None:
         priors.scales(values, self.method(values))
-        if not values.files(self.IMAGES):
-            raise ParameterError("“Images” is empty. Select at least one image or a folder with images.")
+        require_images(values.files(self.IMAGES))
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, Any]:
         from ...core.localizer.localizer import Localizer

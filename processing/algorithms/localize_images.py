@@ -29,7 +29,7 @@ from ..base.localized_image import (
     with_far_photos,
     with_jumps,
 )
-from ..base.localizing import LocalizeAlgorithm, found_within_reach, localize_image, localize_scheduled
+from ..base.localizing import LocalizeAlgorithm, found_within_reach, localize_image, localize_scheduled, require_images
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.photo_labels import pace_results
@@ -143,8 +143,8 @@ class LocalizeImages(LocalizeAlgorithm):
 
     def check(self, values: Values) -> None:
         priors.scales(values, self.method(values))
-        if not values.has(self.LAYER) and not values.files(self.IMAGES):
-            raise ParameterError("“Images” is empty. Select at least one image or a folder with images.")
+        if not values.has(self.LAYER):
+            require_images(values.files(self.IMAGES))
         parts = [key for key in (self.EXTENT, self.MASK) if values.has(key)]
         if parts and not values.has(self.LAYER):
             # They would have no effect, and the result would be mistaken for that of a part.

@@ -21,7 +21,7 @@ from qgis.core import (
     QgsProcessingParameterRasterLayer,
 )
 
-from ...core.errors import ImageError, ParameterError, TrainingError
+from ...core.errors import ImageError, ParameterError
 from ..base import parameters
 from ..base.algorithm import Canceled, Declared, follow
 from ..base.annotation import AnnotationAlgorithm
@@ -301,7 +301,7 @@ class TrainModel(AnnotationAlgorithm):
     ) -> TrainingReport:
         """Cut the tiles, train, write the model, and return the report."""
         from ...training.job import EXAMPLES, JOB, RESULT
-        from ..base.training_process import TrainingProgress, training_events
+        from ..base.training_process import TrainingProgress, ended_silently, training_events
         from ..reports.training_report import TrainingReport
 
         job = self._job(values, target, run)
@@ -322,12 +322,7 @@ class TrainModel(AnnotationAlgorithm):
         try:
             result = json.loads((run.folder / RESULT).read_text(encoding="utf-8"))
         except (OSError, ValueError) as error:
-            raise TrainingError(
-                "The training ended without a message ({reason}). Check whether the memory is full, or select another "
-                "Python than {python}.",
-                python=python,
-                reason=error,
-            ) from None
+            raise ended_silently(python, error) from None
         examples = [path.read_bytes() for path in sorted((run.folder / EXAMPLES).glob("*.png"))]
         return TrainingReport(os.path.basename(values.target(self.OUTPUT)), result, job.ground, examples)
 

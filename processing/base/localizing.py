@@ -195,8 +195,8 @@ class LocalizeAlgorithm(SemRefAlgorithm):
         from ...storage.rasters import image_files
 
         paths = image_files(values.files(self.IMAGES))
-        if needed and not paths:
-            raise ParameterError("“Images” is empty. Select at least one image or a folder with images.")
+        if needed:
+            require_images(paths)
         if not values.file(self.MODEL) and has_photos(paths):
             feedback.pushWarning(
                 tr("The images are photos, but no model is selected.")
@@ -226,6 +226,12 @@ class LocalizeAlgorithm(SemRefAlgorithm):
             feedback.setProgressText(tr("Loading the model"))
             return PhotoLabelReader(model_path, table, feedback)
         return LabelImageReader(table)
+
+
+def require_images(paths: Sequence[str]) -> None:
+    """Raises ParameterError without images."""
+    if not paths:
+        raise ParameterError("“Images” is empty. Select at least one image or a folder with images.")
 
 
 def _with_overview(database: ReferenceDatabase, path: str, feedback: QgsProcessingFeedback) -> ReferenceDatabase:

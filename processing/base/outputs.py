@@ -110,9 +110,7 @@ class Outputs:
         temporary = self._batch.file(target, *self._values.replaces(key))
         yield temporary
         if not os.path.isfile(temporary):
-            raise ParameterError(
-                "{name} cannot be written. Choose another folder, or check whether the disk is full.", name=target
-            )
+            raise _unwritable(target)
         self.results[key] = target
 
     @contextmanager
@@ -125,10 +123,7 @@ class Outputs:
         with self.file(key) as temporary:
             yield temporary
             if not save_in_database(temporary, self._note(key)):
-                raise ParameterError(
-                    "{name} cannot be written. Choose another folder, or check whether the disk is full.",
-                    name=self._values.target(key),
-                )
+                raise _unwritable(self._values.target(key))
         if self._values.switch(parameters.OPEN_OUTPUT):
             self._opened.append(key)
 
@@ -174,11 +169,12 @@ class Outputs:
         fields = schema if isinstance(schema, QgsFields) else _fields(schema)
         wanted = self._values.destination(key)
         beside = self._beside(wanted)
-        sink = FeatureSink(self._values.title(key), fields)
+        title = self._values.title(key)
+        sink = FeatureSink(title, fields)
         # ``sink`` has the only reference to QGIS's sink: when it is released, the file is closed.
         written = sink.open(*self._values.sink(key, beside, fields, geometry, crs, _NEW_KEYS))
         if not sink.is_wanted and self._values.raw(key) is not None:
-            raise sink.failure()
+            raise _unwritable(title)
         yield sink
         sink.close()
         if not written:
@@ -186,7 +182,7 @@ class Outputs:
         given = Look(style, note=self._note(key), **look)
         if beside:
             if not style_in_file(written, given):
-                raise sink.failure()
+                raise _unwritable(title)
             sink.require_all_in(written, wanted.has_index)
         else:
             style_in_memory(written, given, self._values.context)
@@ -287,26 +283,25 @@ class FeatureSink:
 
     def _add(self, feature: QgsFeature) -> None:
         if self._sink is not None and not self._sink.addFeature(feature, QgsFeatureSink.FastInsert):
-            raise self.failure()
+            raise _unwritable(self._name)
         self._count += 1
 
     def require_all_in(self, written: str, with_index: bool) -> None:
         """Open the file and count its features. Raises ParameterError if some are missing."""
         path, _, rest = written.partition("|")
-        if with_index and lacks_spatial_index(path):
-            raise self.failure()
-        if feature_count(path, rest.partition("layername=")[2].partition("|")[0]) != self._count:
-            raise self.failure()
+        name = rest.partition("layername=")[2].partition("|")[0]
+        if (with_index and lacks_spatial_index(path)) or feature_count(path, name) != self._count:
+            raise _unwritable(self._name)
 
     def close(self) -> None:
         """Release the file."""
         self._sink = None
 
-    def failure(self) -> ParameterError:
-        """Return the error of a file that cannot be written."""
-        return ParameterError(
-            "{name} cannot be written. Choose another folder, or check whether the disk is full.", name=self._name
-        )
+
+def _unwritable(name: str) -> ParameterError:
+    return ParameterError(
+        "{name} cannot be written. Choose another folder, or check whether the disk is full.", name=name
+    )
 
 
 def _fields(schema: Sequence[tuple[str, str]]) -> QgsFields:

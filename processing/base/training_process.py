@@ -55,12 +55,17 @@ def training_events(python: str, arguments: list[str], feedback: QgsProcessingFe
     finally:
         reports.end()
     if process.exitStatus() == QProcess.ExitStatus.CrashExit or process.exitCode() != 0:
-        raise TrainingError(
-            "The training ended without a message ({reason}). Check whether the memory is full, or select another "
-            "Python than {python}.",
-            python=python,
-            reason=reports.reason or process.errorString(),
-        )
+        raise ended_silently(python, reports.reason or process.errorString())
+
+
+def ended_silently(python: str, reason: object) -> TrainingError:
+    """Return the error of a training that wrote neither a result nor a message."""
+    return TrainingError(
+        "The training ended without a message ({reason}). Check whether the memory is full, or select another Python "
+        "than {python}.",
+        python=python,
+        reason=reason,
+    )
 
 
 def _require_no_failure(event: dict, feedback: QgsProcessingFeedback) -> None:

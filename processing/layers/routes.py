@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
@@ -62,15 +63,11 @@ def lines_in(
         raise ParameterError("The route layer has no CRS. Set the CRS of the layer.")
     transform = QgsCoordinateTransform(route.crs, crs, transform_context)
     moved = []
-    try:
+    with suppress(QgsCsException):
         for line in route.lines:
             points = [transform.transform(QgsPointXY(x, y)) for x, y in line.tolist()]
             moved.append(np.array([(point.x(), point.y()) for point in points]))
-    except QgsCsException:
-        raise ParameterError(
-            "The route does not fit its CRS {crs}. Correct the CRS of the layer.", crs=describe_crs(route.crs)
-        ) from None
-    if not all(np.isfinite(line).all() for line in moved):
+    if len(moved) < len(route.lines) or not all(np.isfinite(line).all() for line in moved):
         raise ParameterError(
             "The route does not fit its CRS {crs}. Correct the CRS of the layer.", crs=describe_crs(route.crs)
         )

@@ -99,12 +99,7 @@ def making_environment(wheels: str = "", without_graphics_card: bool = False) ->
         made = yield Command(title, base, ["-m", "venv", str(folder)], str(folder.parent), _APART)
         python = str(environment_python(folder))
         if made.status != 0 or not os.path.isfile(python):
-            raise ComponentError(
-                "{python} cannot make an environment ({reason}). Install python3-venv on Debian and Ubuntu, or select "
-                "another Python with torch.",
-                python=base,
-                reason=last_line(made.output),
-            )
+            raise _no_environment(base, last_line(made.output))
         for arguments in _pip_runs(wheels, without_graphics_card):
             yield from _install(python, folder, arguments)
         title = tr("Checking torch…")
@@ -147,11 +142,15 @@ def _base_python() -> Generator[Command, Answer, str]:
         if answer.status == 0:
             return path
         tried = path, last_line(answer.output)
-    raise ComponentError(
+    raise _no_environment(tried[0] or ", ".join(candidates), tried[1] or "venv")
+
+
+def _no_environment(python: str, reason: str) -> ComponentError:
+    return ComponentError(
         "{python} cannot make an environment ({reason}). Install python3-venv on Debian and Ubuntu, or select another "
         "Python with torch.",
-        python=tried[0] or ", ".join(candidates),
-        reason=tried[1] or "venv",
+        python=python,
+        reason=reason,
     )
 
 
