@@ -7388,10 +7388,6 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>„{layer}“ hat in der Ausdehnung kein Polygon mit einer Klasse. Prüfen Sie die Ausdehnung, das KBS und das Klassenfeld.</translation>
   </message>
   <message>
-   <source>“{layer}” has no polygons. Choose a polygon layer.</source>
-   <translation>„{layer}“ hat keine Polygone. Wählen Sie einen Polygonlayer.</translation>
-  </message>
-  <message>
    <source>“{layer}” has no resolution of its own. Enter a resolution.</source>
    <translation>„{layer}“ hat keine eigene Auflösung. Geben Sie eine Auflösung ein.</translation>
   </message>

@@ -7388,10 +7388,6 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>“{layer}” no tiene ningún polígono con clase en la extensión. Compruebe la extensión, el SRC y el campo de clase.</translation>
   </message>
   <message>
-   <source>“{layer}” has no polygons. Choose a polygon layer.</source>
-   <translation>“{layer}” no tiene polígonos. Elija una capa de polígonos.</translation>
-  </message>
-  <message>
    <source>“{layer}” has no resolution of its own. Enter a resolution.</source>
    <translation>“{layer}” no tiene resolución propia. Indique una resolución.</translation>
   </message>

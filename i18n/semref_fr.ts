@@ -7388,10 +7388,6 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>« {layer} » n’a aucun polygone avec une classe dans l’emprise. Vérifiez l’emprise, le SCR et le champ de classe.</translation>
   </message>
   <message>
-   <source>“{layer}” has no polygons. Choose a polygon layer.</source>
-   <translation>« {layer} » n’a pas de polygones. Choisissez une couche de polygones.</translation>
-  </message>
-  <message>
    <source>“{layer}” has no resolution of its own. Enter a resolution.</source>
    <translation>« {layer} » n’a pas de résolution propre. Entrez une résolution.</translation>
   </message>

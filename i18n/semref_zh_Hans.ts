@@ -7388,10 +7388,6 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>“{layer}”在范围内没有带类别的多边形。请检查范围、坐标参照系和类别字段。</translation>
   </message>
   <message>
-   <source>“{layer}” has no polygons. Choose a polygon layer.</source>
-   <translation>“{layer}”没有多边形。请选择多边形图层。</translation>
-  </message>
-  <message>
    <source>“{layer}” has no resolution of its own. Enter a resolution.</source>
    <translation>“{layer}”没有自身的分辨率。请输入分辨率。</translation>
   </message>

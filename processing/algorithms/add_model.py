@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 import tempfile
-from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -213,7 +212,7 @@ class AddModel(SemRefAlgorithm):
         """Return the path of a checkpoint's network as an ONNX file in a folder. Raises SemRefError."""
         from ...core.segmentation.network_facts import require_facts
         from ...training.job import CHECKPOINT_JOB
-        from ..base.training_process import TrainingProgress, training_events
+        from ..base.training_process import run_training
         from ..packages.training_environment import training_python
 
         require_facts(facts)
@@ -231,8 +230,5 @@ class AddModel(SemRefAlgorithm):
         file = Path(folder) / "job.json"
         file.write_text(json.dumps(job), encoding="utf-8")
         feedback.setProgressText(tr("Starting the training environment"))
-        progress = TrainingProgress(feedback, 0.0, 100.0)
-        with closing(training_events(python, [CHECKPOINT_JOB, str(file)], feedback)) as events:
-            for event in events:
-                progress.show(event)
+        run_training(python, [CHECKPOINT_JOB, str(file)], feedback, 0.0, 100.0)
         return target

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Callable
 
@@ -114,9 +115,10 @@ class GeoreferenceImages(SemRefAlgorithm):
         found = read_positions(positions, values.source(self.FOOTPRINTS))
         placed = [image for image in found if image.has_place]
         points = read_matches(values.source(self.MATCHES), positions, placed)
-        file_of = self._files(values)
-        names = unique_names([image.path for image in placed], ".tif" if self._format(values) == GEOTIFF else "")
-        written = 0
+        file_of, crs_wkt = self._files(values), wkt_for_gdal(positions.sourceCrs())
+        kind, written = values.choice(self.FORMAT), 0
+        names = unique_names([image.path for image in placed], ".tif" if kind == GEOTIFF else "")
+        write = partial(_write, kind)
         with outputs.folder(self.OUTPUT) as folder:
             for n, image in enumerate(found):
                 check_canceled(feedback)
@@ -124,12 +126,10 @@ class GeoreferenceImages(SemRefAlgorithm):
                 feedback.setProgressText(name)
                 refusal = _why_not(image)
                 if not refusal:
-                    writer = _Writer(self._format(values), wkt_for_gdal(positions.sourceCrs()), feedback)
                     target = str(Path(folder) / names[image.path])
+                    arguments = image, target, crs_wkt, points.get(image.path, []), feedback
                     try:
-                        cancelable(
-                            writer, file_of(image.path), image, target, points.get(image.path, []), feedback=feedback
-                        )
+                        cancelable(write, file_of(image.path), *arguments, feedback=feedback)
                         written += 1
                     except UnwritableError:
                         # An error of one image must not stop the others; a full disk must.
@@ -144,9 +144,6 @@ class GeoreferenceImages(SemRefAlgorithm):
         text = tr("{written} of {images} images are georeferenced.")
         feedback.pushInfo(text.format(written=written, images=len(found)))
         return {self.IMAGE_COUNT: written}
-
-    def _format(self, values: Values) -> int:
-        return values.choice(self.FORMAT)
 
     def _files(self, values: Values) -> Callable[[str], str]:
         """Return a function from the path in a row to its file; it raises ImageError for files elsewhere."""
@@ -183,28 +180,30 @@ def _why_not(image: PositionRow) -> str:
     return ""
 
 
-class _Writer:
+def _write(
+    kind: int,
+    file: str,
+    image: PositionRow,
+    target: str,
+    crs_wkt: str,
+    points: list[ControlPoint],
+    feedback: QgsProcessingFeedback,
+) -> None:
     """Write one image in one of the formats. Raises SemRefError."""
+    from ...storage.georeferencing import corner_points, write_geotiff, write_points, write_world_file
+    from ...storage.rasters import open_raster, require_whole_raster
 
-    def __init__(self, kind: int, crs_wkt: str, feedback: QgsProcessingFeedback) -> None:
-        self._kind, self._crs_wkt, self._feedback = kind, crs_wkt, feedback
-
-    def __call__(self, file: str, image: PositionRow, target: str, points: list[ControlPoint]) -> None:
-        from ...storage.georeferencing import corner_points, write_geotiff, write_points, write_world_file
-        from ...storage.rasters import open_raster, require_whole_raster
-
-        if not os.path.isfile(file):
-            raise ImageError(
-                "The image {path} does not exist. Select the folder that contains it now as “Images”.", path=file
-            )
-        raster = open_raster(file)
-        corners = image.corners((raster.RasterYSize, raster.RasterXSize))
-        if self._kind == GEOTIFF:
-            write_geotiff(file, target, self._crs_wkt, corners, lambda: not self._feedback.isCanceled())
-        elif self._kind == WORLD_FILE:
-            write_world_file(file, target, self._crs_wkt, corners)
-        else:
-            is_by_landmarks = len(points) >= LEAST_MATCHES and not image.is_by_areas
-            chosen = points if is_by_landmarks else corner_points(file, corners)
-            write_points(file, target, self._crs_wkt, chosen)
-        require_whole_raster(target, os.path.basename(target))
+    if not os.path.isfile(file):
+        raise ImageError(
+            "The image {path} does not exist. Select the folder that contains it now as “Images”.", path=file
+        )
+    raster = open_raster(file)
+    corners = image.corners((raster.RasterYSize, raster.RasterXSize))
+    if kind == GEOTIFF:
+        write_geotiff(file, target, crs_wkt, corners, lambda: not feedback.isCanceled())
+    elif kind == WORLD_FILE:
+        write_world_file(file, target, crs_wkt, corners)
+    else:
+        is_by_landmarks = len(points) >= LEAST_MATCHES and not image.is_by_areas
+        write_points(file, target, crs_wkt, points if is_by_landmarks else corner_points(file, corners))
+    require_whole_raster(target, os.path.basename(target))

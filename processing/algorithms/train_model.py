@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 import time
-from contextlib import closing
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -301,12 +300,12 @@ class TrainModel(AnnotationAlgorithm):
     ) -> TrainingReport:
         """Cut the tiles, train, write the model, and return the report."""
         from ...training.job import EXAMPLES, JOB, RESULT
-        from ..base.training_process import TrainingProgress, ended_silently, training_events
+        from ..base.training_process import ended_silently, run_training
         from ..reports.training_report import TrainingReport
 
         job = self._job(values, target, run)
         job = run.begin(job)
-        if not run.has_tiles:
+        if not run.tiles.is_dir():
             ground = self._ground(values, feedback)
             image = ground.image(run.folder)
             self._cut(values, image, ground, run, feedback)
@@ -315,10 +314,8 @@ class TrainModel(AnnotationAlgorithm):
         passed = (time.monotonic() - began) / (60 * job.minutes) if job.minutes else 0.0
         job = replace(job, minutes=job.minutes * max(1 - passed, SHORTEST_SHARE))
         job.write(run.folder / JOB)
-        progress = TrainingProgress(feedback, max(CUT, TRAINED * min(passed, 1 - SHORTEST_SHARE)), TRAINED)
-        with closing(training_events(python, [str(run.folder / JOB)], feedback)) as events:
-            for event in events:
-                progress.show(event)
+        begun = max(CUT, TRAINED * min(passed, 1 - SHORTEST_SHARE))
+        run_training(python, [str(run.folder / JOB)], feedback, begun, TRAINED)
         try:
             result = json.loads((run.folder / RESULT).read_text(encoding="utf-8"))
         except (OSError, ValueError) as error:
@@ -417,15 +414,15 @@ class TrainModel(AnnotationAlgorithm):
         if self._labels is None:
             frame = frame_of(image)
             polygons, table = self.burn_polygons(values, feedback, ground.crs, CUT / 4)
-            follow(burn_label_map(str(run.labels), frame, table, polygons), feedback, CUT / 4, CUT / 2)
-        labels = replace(image, path=str(run.labels)) if self._labels is None else self._labels.file
+            burnt = str(run.folder / "labels.tif")
+            follow(burn_label_map(burnt, frame, table, polygons), feedback, CUT / 4, CUT / 2)
+        labels = replace(image, path=burnt) if self._labels is None else self._labels.file
         size, stride = fitting_tiles(shape_of(image))
         fraction = values.number(self.VALIDATION_FRACTION)
         is_unknown = self._is_rest_unknown(values)
         require = require_two_classes if is_unknown else None
         export = TileExport(image, labels, size, stride, fraction, ground.mask(image), not is_unknown, require)
-        run.new_tiles.mkdir(parents=True)
-        follow(export.steps(run.new_tiles, table), feedback, CUT / 2, CUT)
-        run.keep_tiles()
+        with run.new_tiles() as folder:
+            follow(export.steps(folder, table), feedback, CUT / 2, CUT)
         text = tr("{training} training tiles, {validation} validation tiles")
         feedback.pushInfo(text.format(training=export.counts[TRAIN], validation=export.counts[VALIDATION]))

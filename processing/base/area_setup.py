@@ -32,7 +32,8 @@ from ...core.labels.openstreetmap import Rules, tags_of
 from ...core.labels.photo_camera import photo_camera
 from ...storage.photo_position import photo_lon_lat
 from ...storage.rasters import image_files, open_raster
-from ..compat import LINE_GEOMETRY, POLYGON_GEOMETRY, is_null
+from ..compat import LINE_GEOMETRY, is_null
+from ..layers.annotation import field_index, require_polygons
 from ..layers.guess_fields import BUILDING, class_field_of, has_osm_tags, priority_field_of
 from ..layers.images import stated_pixel_size_m
 from ..layers.line_areas import LineAreas
@@ -64,19 +65,10 @@ class AreaMap:
 
     def __init__(self, layer: QgsVectorLayer | None, definition: object, class_field: str) -> None:
         """Copy the layer, in its thread. Raises AnnotationError."""
-        if layer is None or not layer.isValid():
-            raise AnnotationError("The land-cover layer can't be read. Choose a polygon layer.")
-        if layer.geometryType() != POLYGON_GEOMETRY:
-            raise AnnotationError("“{layer}” has no polygons. Choose a polygon layer.", layer=layer.name())
-        names = layer.fields().names()
-        if class_field and class_field not in names:
-            raise AnnotationError(
-                "“{layer}” has no field “{name}”. Choose one of its fields: {names}.",
-                layer=layer.name(),
-                name=class_field,
-                names=names,
-            )
-        self.has_tags = not class_field and has_osm_tags(names)
+        layer = require_polygons(layer)
+        if class_field:
+            field_index(layer, class_field)
+        self.has_tags = not class_field and has_osm_tags(layer.fields().names())
         self.class_field = class_field or ("" if self.has_tags else class_field_of(layer))
         self.priority_field = priority_field_of(layer) if self.class_field else ""
         self.layer = _private_copy(layer, definition)

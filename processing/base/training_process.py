@@ -79,46 +79,38 @@ def _require_no_failure(event: dict, feedback: QgsProcessingFeedback) -> None:
         )
 
 
-class TrainingProgress:
-    """Shows the events of a training, from ``first`` to ``last`` % of the progress."""
+def run_training(python: str, arguments: list[str], feedback: QgsProcessingFeedback, first: float, last: float) -> None:
+    """Run a training and show its events, with progress from ``first`` to ``last`` %. Raises as ``training_events``."""
+    resumed_at = 0.0
+    with closing(training_events(python, arguments, feedback)) as events:
+        for event in events:
+            if event["event"] == "resumed":
+                # The share of an earlier run does not affect the remaining time of this one.
+                resumed_at = min(max(event["share"], 0.0), 0.99)
+            if event["event"] in ("resumed", "step", "epoch", "exporting"):
+                share = (event["share"] - resumed_at) / (1 - resumed_at)
+                feedback.setProgress(first + (last - first) * share)
+            _show(event, feedback)
 
-    def __init__(self, feedback: QgsProcessingFeedback, first: float, last: float) -> None:
-        self._feedback, self._first, self._last = feedback, first, last
-        self._resumed_at = 0.0
 
-    def show(self, event: dict) -> None:
-        share = event.get("share")
-        if event["event"] == "resumed":
-            # The share of an earlier run does not affect the remaining time of this one.
-            self._resumed_at = min(max(share, 0.0), 0.99)
-        if event["event"] in ("resumed", "step", "epoch", "exporting"):
-            share = (share - self._resumed_at) / (1 - self._resumed_at)
-            self._feedback.setProgress(self._first + (self._last - self._first) * share)
-        show = getattr(self, f"_{event['event']}", None)
-        if show is not None:
-            show(event)
-
-    def _begun(self, event: dict) -> None:
+def _show(event: dict, feedback: QgsProcessingFeedback) -> None:
+    kind = event["event"]
+    if kind == "begun":
         text = tr(
             "Training {weights} weights on {device}: {training} tiles for training, {validation} tiles for validation"
         )
-        weights = f"{event['weights']:,}"
         known = {key: event[key] for key in ("device", "training", "validation")}
-        self._feedback.pushInfo(text.format(weights=weights, **known))
-
-    def _resumed(self, event: dict) -> None:
-        self._feedback.pushInfo(tr("Continuing after epoch {epoch} of a canceled run.").format(epoch=event["epoch"]))
-
-    def _step(self, event: dict) -> None:
+        feedback.pushInfo(text.format(weights=f"{event['weights']:,}", **known))
+    elif kind == "resumed":
+        feedback.pushInfo(tr("Continuing after epoch {epoch} of a canceled run.").format(epoch=event["epoch"]))
+    elif kind == "step":
         text = tr("Epoch {epoch}, loss {loss:.3f}")
-        self._feedback.setProgressText(text.format(epoch=event["epoch"], loss=event["loss"]))
-
-    def _epoch(self, event: dict) -> None:
-        classes = ((key[4:], value) for key, value in event.items() if key.startswith("iou_"))
+        feedback.setProgressText(text.format(epoch=event["epoch"], loss=event["loss"]))
+    elif kind == "epoch":
         text = tr("Epoch {epoch}: loss {loss:.3f}, mean IoU {iou:.1%} ({classes})")
+        classes = ((key[4:], value) for key, value in event.items() if key.startswith("iou_"))
         shown = ", ".join(f"{name} {100 * value:.0f} %" for name, value in classes if isinstance(value, float))
         known = {"epoch": event["epoch"], "loss": event["training_loss"], "iou": event["mean_iou"]}
-        self._feedback.pushInfo(text.format(classes=shown, **known))
-
-    def _exporting(self, _event: dict) -> None:
-        self._feedback.setProgressText(tr("Writing and checking the model"))
+        feedback.pushInfo(text.format(classes=shown, **known))
+    elif kind == "exporting":
+        feedback.setProgressText(tr("Writing and checking the model"))

@@ -7,6 +7,8 @@ import os
 import secrets
 import shutil
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
@@ -89,28 +91,17 @@ class TrainingRun:
         return (self.folder / CHECKPOINT).is_file()
 
     @property
-    def labels(self) -> Path:
-        """File of the labels on the image's pixels."""
-        return self.folder / "labels.tif"
-
-    @property
     def tiles(self) -> Path:
         """Folder of the tiles, once all are cut."""
         return self.folder / "tiles"
 
-    @property
-    def new_tiles(self) -> Path:
-        """Folder of the tiles while they are cut."""
-        return self.folder / "new_tiles"
-
-    @property
-    def has_tiles(self) -> bool:
-        """Whether all tiles are cut."""
-        return self.tiles.is_dir()
-
-    def keep_tiles(self) -> None:
-        """Mark the tiles as complete."""
-        self.new_tiles.replace(self.tiles)
+    @contextmanager
+    def new_tiles(self) -> Iterator[Path]:
+        """Yield a folder to cut the tiles into, which then becomes ``tiles``."""
+        folder = self.folder / "new_tiles"
+        folder.mkdir()
+        yield folder
+        folder.replace(self.tiles)
 
     def begin(self, job: Job) -> Job:
         """Store what is to be trained.

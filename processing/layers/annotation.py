@@ -120,14 +120,10 @@ def annotation_source(
         priority_field: Name of the priority field; empty without one.
         class_of_all: Class of all features; the class field is then not used.
     """
-    if layer is None or not layer.isValid():
-        raise AnnotationError("The land-cover layer can't be read. Choose a polygon layer.")
-    if layer.geometryType() != POLYGON_GEOMETRY:
-        kind = QgsWkbTypes.displayString(layer.wkbType())
-        raise AnnotationError("“{layer}” has {kind} geometry. Choose a polygon layer.", layer=layer.name(), kind=kind)
+    layer = require_polygons(layer)
     fields = layer.fields()
-    class_index = -1 if class_of_all else _field_index(layer, class_field)
-    priority_index = _field_index(layer, priority_field) if priority_field else -1
+    class_index = -1 if class_of_all else field_index(layer, class_field)
+    priority_index = field_index(layer, priority_field) if priority_field else -1
     if priority_index >= 0 and not fields.at(priority_index).isNumeric():
         raise AnnotationError(
             "The priority field “{priority_field}” is not numeric. Choose a numeric field.",
@@ -169,15 +165,25 @@ def _extent(layer: QgsVectorLayer) -> QgsRectangle:
         ) from None
 
 
-def _field_index(layer: QgsVectorLayer, name: str) -> int:
+def require_polygons(layer: QgsVectorLayer | None) -> QgsVectorLayer:
+    """Return a layer of polygons. Raises AnnotationError for another one, and without a layer."""
+    if layer is None or not layer.isValid():
+        raise AnnotationError("The land-cover layer can't be read. Choose a polygon layer.")
+    if layer.geometryType() != POLYGON_GEOMETRY:
+        kind = QgsWkbTypes.displayString(layer.wkbType())
+        raise AnnotationError("“{layer}” has {kind} geometry. Choose a polygon layer.", layer=layer.name(), kind=kind)
+    return layer
+
+
+def field_index(layer: QgsVectorLayer, name: str) -> int:
+    """Return the index of a field. Raises AnnotationError for a field that the layer lacks."""
     index = layer.fields().lookupField(name)
     if index < 0:
-        names = [field.name() for field in layer.fields()]
         raise AnnotationError(
             "“{layer}” has no field “{name}”. Choose one of its fields: {names}.",
             layer=layer.name(),
             name=name,
-            names=names,
+            names=layer.fields().names(),
         )
     return index
 
