@@ -13,7 +13,7 @@ from qgis.core import (
     QgsProcessingParameterString,
 )
 
-from ...core.errors import ClassTableError, ParameterError
+from ...core.errors import ParameterError
 from ...core.labels.class_table import ClassTable
 from ..base import parameters
 from ..base.algorithm import REFERENCE_DATABASE, Declared, SemRefAlgorithm, check_canceled, follow
@@ -210,13 +210,7 @@ class BuildDatabase(SemRefAlgorithm):
             table = class_table_of_values(count_values(labels, feedback.isCanceled))
             check_canceled(feedback)
             feedback.pushInfo(tr("The label map contains no class names. The class values are used as names."))
-        chosen = values.parts(self.REFERENCE_CLASSES)
-        try:
-            return (table.with_references(chosen) if chosen else table).require_references()
-        except ClassTableError as error:
-            raise ParameterError(
-                "{where}: {fault}", where=values.title(self.REFERENCE_CLASSES), fault=error.sentence
-            ) from None
+        return values.with_references(self.REFERENCE_CLASSES, table)
 
     def _settings(self, values: Values) -> BuildSettings:
         from ...core.database.build import BuildSettings

@@ -172,8 +172,7 @@ class DescribeImage(SemRefAlgorithm):
             raise ParameterError(
                 "The label image contains no class table. Select a reference database or a class table."
             )
-        chosen = values.parts(self.REFERENCE_CLASSES)
-        table = (table.with_references(chosen) if chosen else table).require_references()
+        table = values.with_references(self.REFERENCE_CLASSES, table)
         area = values.number(self.MINIMUM_AREA)
         one_pixel = pixel_area(transform)
         length = values.integer(self.REFERENCES_PER_VECTOR)

@@ -81,11 +81,10 @@ class LocalizeFlight(LocalizeAlgorithm):
             self.speed_parameter(),
             *self._output_parameters(),
             self.risk_parameter(
-                tr("Maximum error probability"),
                 tr(
                     "A track is accepted if the probability that it is wrong is not larger than this value, for "
                     "example 0.0001 (1 in 10,000). A smaller value needs more images."
-                ),
+                )
             ),
             self.sun_parameter(),
             with_help(

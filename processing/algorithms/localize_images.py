@@ -74,12 +74,11 @@ class LocalizeImages(LocalizeAlgorithm):
             self.speed_parameter(),
             *self._output_parameters(),
             self.risk_parameter(
-                tr("Maximum error probability"),
                 tr(
                     "A position is accepted if the probability that it is wrong is not larger than this value, for "
                     "example 0.0001 (1 in 10,000). A smaller value gives fewer positions. Above it, up to 0.2, the "
                     "result is a likely position. “Published method” does not use it."
-                ),
+                )
             ),
             *self._layer_parameters(),
             self.sun_parameter(),

@@ -9,7 +9,6 @@ from qgis.core import (
     QgsProcessingParameterFileDestination,
 )
 
-from ...core.errors import ClassTableError, ParameterError
 from ...core.labels.class_table import ClassTable
 from ..base import parameters
 from ..base.algorithm import Declared, check_canceled
@@ -81,13 +80,7 @@ class MakeClassTable(AnnotationAlgorithm):
         check_canceled(feedback)
         preset = ("", *PRESETS.values())[values.choice(self.PRESET)]
         table = proposed_table(found, read_class_table(preset) if preset else None)
-        chosen = values.parts(self.REFERENCE_CLASSES)
-        try:
-            table = table.with_references(chosen) if chosen else table
-        except ClassTableError as error:
-            raise ParameterError(
-                "{where}: {fault}", where=values.title(self.REFERENCE_CLASSES), fault=error.sentence
-            ) from None
+        table = values.with_references(self.REFERENCE_CLASSES, table, needed=False)
         outputs.text(self.OUTPUT, table.to_csv())
         _log(table, feedback)
         return {self.CLASS_COUNT: len(table)}

@@ -39,7 +39,7 @@ from ..base.shipped_models import MODELS
 from ..base.values import Values
 from ..compat import DOUBLE, SOURCE_FILE, SOURCE_LINE, SOURCE_POLYGON
 from ..layers.guess_fields import BUILDING
-from ..layers.results_file import TABLES
+from ..layers.results_file import TABLES, table_output
 from ..translation import tr
 from .assess_database import AssessDatabase
 from .build_database import BuildDatabase
@@ -418,7 +418,7 @@ def _tables(path: str) -> dict[str, str]:
     if "'" in path:
         # QGIS cannot write tables to such a path. The only layer gets the file's name, which is that of the table.
         return {"OUTPUT": path}
-    return {key: f"ogr:dbname='{path}' table=\"{table}\" (geom)" for key, table in _OUTPUTS.items()}
+    return {key: table_output(path, table) for key, table in _OUTPUTS.items()}
 
 
 def _simulated(area: AreaSetup) -> int:

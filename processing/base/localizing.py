@@ -99,8 +99,9 @@ class LocalizeAlgorithm(SemRefAlgorithm):
             ),
         )
 
-    def risk_parameter(self, title: str, text: str) -> QgsProcessingParameterDefinition:
+    def risk_parameter(self, text: str) -> QgsProcessingParameterDefinition:
         """Return the maximum error probability of a position."""
+        title = tr("Maximum error probability")
         risk = QgsProcessingParameterNumber(self.RISK, title, DOUBLE, RISK, minValue=LEAST_RISK, maxValue=0.5)
         risk.setMetadata({"widget_wrapper": {"decimals": 12}})
         return with_help(risk, text, advanced=True)

@@ -22,7 +22,7 @@ from qgis.core import (
 )
 
 from ...core import limits
-from ...core.errors import ParameterError
+from ...core.errors import ClassTableError, ParameterError
 from ...core.labels.class_table import ClassTable, split_list
 from .destinations import Destination, destination_of, replaced_by, with_destination
 
@@ -178,6 +178,19 @@ class Values:
 
         path = self.file(key)
         return read_class_table(path) if path else None
+
+    def with_references(self, key: str, table: ClassTable, needed: bool = True) -> ClassTable:
+        """Return a class table with the classes of a list as landmarks, if the list is set.
+
+        Raises:
+            ParameterError: The table has no such class, or no landmark although one is ``needed``.
+        """
+        chosen = self.parts(key)
+        try:
+            table = table.with_references(chosen) if chosen else table
+            return table.require_references() if needed else table
+        except ClassTableError as error:
+            raise ParameterError("{where}: {fault}", where=self.title(key), fault=error.sentence) from None
 
     # --- layers ---
 

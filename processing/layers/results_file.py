@@ -11,6 +11,13 @@ from ...storage.vector_files import copy_database, leave_wal
 TABLES = ("positions", "footprints", "possible_places", "matches", "track")
 
 
+def table_output(file: str, table: str) -> str:
+    """Return a table of a results file as an algorithm's output. ``table``: one of TABLES."""
+    if table not in TABLES:
+        raise ValueError(table)
+    return f"ogr:dbname='{file}' table=\"{table}\" (geom)"
+
+
 def save_results(file: str, path: str) -> None:
     """Copy a file of results with styles and metadata. Raises ParameterError."""
     open_results(file)

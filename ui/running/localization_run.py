@@ -5,11 +5,11 @@ from __future__ import annotations
 from qgis.core import QgsProcessingContext, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject
 
-from ...processing.layers.results_file import TABLES, open_results
+from ...processing.layers.results_file import TABLES, open_results, table_output
 from ...processing.messages.numbers import LocalTemplate
 from ...processing.translation import tr
 from .algorithm_run import AlgorithmRun
-from .run_history import begin_run, destination, labels_folder
+from .run_history import begin_run
 
 ALGORITHM, FLIGHT_ALGORITHM = "semref:localizeimages", "semref:localizeflight"
 
@@ -42,10 +42,10 @@ class LocalizationRun(AlgorithmRun):
         run = begin_run(database, settings.get("MODEL", ""), len(images))
         self.file = run.file
         left_out = "ALTERNATIVES" if is_flight else "TRACK"
-        outputs = {key: destination(run, table) for key, table in zip(_KEYS, TABLES) if key != left_out}
+        outputs = {key: table_output(run.file, table) for key, table in zip(_KEYS, TABLES) if key != left_out}
         parameters = {"DATABASE": database, "IMAGES": images, "METHOD": method, "RISK": RISK, **settings, **outputs}
         if settings.get("MODEL"):
-            parameters["LABELS"] = labels_folder(run)
+            parameters["LABELS"] = run.labels
         if is_flight:
             return self.start_algorithm(FLIGHT_ALGORITHM, parameters, tr("Localizing a flight"))
         return self.start_algorithm(ALGORITHM, parameters, tr("Localizing images"))

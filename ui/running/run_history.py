@@ -11,8 +11,6 @@ from typing import NamedTuple
 
 from qgis.core import QgsApplication, QgsProcessingUtils
 
-from ...processing.layers.results_file import TABLES
-
 _RESULTS, _LABELS, _ABOUT = "results.gpkg", "labels", "run.json"
 _MOST_KEPT = 20
 """Number of runs. A run of hundreds of photos takes some ten megabytes."""
@@ -30,6 +28,11 @@ class RunRecord(NamedTuple):
     def file(self) -> str:
         """GeoPackage of the results."""
         return os.path.join(self.folder, _RESULTS)
+
+    @property
+    def labels(self) -> str:
+        """Folder for the label images of photos."""
+        return os.path.join(self.folder, _LABELS)
 
     @property
     def title(self) -> str:
@@ -84,22 +87,10 @@ def _read_record(folder: Path) -> RunRecord | None:
         return None
 
 
-def destination(run: RunRecord, table: str) -> str:
-    """Return a table of the run's results as an algorithm's output. ``table``: one of TABLES."""
-    if table not in TABLES:
-        raise ValueError(table)
-    return f"ogr:dbname='{run.file}' table=\"{table}\" (geom)"
-
-
 def labels_of(file: str) -> str:
     """Return the folder of label images next to results; empty without one."""
     folder = os.path.join(os.path.dirname(file), _LABELS)
     return folder if file and os.path.isdir(folder) else ""
-
-
-def labels_folder(run: RunRecord) -> str:
-    """Return the folder for the label images of a run's photos."""
-    return os.path.join(run.folder, _LABELS)
 
 
 def _folders() -> list[Path]:
