@@ -97,7 +97,7 @@ class CheckAnnotation(AnnotationAlgorithm):
         )
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
-        from ..reports.annotation_report import AnnotationReport
+        from ..reports.annotation_report import annotation_html
 
         lookup = self.classes(values, feedback)
         crs = self.label_map_crs(values, feedback)
@@ -118,7 +118,7 @@ class CheckAnnotation(AnnotationAlgorithm):
             tr("{issues} findings, {errors} of them are errors.").format(issues=len(findings), errors=errors)
         )
         if outputs.wants(self.REPORT):
-            outputs.text(self.REPORT, AnnotationReport(self._source.name, self._source.count, findings, names).html())
+            outputs.text(self.REPORT, annotation_html(self._source.name, self._source.count, findings, names))
         return {self.ISSUE_COUNT: len(findings), self.ERROR_COUNT: errors}
 
     def _find(

@@ -396,7 +396,7 @@ class SetUpArea(SemRefAlgorithm):
         self, values: Values, area: AreaSetup, folder: Path, record: Record, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
         """Write the report and return all results."""
-        from ..reports.setup_report import PhotoRow, SetupReport, expectation_of
+        from ..reports.setup_report import PhotoRow, expectation_of, setup_html
 
         squares = QgsVectorLayer(str(folder / EXPECTED_FILE), "", "ogr").getFeatures()
         expected = expectation_of([(one["success"], one["objects"], one["reason"] or "") for one in squares])
@@ -406,8 +406,8 @@ class SetUpArea(SemRefAlgorithm):
             for one in QgsVectorLayer(positions, "", "ogr").getFeatures():
                 texts = (str(one[name] or "") for name in ("image", "status", "reason"))
                 rows.append(PhotoRow(*texts, None if not one["error_95"] else float(one["error_95"])))
-        report = SetupReport(area.summary(values.number(self.MINUTES)), area.warnings, expected, rows)
-        record.write(REPORT_FILE, report.html())
+        summary = area.summary(values.number(self.MINUTES))
+        record.write(REPORT_FILE, setup_html(summary, area.warnings, expected, rows))
         results = {self.DATABASE: str(folder / DATABASE_FILE), self.REPORT: str(folder / REPORT_FILE)}
         results[self.TRAINED_MODEL] = str(folder / MODEL_FILE) if self._trains(values) else self._model(values)
         return {**results, **({self.POSITIONS: positions} if rows else {})}

@@ -80,54 +80,50 @@ def expectation_of(squares: Sequence[tuple[float, float, str]]) -> Expectation:
     return Expectation(success, shares[:REASONS])
 
 
-@dataclass(frozen=True)
-class SetupReport:
-    """Data of the report.
+def setup_html(summary: str, warnings: Sequence[str], expected: Expectation, photos: Sequence[PhotoRow]) -> str:
+    """Return the page.
 
-    Attributes:
+    Args:
         summary: Sizes that were used.
         warnings: Sentences from before the run.
         expected: Result of the quick assessment.
     """
+    body = [
+        expected.html(),
+        page.section(tr("Settings"), page.paragraph(summary), *map(page.paragraph, warnings)),
+    ]
+    if photos:
+        body = [_figures(photos), *body, page.section(tr("Photos"), _table(photos))]
+    return page.page(tr("Set up an area"), tr("Positions of the photos"), *body, parts.next_steps([_next(photos)]))
 
-    summary: str
-    warnings: Sequence[str]
-    expected: Expectation
-    photos: Sequence[PhotoRow]
 
-    def html(self) -> str:
-        """Return the page."""
-        body = [page.section(tr("Settings"), page.paragraph(self.summary), *map(page.paragraph, self.warnings))]
-        body = [self.expected.html(), *body]
-        if self.photos:
-            body = [self._figures(), *body, page.section(tr("Photos"), self._table())]
-        return page.page(tr("Set up an area"), tr("Positions of the photos"), *body, parts.next_steps(self._next()))
-
-    def _figures(self) -> str:
-        placed = [photo for photo in self.photos if photo.status == Status.FIX]
-        likely = sum(photo.status == Status.LIKELY for photo in self.photos)
-        radii = [photo.radius_m for photo in placed if photo.radius_m is not None]
-        of_all = tr("of {count} photos").format(count=len(self.photos))
-        radius = page.number(median(radii), "m") if radii else page.NOTHING
-        return page.key_figures(
-            [
-                (str(len(placed)), tr("Photos with a position"), of_all),
-                (str(likely), tr("Likely positions"), of_all),
-                (radius, tr("Median 95 % radius"), tr("of the positions")),
-            ]
-        )
-
-    def _table(self) -> str:
-        header = [tr("Photo"), tr("Status"), tr("95 % radius"), tr("Reason")]
-        words = status_words()
-        rows = [
-            [os.path.basename(one.image), words.get(one.status, one.status), page.number(one.radius_m, "m"), one.reason]
-            for one in self.photos
+def _figures(photos: Sequence[PhotoRow]) -> str:
+    placed = [photo for photo in photos if photo.status == Status.FIX]
+    likely = sum(photo.status == Status.LIKELY for photo in photos)
+    radii = [photo.radius_m for photo in placed if photo.radius_m is not None]
+    of_all = tr("of {count} photos").format(count=len(photos))
+    radius = page.number(median(radii), "m") if radii else page.NOTHING
+    return page.key_figures(
+        [
+            (str(len(placed)), tr("Photos with a position"), of_all),
+            (str(likely), tr("Likely positions"), of_all),
+            (radius, tr("Median 95 % radius"), tr("of the positions")),
         ]
-        return page.table(header, rows, (2,))
+    )
 
-    def _next(self) -> list[str]:
-        if any(photo.status != Status.FIX for photo in self.photos):
-            text = tr("If many photos have no position, train the model on imagery of this area, or train longer.")
-            return [text]
-        return [tr("Use the database and the model for all further photos of this area.")]
+
+def _table(photos: Sequence[PhotoRow]) -> str:
+    words = status_words()
+    columns = [
+        (tr("Photo"), lambda photo: os.path.basename(photo.image)),
+        (tr("Status"), lambda photo: words.get(photo.status, photo.status)),
+        (tr("95 % radius"), lambda photo: page.number(photo.radius_m, "m")),
+        (tr("Reason"), lambda photo: photo.reason),
+    ]
+    return page.records(photos, columns, (2,))
+
+
+def _next(photos: Sequence[PhotoRow]) -> str:
+    if any(photo.status != Status.FIX for photo in photos):
+        return tr("If many photos have no position, train the model on imagery of this area, or train longer.")
+    return tr("Use the database and the model for all further photos of this area.")
