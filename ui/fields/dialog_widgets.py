@@ -29,7 +29,7 @@ from ...processing.layers.guess_fields import class_field_of, class_of_all
 from ..class_table import EditButton
 from ..layer_files import photo_layer
 from ..project_state import DATABASE_SETTING, MODEL_SETTING, remembered_file
-from .class_name_box import ClassNameBox
+from ..widgets.controls import ClassNameBox
 
 _BATCH, _MODELER = "BatchAlgorithmDialog", "ModelerParametersDialog"
 """Class names of Processing's dialogs, which Processing itself uses to distinguish them."""

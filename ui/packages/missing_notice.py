@@ -20,8 +20,8 @@ class MissingNotice(QFrame):
 
     installAsked = pyqtSignal()
 
-    def __init__(self, parent=None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.blocks = self._photos = False
         self.setObjectName("SemRefMissing")
         self.setFrameShape(QFrame.Shape.StyledPanel)

@@ -1,4 +1,4 @@
-"""Icon buttons, shortcuts, and a combo box that may be narrow."""
+"""Icon buttons, shortcuts, and combo boxes: one that may be narrow, and one for the name of a class."""
 
 from __future__ import annotations
 
@@ -6,6 +6,9 @@ from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QKeySequence
 from qgis.PyQt.QtWidgets import QComboBox, QShortcut, QToolButton, QWidget
+
+from ...processing.layers.guess_fields import BUILDING
+from ...processing.translation import tr
 
 _LEAST_LETTERS = 8
 
@@ -36,7 +39,21 @@ def shortcut(keys: str, parent: QWidget) -> QShortcut:
 class ChoiceBox(QComboBox):
     """Combo box that may be narrower than its longest text."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.setMinimumContentsLength(_LEAST_LETTERS)
+
+
+class ClassNameBox(QComboBox):
+    """Combo box for any class name that offers “building”; empty if a field has the classes."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setEditable(True)
+        self.addItems(["", BUILDING])
+        self.lineEdit().setPlaceholderText(tr("Optional, such as “building”"))
+
+    def class_name(self) -> str:
+        """Return the name, possibly empty."""
+        return self.currentText().strip()

@@ -36,8 +36,8 @@ class DatabaseBox(FoldingBox):
     replaced = pyqtSignal()
     checked = pyqtSignal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(tr("Reference database"), parent)
+    def __init__(self) -> None:
+        super().__init__(tr("Reference database"))
         self.setObjectName("SemRefDatabase")
         # Collapsed after a run, but not in the next session.
         self.setSaveCollapsedState(False)

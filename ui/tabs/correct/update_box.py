@@ -14,10 +14,10 @@ from ....processing.layers.database_layers import database_file, reload_database
 from ....processing.layers.guess_fields import class_field_of, class_of_all, priority_field_of
 from ....processing.translation import tr
 from ....storage.database.undo import can_undo, file_before, undo_update
-from ...fields.class_name_box import ClassNameBox
 from ...layer_files import label_maps_of, layer_file
 from ...running.background import Reader
 from ...running.correction_run import RASTERIZE, Correction, CorrectionRun
+from ...widgets.controls import ClassNameBox
 from ...widgets.database_box import DatabaseBox
 from ...widgets.layouts import content_of, name_fold, narrow
 from ...widgets.messages import Messages

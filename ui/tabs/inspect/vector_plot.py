@@ -20,8 +20,8 @@ _RINGS = (0.25, 0.5, 0.75, 1.0)
 class VectorPlot(QWidget):
     """Plot of one vector, and optionally of a second one to compare with."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._rays: Sequence[Ray] = ()
         self._compared: Sequence[Ray] = ()
         self._text = ""

@@ -44,8 +44,8 @@ _MOST_ZOOM = 40.0
 class ImageView(QWidget):
     """Image view: wheel zooms, drag moves, double click shows the whole image."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("SemRefImageView")
         self.canvas = _Canvas()
         self.opacity = QSlider(Qt.Orientation.Horizontal)

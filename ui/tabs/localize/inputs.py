@@ -44,8 +44,8 @@ class ImageBox(FoldingBox):
     looked = pyqtSignal()
     trained = pyqtSignal(str)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(tr("Images"), parent)
+    def __init__(self) -> None:
+        super().__init__(tr("Images"))
         self.setObjectName("SemRefImages")
         # Collapsed after a run, but not in the next session.
         self.setSaveCollapsedState(False)
@@ -193,8 +193,8 @@ class ImageBox(FoldingBox):
 class MethodRow(QWidget):
     """Choice of the method, remembered between sessions."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("SemRefMethod")
         self.choice = ChoiceBox()
         # The published method is last: it serves for comparison.

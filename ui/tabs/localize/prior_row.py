@@ -20,8 +20,8 @@ from ...widgets.progress import StatusLine
 class PriorRow(QWidget):
     """Row with the search area and its buttons. Call ``shut_down`` before deleting it."""
 
-    def __init__(self, canvas: QgsMapCanvas, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, canvas: QgsMapCanvas) -> None:
+        super().__init__()
         self.setObjectName("SemRefPrior")
         self._canvas = canvas
         self._circle: Prior | None = None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from qgis.core import QgsApplication, QgsSettings
 from qgis.gui import QgsCollapsibleGroupBox
 from qgis.PyQt.QtCore import QByteArray, Qt, pyqtSignal
-from qgis.PyQt.QtWidgets import QMenu, QPushButton, QSplitter, QToolButton, QVBoxLayout, QWidget
+from qgis.PyQt.QtWidgets import QMenu, QPushButton, QSplitter, QToolButton, QVBoxLayout
 
 from ....processing.translation import tr
 from ...findings import Finding, lon_lat_text, x_y_text
@@ -29,8 +29,8 @@ class ResultsBox(QgsCollapsibleGroupBox):
     drapeAsked = pyqtSignal(object)
     copied = pyqtSignal(str)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(tr("Results"), parent)
+    def __init__(self) -> None:
+        super().__init__(tr("Results"))
         self.setObjectName("SemRefResults")
         self.list = ResultsList()
         self.image = ImageView()

@@ -7,7 +7,7 @@ import os
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QModelIndex, QSize, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QColor, QFontMetrics, QIcon, QPaintEvent
-from qgis.PyQt.QtWidgets import QListWidget, QListWidgetItem, QStyledItemDelegate, QStyleOptionViewItem, QWidget
+from qgis.PyQt.QtWidgets import QListWidget, QListWidgetItem, QStyledItemDelegate, QStyleOptionViewItem
 
 from ....core.annotation import findings as annotation
 from ....core.localization import Status
@@ -52,8 +52,8 @@ class ResultsList(QListWidget):
 
     findingSelected = pyqtSignal(object)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.findings: list[Finding] = []
         self.setAccessibleName(tr("Results"))
         self.setItemDelegate(TwoLines(self))
