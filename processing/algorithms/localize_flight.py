@@ -17,7 +17,7 @@ from qgis.core import (
 from ...core.errors import ParameterError
 from ...core.localization import Method
 from ..base import parameters, priors
-from ..base.algorithm import Declared, cancelable, check_canceled, interruptible
+from ..base.algorithm import Declared, cancelable, check_canceled, follow, interruptible
 from ..base.localized_image import LabelImages, LocalizedImage, log_result, with_far_photos, with_jumps
 from ..base.localizing import LocalizeAlgorithm, require_images
 from ..base.outputs import Outputs
@@ -220,11 +220,9 @@ class LocalizeFlight(LocalizeAlgorithm):
         from ...core.flight.settings import FLIGHT
         from ..base.flight_images import with_pose
 
-        feedback.setProgressText(tr("Computing the track"))
-        solver = FlightSolver(localizer, replace(FLIGHT, allowed_risk=risk))
-        for done, count in interruptible(solver.steps(reader.flown, links), feedback):
-            check_canceled(feedback)
-            feedback.setProgress(READ_PERCENT + (JOINED_PERCENT - READ_PERCENT) * done / count)
+        solver, text = FlightSolver(localizer, replace(FLIGHT, allowed_risk=risk)), tr("Computing the track")
+        steps = ((text, done / count) for done, count in solver.steps(reader.flown, links))
+        follow(interruptible(steps, feedback), feedback, READ_PERCENT, JOINED_PERCENT)
         found = iter(solver.poses)
         return [with_pose(taken, None if taken.flown is None else next(found)) for taken in reader.taken]
 

@@ -159,12 +159,11 @@ def validation_fraction(optional: bool = False, advanced: bool = False) -> QgsPr
     )
 
 
-def seed(text: str = "", default: int = 1) -> QgsProcessingParameterDefinition:
-    """Return the seed of random numbers; ``text`` replaces its help."""
-    text = text or tr("Start value of the random numbers. The same number gives the same trials again.")
+def seed(default: int = 1) -> QgsProcessingParameterDefinition:
+    """Return the seed of random numbers."""
     return with_help(
         QgsProcessingParameterNumber(SEED, tr("Seed"), INTEGER, default, minValue=0),
-        text,
+        tr("Start value of the random numbers. The same number gives the same trials again."),
         advanced=True,
     )
 

@@ -89,9 +89,9 @@ def percent_axis(title: str) -> Axis:
     return Axis(title, (0.0, 1.0), [(n / 4, f"{25 * n} %") for n in range(5)])
 
 
-def linear_axis(title: str, low: float, high: float, steps: int = 5) -> Axis:
-    """Return an axis with even ticks."""
-    ticks = [low + (high - low) * n / steps for n in range(steps + 1)]
+def linear_axis(title: str, low: float, high: float) -> Axis:
+    """Return an axis with six even ticks."""
+    ticks = [low + (high - low) * n / 5 for n in range(6)]
     return Axis(title, (low, high), [(tick, shown(tick, ".3g")) for tick in ticks])
 
 

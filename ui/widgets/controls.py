@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from qgis.core import QgsApplication
+from qgis.core import QgsApplication, QgsSettings
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QKeySequence
-from qgis.PyQt.QtWidgets import QComboBox, QShortcut, QToolButton, QWidget
+from qgis.PyQt.QtWidgets import QAbstractButton, QComboBox, QShortcut, QToolButton, QWidget
 
 from ...processing.layers.guess_fields import BUILDING
 from ...processing.translation import tr
@@ -27,6 +27,12 @@ def tool_button(icon: str, text: str, checkable: bool = False, made: QToolButton
     button.setAccessibleName(text)
     button.setCheckable(checkable)
     return button
+
+
+def remember(button: QAbstractButton, setting: str, checked: bool) -> None:
+    """Check or uncheck a button as in the last session, and store each change; ``checked``: the first state."""
+    button.setChecked(QgsSettings().value(setting, checked, type=bool))
+    button.toggled.connect(lambda on: QgsSettings().setValue(setting, on))
 
 
 def shortcut(keys: str, parent: QWidget) -> QShortcut:

@@ -7,7 +7,7 @@ import time
 from collections import Counter
 from collections.abc import Iterator
 
-from qgis.core import QgsFeature, QgsMapLayerProxyModel, QgsProject, QgsSettings, QgsVectorLayer
+from qgis.core import QgsFeature, QgsMapLayerProxyModel, QgsProject, QgsVectorLayer
 from qgis.gui import QgsMapCanvas, QgsMapLayerComboBox
 from qgis.PyQt.QtCore import Qt, QTimer
 from qgis.PyQt.QtWidgets import QCheckBox, QLabel, QProgressBar, QPushButton, QVBoxLayout, QWidget
@@ -16,7 +16,7 @@ from ....core.annotation.findings import INFORMATION
 from ....processing.inspection.repair import REPAIRABLE
 from ....processing.translation import tr
 from ...canvas.marks import PlaceMark
-from ...widgets.controls import ChoiceBox, shortcut, tool_button
+from ...widgets.controls import ChoiceBox, remember, shortcut, tool_button
 from ...widgets.database_box import DatabaseBox
 from ...widgets.layouts import narrow, row_of
 from ...widgets.messages import Messages
@@ -88,10 +88,10 @@ class CorrectTab(QWidget):
         self.done = QPushButton(tr("Done, next"))
         self.done.setToolTip(tr("Mark the place as done and go to the next open place (Ctrl+D)"))
         self.open = QCheckBox(tr("Only open places"))
-        self.open.setChecked(QgsSettings().value(OPEN_SETTING, True, type=bool))
+        remember(self.open, OPEN_SETTING, True)
         self.problems = QCheckBox(tr("Only errors and warnings"))
         self.problems.setToolTip(tr("Hide places that are only for information"))
-        self.problems.setChecked(QgsSettings().value(PROBLEMS_SETTING, False, type=bool))
+        remember(self.problems, PROBLEMS_SETTING, False)
         self.progress = QProgressBar()
         self.progress.setFormat(tr("%v of %m done"))
         layout = narrow(QVBoxLayout(self), 0)
@@ -106,15 +106,15 @@ class CorrectTab(QWidget):
     def _connect(self) -> None:
         self.layer.layerChanged.connect(self._use_layer)
         self.places.itemSelectionChanged.connect(self._show_place)
-        self.kind.activated.connect(lambda _row: self._fill())
+        self.kind.activated.connect(self._fill)
         self.repair.textChanged.connect(self._show_report)
         self.repair.repaired.connect(self._mark_repaired)
         self.before.clicked.connect(lambda: self._step(-1))
         self.after.clicked.connect(lambda: self._step(1))
         self.done.clicked.connect(self._mark_done)
         shortcut("Ctrl+D", self).activated.connect(self._mark_done)
-        self.open.toggled.connect(lambda on: self._choose_rows(OPEN_SETTING, on))
-        self.problems.toggled.connect(lambda on: self._choose_rows(PROBLEMS_SETTING, on))
+        self.open.toggled.connect(self._fill)
+        self.problems.toggled.connect(self._fill)
         project = QgsProject.instance()
         project.layersWillBeRemoved.connect(self._leave_removed)
         project.layersAdded.connect(self._take_added)
@@ -166,11 +166,7 @@ class CorrectTab(QWidget):
         self._leave_out(left)
         self.updating.leave_out(left)
 
-    def _choose_rows(self, setting: str, on: bool) -> None:
-        QgsSettings().setValue(setting, on)
-        self._fill()
-
-    def _fill(self) -> None:
+    def _fill(self, *_) -> None:
         self.places.show_titles(self._layer)
         self._rows = iter(()) if self._layer is None else places_of(self._layer)
         self._ids, self._counted, self._kinds = set(), set(), {}

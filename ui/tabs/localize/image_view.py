@@ -29,6 +29,7 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ....processing.translation import tr
+from ...widgets.controls import remember
 from ...widgets.layouts import narrow, row_of
 from ...widgets.tables import paint_placeholder
 from .image_marks import LandmarkDots
@@ -53,9 +54,8 @@ class ImageView(QWidget):
         self.opacity.setToolTip(tr("Opacity of the labels"))
         self.opacity.setMinimumWidth(40)
         self.landmarks = QCheckBox(tr("Landmarks"))
-        settings = QgsSettings()
-        self.opacity.setValue(settings.value(_OPACITY_SETTING, 60, type=int))
-        self.landmarks.setChecked(settings.value(_LANDMARKS_SETTING, True, type=bool))
+        self.opacity.setValue(QgsSettings().value(_OPACITY_SETTING, 60, type=int))
+        remember(self.landmarks, _LANDMARKS_SETTING, True)
         label = QLabel(tr("Labels"))
         label.setBuddy(self.opacity)
         layout = narrow(QVBoxLayout(self), 0)
@@ -75,9 +75,7 @@ class ImageView(QWidget):
         self.canvas.clear(text)
 
     def _apply(self) -> None:
-        settings = QgsSettings()
-        settings.setValue(_OPACITY_SETTING, self.opacity.value())
-        settings.setValue(_LANDMARKS_SETTING, self.landmarks.isChecked())
+        QgsSettings().setValue(_OPACITY_SETTING, self.opacity.value())
         self.canvas.apply(self.opacity.value() / 100, self.landmarks.isChecked())
 
 

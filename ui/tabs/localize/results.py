@@ -9,7 +9,7 @@ from qgis.PyQt.QtWidgets import QMenu, QPushButton, QSplitter, QToolButton, QVBo
 
 from ....processing.translation import tr
 from ...findings import Finding, lon_lat_text, x_y_text
-from ...widgets.controls import shortcut, tool_button
+from ...widgets.controls import remember, shortcut, tool_button
 from ...widgets.layouts import content_of, name_fold, narrow, row_of
 from .details import Details
 from .image_view import ImageView
@@ -37,11 +37,10 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.details = Details()
         # Icon only: in French its text is as wide as the rest of the row.
         self.zoom = tool_button("/mActionZoomToSelected.svg", tr("Zoom to the position"), checkable=True)
-        self.zoom.setChecked(QgsSettings().value(_ZOOM_SETTING, True, type=bool))
+        remember(self.zoom, _ZOOM_SETTING, True)
         self._make_buttons()
         self._lay_out()
         self.list.findingSelected.connect(self._select)
-        self.zoom.toggled.connect(self._remember_zoom)
         self.before.clicked.connect(lambda: self.list.step(-1))
         self.after.clicked.connect(lambda: self.list.step(1))
         self.save.clicked.connect(self.saveAsked)
@@ -98,9 +97,6 @@ class ResultsBox(QgsCollapsibleGroupBox):
         for button in (self.before, self.after):
             button.setEnabled(finding is not None)
         self.findingSelected.emit(finding)
-
-    def _remember_zoom(self, checked: bool) -> None:
-        QgsSettings().setValue(_ZOOM_SETTING, checked)
 
     def _remember_parts(self, *_moved) -> None:
         QgsSettings().setValue(_PARTS_SETTING, self.parts.saveState())
