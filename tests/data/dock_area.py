@@ -4,9 +4,9 @@ import contextlib
 import time
 from pathlib import Path
 
+import made_inputs
 import numpy as np
 import pytest
-from osgeo import gdal, osr
 from qgis.core import (
     QgsApplication,
     QgsFeature,
@@ -48,15 +48,8 @@ def label_map() -> np.ndarray:
 
 
 def write_raster(path: Path, labels: np.ndarray, georeferenced: bool) -> str:
-    height, width = labels.shape
-    raster = gdal.GetDriverByName("GTiff").Create(str(path), width, height, 1, gdal.GDT_Byte)
-    if georeferenced:
-        reference = osr.SpatialReference()
-        reference.ImportFromEPSG(int(CRS.partition(":")[2]))
-        raster.SetProjection(reference.ExportToWkt())
-        raster.SetGeoTransform((ORIGIN[0], 1, 0, ORIGIN[1], 0, -1))
-    raster.GetRasterBand(1).WriteArray(labels)
-    return str(path)
+    transform = (ORIGIN[0], 1, 0, ORIGIN[1], 0, -1) if georeferenced else None
+    return str(made_inputs.write_raster(path, labels, crs=25832, transform=transform))
 
 
 class Area:

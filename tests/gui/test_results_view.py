@@ -20,8 +20,8 @@ from dock_area import (
     settle,
     wait_until,
 )
+from made_inputs import write_raster
 from made_models import RGB, metadata, painted, write_model
-from osgeo import gdal
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QLocale, Qt
 from qgis.PyQt.QtGui import QColor
@@ -220,12 +220,9 @@ def test_a_photo_is_shown_with_what_the_model_makes_of_it(dock, area, tmp_path, 
     model = write_model(tmp_path / "colors.onnx", metadata=metadata(class_names={"0": "1", "1": "2", "2": "3"}))
     labels = np.zeros((80, 120), np.uint8)
     labels[20:40, 30:60] = 2
-    photo = gdal.GetDriverByName("GTiff").Create(str(tmp_path / "photo.tif"), 120, 80, 3, gdal.GDT_Byte)
-    photo.WriteArray(np.moveaxis(painted(labels), 2, 0))
-    # Written when it is closed.
-    del photo
+    photo = write_raster(tmp_path / "photo.tif", np.moveaxis(painted(labels), 2, 0), transform=None)
     tab.images.model.setFilePath(str(model))
-    localize(dock, area.database, [str(tmp_path / "photo.tif")])
+    localize(dock, area.database, [str(photo)])
     canvas = tab.results.image.canvas
     wait_until(lambda: canvas.scene().items(), "the photo")
     pictures = [item for item in canvas.scene().items() if isinstance(item, QGraphicsPixmapItem)]

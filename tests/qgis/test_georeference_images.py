@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from full_disks import files_of_at_most
-from made_inputs import NAMES, NORTH, WEST, scattered_objects, write_layer, write_raster
-from osgeo import gdal, ogr, osr
+from made_inputs import NAMES, NORTH, WEST, scattered_objects, spatial_reference, write_layer, write_raster
+from osgeo import gdal, ogr
 from qgis.core import QgsProcessingException
 
 from semref.core.errors import LabelMapError
@@ -189,25 +189,15 @@ def test_a_full_disk_is_an_error_and_leaves_no_folder(georeference, tmp_path, si
 
 SHAPE_HW = (300, 400)
 MIDDLE = np.array([400_000.0, 5_400_000.0])
+WKT = spatial_reference(25832).ExportToWkt()
 
 
 @pytest.fixture(scope="module")
 def photo(tmp_path_factory):
     """Return two bands with the column and the row of each pixel."""
-    path = str(tmp_path_factory.mktemp("photo") / "photo.tif")
-    height, width = SHAPE_HW
-    raster = gdal.GetDriverByName("GTiff").Create(path, width, height, 2, gdal.GDT_UInt16)
-    columns, rows = np.meshgrid(np.arange(width), np.arange(height))
-    raster.GetRasterBand(1).WriteArray(columns)
-    raster.GetRasterBand(2).WriteArray(rows)
-    del raster
-    return path
-
-
-def wkt():
-    reference = osr.SpatialReference()
-    reference.ImportFromEPSG(25832)
-    return reference.ExportToWkt()
+    rows_columns = np.indices(SHAPE_HW, np.uint16)
+    path = tmp_path_factory.mktemp("photo") / "photo.tif"
+    return str(write_raster(path, rows_columns[::-1], transform=None, kind=gdal.GDT_UInt16))
 
 
 def footprint_of(roll, pitch, heading=0.0, pixel_m=0.5):
@@ -223,7 +213,7 @@ def footprint_of(roll, pitch, heading=0.0, pixel_m=0.5):
 def test_each_pixel_is_where_a_camera_without_distortion_saw_it(photo, tmp_path, attitude, heading):
     footprint = footprint_of(*attitude, heading)
     target = str(tmp_path / "laid.vrt")
-    write_draped(photo, target, wkt(), footprint)
+    write_draped(photo, target, WKT, footprint)
     laid = gdal.Open(target)
     assert laid.RasterCount == 3
     columns, rows, alpha = (laid.GetRasterBand(band).ReadAsArray().astype(float) for band in (1, 2, 3))
@@ -243,4 +233,9 @@ def test_each_pixel_is_where_a_camera_without_distortion_saw_it(photo, tmp_path,
 
 def test_a_missing_image_is_reported(tmp_path):
     with pytest.raises(LabelMapError, match="missing.tif"):
-        write_draped(str(tmp_path / "missing.tif"), str(tmp_path / "x.vrt"), wkt(), footprint_of(0, 0))
+        write_draped(
+            str(tmp_path / "missing.tif"),
+            str(tmp_path / "x.vrt"),
+            WKT,
+            footprint_of(0, 0),
+        )

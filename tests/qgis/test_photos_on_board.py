@@ -4,9 +4,8 @@ import json
 
 import numpy as np
 import pytest
-from made_inputs import CLASSES_CSV, METRIC_CRS, NORTH, WEST, scattered_objects, spatial_reference, write_raster
+from made_inputs import CLASSES_CSV, NORTH, WEST, scattered_objects, write_raster
 from made_models import brightest_color, metadata, painted, write_model
-from osgeo import gdal
 from qgis.core import QgsProcessingFeedback
 
 from semref.core.geometry.error_settings import NETWORK_SPREAD
@@ -30,12 +29,7 @@ def meters(size, turn=0.0):
 
 
 def with_fourth_band(path, band, *options):
-    height, width = PHOTO.shape[:2]
-    raster = gdal.GetDriverByName("GTiff").Create(str(path), width, height, 4, options=list(options))
-    raster.SetGeoTransform(meters(0.31))
-    raster.SetProjection(spatial_reference(METRIC_CRS).ExportToWkt())
-    raster.WriteArray(np.concatenate([BANDS, band]))
-    return path
+    return write_raster(path, np.concatenate([BANDS, band]), transform=meters(0.31), options=options)
 
 
 PHOTOS = {

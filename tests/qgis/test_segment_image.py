@@ -76,11 +76,10 @@ def test_pixels_without_data_and_transparent_ones_are_unlabeled(segment, tmp_pat
     found = read_pixels(segment(write_raster(tmp_path / "a.tif", photo, nodata=7)))
     assert (found[20:90, 30:180] == 0).all()
     assert found[100, 100] != 0 and (found == 0).sum() == 70 * 150
-    alpha, path = np.full(LABELS.shape, 255, np.uint8), tmp_path / "b.tif"
+    alpha = np.full(LABELS.shape, 255, np.uint8)
     alpha[:40, :50] = 0
-    raster = gdal.GetDriverByName("GTiff").Create(str(path), 230, 170, 4, options=["PHOTOMETRIC=RGB", "ALPHA=YES"])
-    raster.WriteArray(np.concatenate([PHOTO, alpha[None]]))
-    raster = None
+    rgba, options = np.concatenate([PHOTO, alpha[None]]), ["PHOTOMETRIC=RGB", "ALPHA=YES"]
+    path = write_raster(tmp_path / "b.tif", rgba, options=options)
     np.testing.assert_array_equal(read_pixels(segment(path)), np.where(alpha > 0, SEEN, 0))
 
 

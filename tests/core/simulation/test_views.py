@@ -57,15 +57,6 @@ def test_a_mirrored_view_shows_left_and_right_exchanged(labels_hw):
     assert mirrored.plain() == plain and plain.plain() is plain
 
 
-@pytest.mark.parametrize("is_mirrored", [False, True])
-def test_points_of_the_map_are_at_the_pixels_that_show_them(is_mirrored):
-    view = View(700_100.0, 5_199_900.0, 137.0, 1.7, 300, 200, is_mirrored=is_mirrored)
-    columns, rows = np.random.default_rng(2).uniform(-50, 350, (2, 40))
-    x, y = map_coordinates(view, columns, rows)
-    found = image_coordinates(view, np.column_stack([x, y]))
-    np.testing.assert_allclose(found, np.column_stack([columns, rows]), atol=1e-6)
-
-
 def test_the_center_of_a_tilted_view_stays_where_it_is():
     view = View(100.0, 120.0, 30.0, 1.5, 80, 60, tilt_deg=10.0, tilt_direction_deg=50.0)
     assert map_coordinates(view, np.array(40.0), np.array(30.0)) == (100.0, 120.0)
@@ -98,17 +89,22 @@ def test_a_lens_moves_the_corners_by_its_share_and_leaves_the_center():
     np.testing.assert_allclose(bent, straight * [1.0, 1.03, 1.03])
 
 
-def test_image_coordinates_undo_a_lens():
-    view = View(1000.0, 2000.0, 30.0, 0.5, 640, 480, lens=0.03)
-    pixels = np.array([[10.0, 20.0], [320.0, 240.0], [600.0, 100.0]])
-    np.testing.assert_allclose(
-        image_coordinates(view, np.column_stack(map_coordinates(view, *pixels.T))), pixels, atol=1e-4
-    )
+TILTED = {"tilt_deg": 12.0, "tilt_direction_deg": 200.0}
 
 
-@pytest.mark.parametrize("changes", [{}, {"lens": 0.02}, {"is_mirrored": True}])
-def test_image_coordinates_undo_a_tilt(changes):
-    view = View(700_100.0, 5_199_900.0, 25.0, 1.5, 640, 480, tilt_deg=12.0, tilt_direction_deg=200.0, **changes)
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {},
+        {"is_mirrored": True},
+        {"lens": 0.03},
+        TILTED,
+        {**TILTED, "lens": 0.02},
+        {**TILTED, "is_mirrored": True},
+    ],
+)
+def test_points_of_the_map_are_at_the_pixels_that_show_them(changes):
+    view = View(700_100.0, 5_199_900.0, 137.0, 1.7, 640, 480, **changes)
     pixels = np.random.default_rng(1).uniform((0, 0), (640, 480), (50, 2))
     found = image_coordinates(view, np.column_stack(map_coordinates(view, *pixels.T)))
-    np.testing.assert_allclose(found, pixels, atol=1e-3)
+    np.testing.assert_allclose(found, pixels, atol=1e-3 if changes.keys() >= TILTED.keys() else 1e-6)
