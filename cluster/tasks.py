@@ -16,7 +16,7 @@ from ..core.labels.image_source import ImageSource
 from ..core.segmentation.certainty import Sureness
 from ..core.segmentation.model import SegmentationModel
 from ..core.segmentation.resampling import at_resolution
-from ..core.segmentation.tiling import Tiles, segment_tiles, tiles_of
+from ..core.segmentation.tiling import Tiles, segment, tiles_of
 from ..storage.images import GdalImage
 from ..storage.label_maps import GdalLabels
 from ..storage.rasterize import rasterize_strip
@@ -95,7 +95,7 @@ def _segment(photo_arguments: tuple, first: tuple[int, int], count: int) -> tupl
     tiles = photo.tiles.block(photo.model.tile_hw, first, count)
     labels = []
     values = photo.model.classes.values
-    for _, rows in segment_tiles(photo.model, photo.image, values, photo.overlap, tiles):
+    for _, rows in segment(photo.model, photo.image, values, photo.overlap, tiles=tiles):
         if rows is not None:
             labels.append(rows.labels_hw)
             sure.add(rows.sure)

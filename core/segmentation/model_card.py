@@ -7,7 +7,6 @@ Models from others state less. Entries of an unexpected form are ignored without
 from __future__ import annotations
 
 import math
-import mmap
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -18,7 +17,7 @@ from ..errors import ModelError
 from ..sentences import Sentence
 from ..values import read_json
 from .metadata import named_channels, read_settings
-from .onnx_file import read_header, read_metadata
+from .onnx_file import header_of
 
 KEY = "model_card"
 
@@ -85,22 +84,15 @@ def read_card(path: str) -> ModelCard:
     # Opening a pipe would block.
     if not os.path.isfile(path):
         return ModelCard(path, Sentence("{path} does not exist; choose a model file (.onnx).", path=path))
-    try:
-        # Only the needed parts of large files are read; an empty file can't be mapped.
-        with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
-            texts = None if read_header(data) is None else read_metadata(data)
-    except OSError:
-        return ModelCard(path, Sentence("{path} does not exist; choose a model file (.onnx).", path=path))
-    except ValueError:
-        texts = None
-    if texts is None:
+    header = header_of(path)
+    if header is None:
         return ModelCard(
             path,
             Sentence(
                 "{path} is not an ONNX model, or it is damaged or incomplete; copy or export it again.", path=path
             ),
         )
-    return card_of_texts(texts, path)
+    return card_of_texts(header.texts, path)
 
 
 def card_of_texts(texts: Mapping[str, str], path: str) -> ModelCard:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import mmap
 import os
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from ..named_files import named_file
 
@@ -30,10 +30,12 @@ class OnnxHeader:
         weight_files: Names of other files with its weights.
         aligns_corners: Whether it enlarges anything with aligned corners, which moves results away from the middle of a
             tile outwards (docs/how-to/train_a_network.md).
+        texts: Its metadata by key, without damaged entries.
     """
 
     weight_files: tuple[str, ...]
     aligns_corners: bool = False
+    texts: Mapping[str, str] = field(default_factory=dict)
 
     def missing_weights(self, path: str) -> str:
         """Return the name of the first weight file that is missing in the folder of the model; empty otherwise."""
@@ -53,20 +55,16 @@ def header_of(path: str) -> OnnxHeader | None:
 
 def read_header(data: bytes | mmap.mmap) -> OnnxHeader | None:
     """Return the header from the bytes of an ONNX file; None if they are not protobuf or have no graph."""
-    graph = None
+    graph, texts = None, dict[str, str]()
     try:
         for number, value in fields(memoryview(data)):
             if number == GRAPH and isinstance(value, memoryview):
                 graph = value
-        return None if graph is None else OnnxHeader(tuple(_weight_files(graph)), _aligns_corners(graph))
+            elif (entry := _entry(number, value)) is not None:
+                texts.update([entry])
+        return None if graph is None else OnnxHeader(tuple(_weight_files(graph)), _aligns_corners(graph), texts)
     except ValueError:
         return None
-
-
-def read_metadata(data: bytes | mmap.mmap) -> dict[str, str]:
-    """Return the metadata of an ONNX file that ``read_header`` accepts, without damaged entries."""
-    entries = (_entry(number, value) for number, value in fields(memoryview(data)))
-    return dict(entry for entry in entries if entry is not None)
 
 
 def _entry(number: int, value: int | memoryview) -> tuple[str, str] | None:

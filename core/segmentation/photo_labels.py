@@ -5,7 +5,7 @@ The network's scores become shares of classes on a coarse grid, row by row, so t
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Generator, Sequence
 from dataclasses import replace
 from typing import Callable
 
@@ -17,6 +17,7 @@ from ..labels.class_shares import FULL, ClassShares, SeenLabels
 from ..labels.class_table import UNLABELED, ClassTable
 from ..labels.image_files import read_photo
 from ..labels.image_source import ArrayImage, ImageSource, Photo
+from ..steps import result_of
 from .certainty import NO_DATA, Certainty
 from .class_bias import known_biases
 from .model import SegmentationModel
@@ -29,9 +30,6 @@ MOST_ENLARGED = 4.0
 
 class PhotoLabels:
     """Labels of a photo on its own pixels, from a network at its own resolution.
-
-    Iterate ``steps()``, then read ``labels_hw`` and ``shares``. ``shares`` are the probable shares of classes; None for
-    a model that does not state the temperature of its scores.
 
     Attributes:
         image: The photo at the network's resolution.
@@ -65,12 +63,17 @@ class PhotoLabels:
             size = _plausible(camera.pixel_size(photo.shape_hw), resolution_m)
             self.camera_pixel_size_m, pixel_size_m = size, None if size is None else (size, size)
         self.image = at_resolution(photo, pixel_size_m, resolution_m)
-        self.labels_hw = np.empty((0, 0), np.uint8)
-        self.shares: ClassShares | None = None
 
-    def steps(self) -> Iterator[float]:
-        """Yield the share done (0…1) tile by tile; raise what ``tiling.segment`` raises."""
-        found, sums = [], self._sums()
+    def steps(self) -> Generator[float, None, SeenLabels]:
+        """Yield the share done (0…1) tile by tile; raise what ``tiling.segment`` raises.
+
+        Returns:
+            Labels with the probable shares of classes; None for a model that does not state the temperature of its
+            scores.
+        """
+        shape_hw = self.image.shape_hw
+        has_shares = self._model.temperature is not None
+        found, sums = [], ScoreShares(self._values, shape_hw, grid_of(shape_hw)) if has_shares else None
         wanted = Certainty(of_each=sums is not None)
         for share, rows in segment(self._model, self.image, self._values, self._model.settings.overlap, wanted):
             if rows is not None:
@@ -78,14 +81,8 @@ class PhotoLabels:
                 if sums is not None:
                     sums.add(rows)
             yield share
-        self.labels_hw = nearest_labels(np.concatenate(found), self._shape_hw)
-        self.shares = None if sums is None else sums.found()
-
-    def _sums(self) -> ScoreShares | None:
-        if self._model.temperature is None:
-            return None
-        shape_hw = self.image.shape_hw
-        return ScoreShares(self._values, shape_hw, grid_of(shape_hw))
+        labels_hw = nearest_labels(np.concatenate(found), self._shape_hw)
+        return SeenLabels(labels_hw, None if sums is None else sums.found(), self._model.trained_on)
 
     def found(self) -> np.ndarray:
         """Return (H, W) uint8 labels, for callers that do not need the steps."""
@@ -93,14 +90,7 @@ class PhotoLabels:
 
     def seen(self) -> SeenLabels:
         """Return labels and shares, for callers that do not need the steps."""
-        for _ in self.steps():
-            continue
-        return self.seen_labels
-
-    @property
-    def seen_labels(self) -> SeenLabels:
-        """Labels and shares, after the steps."""
-        return SeenLabels(self.labels_hw, self.shares, self._model.trained_on)
+        return result_of(self.steps())
 
 
 class PhotoReader:
@@ -111,12 +101,12 @@ class PhotoReader:
         model: SegmentationModel,
         table: ClassTable,
         open_photo: Callable[[str], Photo] = read_photo,
-        follow: Callable[[str, ImageSource, PhotoLabels], Iterable[float]] | None = None,
+        follow: Callable[[str, ImageSource, PhotoLabels], SeenLabels] | None = None,
     ) -> None:
         """Match the network's classes with the database's.
 
         Args:
-            follow: Iterates over the steps of a photo; None for callers that do not need them.
+            follow: Returns the result of a photo's steps; None for callers that do not need the steps.
 
         Raises:
             ModelError: The network lacks a landmark class of the database.
@@ -142,9 +132,8 @@ class PhotoReader:
             pixels = image.read(0, 0, width, height)
             image = ArrayImage(*pixels)
         labels = PhotoLabels(self._model, image, self._values, photo.pixel_size_m, camera)
-        for _ in labels.steps() if self._follow is None else self._follow(path, photo.image, labels):
-            continue
-        return replace(labels.seen_labels, biases=self._biases, pixels=pixels)
+        seen = labels.seen() if self._follow is None else self._follow(path, photo.image, labels)
+        return replace(seen, biases=self._biases, pixels=pixels)
 
 
 def _plausible(pixel_size_m: float | None, resolution_m: float) -> float | None:

@@ -51,34 +51,6 @@ class _Tile:
         return self.has_data is not None and not self.has_data.any()
 
 
-def segment(
-    model: SegmentationModel,
-    source: ImageSource,
-    values: Sequence[int],
-    overlap: float,
-    wanted: Certainty = LABELS_ALONE,
-) -> Iterator[tuple[float, SegmentedRows | None]]:
-    """Yield, tile by tile, the share done (0…1) and the rows that it completes, or None.
-
-    A tile's weight decreases over the overlap towards its border, where a network sees the least of the surroundings.
-    Each pixel gets the class with the highest weighted sum of scores; the weights need no normalization, because they
-    are equal for all classes of a pixel. Pixels without data become 0, and the network does not process tiles without
-    any. Memory is needed for two groups of tiles more than the model processes at a time, the scores in the overlap of
-    two rows of tiles, and the requested outputs of one row of tiles.
-
-    Args:
-        values: (C,) class value of each of the model's channels.
-        overlap: Smallest overlap of neighboring tiles, as a share of a tile.
-        wanted: Outputs in addition to labels.
-
-    Raises:
-        ImageError: The image has only a few pixels.
-        Exception: What ``source`` and ``model`` raise.
-    """
-    tiles = tiles_of(model, source.shape_hw, overlap)
-    yield from segment_tiles(model, source, values, overlap, tiles, wanted)
-
-
 @dataclass(frozen=True)
 class Tiles:
     """Tiles of an image that are processed together: all, or those of a block.
@@ -130,15 +102,34 @@ def tiles_of(model: SegmentationModel, shape_hw: tuple[int, int], overlap: float
     return Tiles(tuple(columns), tuple(rows), (0, 0, width, height))
 
 
-def segment_tiles(  # noqa: PLR0913 - the arguments of segment, and the tiles
+def segment(  # noqa: PLR0913 - a network, an image, and what is wanted of it
     model: SegmentationModel,
     source: ImageSource,
     values: Sequence[int],
     overlap: float,
-    tiles: Tiles,
     wanted: Certainty = LABELS_ALONE,
+    tiles: Tiles | None = None,
 ) -> Iterator[tuple[float, SegmentedRows | None]]:
-    """Segment some tiles like ``segment``: rows have the columns of their box, and are numbered as in the image."""
+    """Yield, tile by tile, the share done (0…1) and the rows that it completes, or None.
+
+    A tile's weight decreases over the overlap towards its border, where a network sees the least of the surroundings.
+    Each pixel gets the class with the highest weighted sum of scores; the weights need no normalization, because they
+    are equal for all classes of a pixel. Pixels without data become 0, and the network does not process tiles without
+    any. Memory is needed for two groups of tiles more than the model processes at a time, the scores in the overlap of
+    two rows of tiles, and the requested outputs of one row of tiles.
+
+    Args:
+        values: (C,) class value of each of the model's channels.
+        overlap: Smallest overlap of neighboring tiles, as a share of a tile.
+        wanted: Outputs in addition to labels.
+        tiles: A block of the image's tiles; rows have the columns of its box, and are numbered as in the image. None
+            for all tiles.
+
+    Raises:
+        ImageError: The image has only a few pixels.
+        Exception: What ``source`` and ``model`` raise.
+    """
+    tiles = tiles_of(model, source.shape_hw, overlap) if tiles is None else tiles
     places = [(column, row) for row in tiles.rows for column in tiles.columns]
     blending = _Blending(model, tiles, np.asarray(values, np.uint8), overlap, wanted)
     groups = [places[n : n + model.tiles_at_once] for n in range(0, len(places), model.tiles_at_once)]

@@ -16,7 +16,7 @@ from ...core.landmarks.compared import LandmarkErrors, piece_errors
 from ...core.landmarks.displacement import displacement_of
 from ...core.segmentation.class_bias import KEY, class_bias_text, read_class_bias
 from ...core.segmentation.metadata import named_channels
-from ...core.segmentation.onnx_file import read_header, read_metadata, with_metadata
+from ...core.segmentation.onnx_file import read_header, with_metadata
 from ..compat import is_metric
 from ..reports.comparison_report import MAP_UNIT, METER, PIXEL, MeasuredErrors, MeasuredShifts, ShiftRow
 from ..translation import tr
@@ -159,8 +159,7 @@ def model_with_biases(path: str, shifts: MeasuredShifts, sun_deg: float | None) 
             "one file.",
             path=path,
         )
-    texts = read_metadata(data)
-    names = named_channels(texts, path)
+    names = named_channels(header.texts, path)
     known = None if names is None else {name.casefold() for name in names}
     rows = [row for row in shifts.rows if known is None or row.name.casefold() in known]
     if not rows:
@@ -169,7 +168,7 @@ def model_with_biases(path: str, shifts: MeasuredShifts, sun_deg: float | None) 
             "area, or leave “Model with class offset” empty.",
             path=path,
         )
-    biases = read_class_bias(texts, names, path)
+    biases = read_class_bias(header.texts, names, path)
     for row in rows:
         bias = ClassBias(0, *row.along, spread=row.spread)
         biases[row.name.casefold()] = replace(bias, sun_deg=sun_deg)

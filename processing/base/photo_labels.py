@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import QgsProcessingFeedback, QgsProcessingOutputNumber, QgsProcessingOutputString
 
 from ...core.labels.class_table import ClassTable
+from ...core.steps import advance
 from ..messages.sentences import worded
 from ..packages.components import ONNXRUNTIME, require
 from ..packages.devices import chosen_device
@@ -89,17 +89,20 @@ class PhotoLabelReader:
     def __call__(self, path: str, camera: Camera | None = None, with_pixels: bool = False) -> SeenLabels:
         return self._read(path, camera, with_pixels)
 
-    def _follow(self, path: str, photo: GdalImage, labels: PhotoLabels) -> Iterator[float]:
-        """Yield the progress of a photo."""
+    def _follow(self, path: str, photo: GdalImage, labels: PhotoLabels) -> SeenLabels:
+        """Label a photo. Raises Canceled."""
         if not self._is_described:
             describe(self._model, photo, self._feedback)
             self._is_described = True
             self._log_pixel_size(path, labels)
         begun = time.perf_counter()
-        for share in labels.steps():
+        steps = labels.steps()
+        share, found = advance(steps)
+        while share is not None:
             check_canceled(self._feedback)
-            yield share
+            share, found = advance(steps)
         self._seconds += time.perf_counter() - begun
+        return found
 
     def _log_pixel_size(self, path: str, labels: PhotoLabels) -> None:
         """Log the pixel size of the first photo only, because the others are of the same flight."""

@@ -13,7 +13,7 @@ from qgis.core import QgsProcessingException
 
 from semref.core.segmentation.model_card import Ground, ModelCard, read_card
 from semref.core.segmentation.network_facts import FLAIR
-from semref.core.segmentation.onnx_file import read_metadata
+from semref.core.segmentation.onnx_file import read_header
 from semref.processing.reports.model_card import card_html
 
 ADD = "semref:addmodel"
@@ -50,7 +50,7 @@ def test_a_network_without_names_becomes_a_model_that_segments(add, bare, run_al
 
 def test_numbers_for_pixels_from_0_to_255_are_converted(add, bare):
     results = add(bare, **GIVEN, PIXEL_VALUES=1, MEAN="51;102;0", STANDARD_DEVIATION="255;51;51")
-    texts = read_metadata(Path(results["OUTPUT"]).read_bytes())
+    texts = read_header(Path(results["OUTPUT"]).read_bytes()).texts
     assert (texts["standardization_mean"], texts["standardization_std"]) == ("[0.2, 0.4, 0.0]", "[1.0, 0.2, 0.2]")
 
 

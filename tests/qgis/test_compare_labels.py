@@ -11,7 +11,7 @@ from made_models import write_model
 from qgis.core import QgsProcessingException
 
 from semref.core.errors import SemRefError
-from semref.core.segmentation.onnx_file import read_metadata
+from semref.core.segmentation.onnx_file import read_header
 from semref.core.simulation.displacement import displace
 from semref.core.simulation.noise import LabelNoise
 from semref.storage import label_comparison
@@ -156,11 +156,11 @@ def shifted(tmp_path):
 def test_a_models_bias_is_measured_and_written_into_its_copy(compare, shifted, tmp_path, feedback):
     model, copy = write_model(tmp_path / "network.onnx"), tmp_path / "copy.onnx"
     compare(*shifted, MODEL=str(model), MODEL_OUTPUT=str(copy), SUN_DIRECTION=150, REPORT=str(tmp_path / "r.html"))
-    texts = read_metadata(copy.read_bytes())
+    texts = read_header(copy.read_bytes()).texts
     found = json.loads(texts["class_bias"])["building"]
     assert found["east"] == pytest.approx(1.0, abs=0.1) and found["north"] == pytest.approx(-0.5, abs=0.1)
     assert found["spread"] < 0.2 and found["sun"] == 150
-    assert {**read_metadata(model.read_bytes()), "class_bias": texts["class_bias"]} == texts
+    assert {**read_header(model.read_bytes()).texts, "class_bias": texts["class_bias"]} == texts
     assert "building" in (tmp_path / "r.html").read_text(encoding="utf-8").split("Class offsets")[1]
     assert "building: class offset +1.0" in feedback.textLog()
 

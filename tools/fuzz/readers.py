@@ -256,11 +256,11 @@ def read_network(path: str) -> None:
 
 def with_other_metadata(random: Random, data: bytes) -> bytes:
     """Return a network with one changed text in its metadata, or with changed bytes."""
-    from semref.core.segmentation.onnx_file import read_metadata, with_metadata
+    from semref.core.segmentation.onnx_file import read_header, with_metadata
 
     if random.randrange(3) == 0:
         return mutated(random, data)
-    texts = read_metadata(data)
+    texts = read_header(data).texts
     key = random.choice(sorted(texts))
     return with_metadata(data, key, changed_text(random, texts[key].encode()).decode("utf-8", "replace"))
 

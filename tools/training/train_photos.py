@@ -26,7 +26,7 @@ from benchmarks.places import ALL_CLASSES, BUILDINGS, PLACES, Place
 from semref.core.labels.image_source import ArrayImage
 from semref.core.segmentation.model import SegmentationModel
 from semref.core.segmentation.model_card import KEY
-from semref.core.segmentation.onnx_file import read_metadata, with_metadata
+from semref.core.segmentation.onnx_file import read_header, with_metadata
 from semref.core.segmentation.photo_labels import PhotoLabels
 from semref.training.job import LITE0, PACKAGED
 
@@ -167,7 +167,7 @@ def write_card(folder: Path, name: str) -> None:
     """Add the results of networks without a place to the card of the network of all places."""
     path = folder / f"{name}.onnx"
     data = path.read_bytes()
-    card = json.loads(read_metadata(data)[KEY])
+    card = json.loads(read_header(data).texts[KEY])
     left_out = sorted(folder.glob(f"{name}_without_*[!b].json"))
     card["name"] = TITLES[name]
     card["tested_on"] = [json.loads(one.read_text("utf-8")) for one in left_out if not one.name.endswith(".job.json")]

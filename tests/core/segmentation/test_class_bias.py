@@ -14,7 +14,7 @@ from semref.core.geometry.error_settings import NETWORK_SPREAD, ClassBias, Share
 from semref.core.labels.class_table import class_table_from_csv
 from semref.core.segmentation.class_bias import class_bias_text, known_biases, read_class_bias
 from semref.core.segmentation.model_card import KEY, card_of_texts, read_card
-from semref.core.segmentation.onnx_file import read_metadata, with_metadata
+from semref.core.segmentation.onnx_file import read_header, with_metadata
 
 NAMES = ("background", "building", "water")
 TABLE = class_table_from_csv(
@@ -74,7 +74,7 @@ def test_metadata_of_a_file_are_set_and_all_else_stays():
     changed = onnx.load_from_string(data)
     onnx.checker.check_model(changed)
     assert {entry.key: entry.value for entry in changed.metadata_props} == {"class_bias": text, "class_names": "kept"}
-    assert read_metadata(data) == {"class_bias": text, "class_names": "kept"}
+    assert read_header(data).texts == {"class_bias": text, "class_names": "kept"}
     assert changed.graph == old.graph and changed.opset_import == old.opset_import
 
 

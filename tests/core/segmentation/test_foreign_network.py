@@ -16,7 +16,7 @@ from semref.core.segmentation.model import SegmentationModel
 from semref.core.segmentation.model_card import read_card
 from semref.core.segmentation.network import OnnxNetwork
 from semref.core.segmentation.network_facts import BUILDINGS, FLAIR, NetworkFacts
-from semref.core.segmentation.onnx_file import read_header, read_metadata
+from semref.core.segmentation.onnx_file import read_header
 from semref.core.segmentation.photo_labels import PhotoLabels
 
 FACTS = NetworkFacts(("building", "water", "bare_land"), 0.25, (0.5,) * 3, (0.5,) * 3, "CC0", "Colors")
@@ -131,7 +131,7 @@ def test_old_metadata_of_the_classes_do_not_stay(tmp_path):
     more = {"class_colors": '{"0": "#000000"}', "temperature": "2", "tile_size": "64", "secret": "x"}
     source = str(write_model(tmp_path / "named.onnx", metadata=more, size=(SIZE, SIZE)))
     copied(source, FACTS, tmp_path)
-    texts = read_metadata((tmp_path / "copy.onnx").read_bytes())
+    texts = read_header((tmp_path / "copy.onnx").read_bytes()).texts
     assert texts["tile_size"] == "64" and not {"class_colors", "temperature", "secret"} & set(texts)
 
 

@@ -27,10 +27,8 @@ def test_labels_are_on_the_photos_own_pixels(model, pixel_size_m):
 
 
 def test_the_steps_report_the_share_done(model):
-    labels = PhotoLabels(model, PHOTO, (1, 2, 3))
-    shares = list(labels.steps())
+    shares = list(PhotoLabels(model, PHOTO, (1, 2, 3)).steps())
     assert shares == sorted(shares) and shares[-1] == 1
-    np.testing.assert_array_equal(labels.labels_hw, LABELS)
 
 
 def test_a_model_without_a_temperature_gives_no_shares(model):

@@ -11,7 +11,7 @@ from semref.core.labels.image_source import ArrayImage
 from semref.core.segmentation import blocks
 from semref.core.segmentation.certainty import LABELS_ALONE, Certainty, Sureness, softmax
 from semref.core.segmentation.model import SegmentationModel
-from semref.core.segmentation.tiling import segment, segment_tiles, tile_starts, tiles_of
+from semref.core.segmentation.tiling import segment, tile_starts, tiles_of
 
 VALUES = (1, 2, 3)
 
@@ -152,7 +152,7 @@ def test_blocks_with_their_seams_are_the_whole_to_the_last_bit(monkeypatch, shap
     def elsewhere(calls):
         for first, size in calls:
             some, sure = tiles.block(model.tile_hw, first, size), Sureness()
-            rows = [rows for _, rows in segment_tiles(model, image, VALUES, overlap, some) if rows is not None]
+            rows = [rows for _, rows in segment(model, image, VALUES, overlap, tiles=some) if rows is not None]
             for one in rows:
                 sure.add(one.sure)
             yield np.concatenate([one.labels_hw for one in rows]), sure.total, sure.count
