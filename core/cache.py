@@ -103,7 +103,7 @@ def user_secret() -> bytes | None:
         with contextlib.suppress(OSError), _open(path) as file:
             if len(found := file.read(_SECRET_BYTES + 1)) == _SECRET_BYTES:
                 return found
-        _write(path, [secrets.token_bytes(_SECRET_BYTES)])
+        write_atomically(path, [secrets.token_bytes(_SECRET_BYTES)])
         with _open(path) as file:
             return file.read()
     except (OSError, RuntimeError):
@@ -163,13 +163,13 @@ def _store(name: str, secret: bytes, arrays: Arrays) -> None:
     folder = cache_folder()
     if offset > limits.CACHE_BYTES:
         raise _os_error(errno.EFBIG)
-    _write(folder / name, [_mac(name, secret, pieces), *pieces])
+    write_atomically(folder / name, [_mac(name, secret, pieces), *pieces])
     _remove_oldest(folder)
 
 
-def _write(path: Path, pieces: Iterable[bytes | memoryview]) -> None:
+def write_atomically(path: Path, pieces: Iterable[bytes | memoryview]) -> None:
     """Write a file that only this user can read, atomically. If it fails, raise OSError and leave no file."""
-    descriptor, temporary = tempfile.mkstemp(suffix=_TEMPORARY, dir=path.parent)
+    descriptor, temporary = tempfile.mkstemp(prefix=".", suffix=_TEMPORARY, dir=path.parent)
     try:
         with os.fdopen(descriptor, "wb") as file:
             file.writelines(pieces)

@@ -31,7 +31,7 @@ from .flight import FlightFinder
 from .format import OnboardDatabase
 from .image_records import ERROR, ImageFinder, label_reader
 from .log import json_line, log_event, start_log
-from .mavlink import MESSAGES, MavlinkOptions, MavlinkSink, check_address
+from .mavlink import MESSAGES, MavlinkOptions, MavlinkSink, split_address
 from .read import read_onboard
 from .sinks import check_sink
 from .state_file import StateFile
@@ -217,7 +217,7 @@ def _add_watch(watch: argparse.ArgumentParser) -> None:
     watch.add_argument("--gga", type=place, metavar="WHERE", help=f"NMEA GGA sentences: {where}")
     where = "udp:PORT of this computer, udp:HOST:PORT, or serial:DEVICE[:BAUD]"
     text = f"positions for an autopilot (needs pymavlink): {where}"
-    watch.add_argument("--mavlink", type=_place(check_address), metavar="WHERE", help=text)
+    watch.add_argument("--mavlink", type=_place(split_address), metavar="WHERE", help=text)
     text = f"MAVLink message of a position (default: {MESSAGES[0]})"
     watch.add_argument("--mavlink-as", choices=MESSAGES, default=MESSAGES[0], help=text)
     number, text = _number(1, limits.SYSTEMS, int), "system number of the aircraft (default: 1)"

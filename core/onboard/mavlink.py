@@ -13,7 +13,7 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime, timezone
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
@@ -58,12 +58,6 @@ class MavlinkOptions:
     camera_yaw_deg: float = 0.0
 
 
-class _Line(Protocol):
-    def write(self, data: bytes) -> object: ...
-
-    def close(self) -> None: ...
-
-
 class _Udp:
     def __init__(self, host: str, port: int) -> None:
         self._to = host, port
@@ -101,15 +95,12 @@ class MavlinkSink(Sink):
         else:
             self._origin, self._has_origin = options.origin, True
 
-    def send_found(self, found: dict[str, Any]) -> None:
-        """Send the record of an image."""
-        self.attempt(lambda: self._send(found))
-
     def close(self) -> None:
         """Close the line."""
         self._line.close()
 
-    def _send(self, found: dict[str, Any]) -> None:
+    def _take(self, found: dict[str, Any]) -> None:
+        """Send the record of an image."""
         now = time.monotonic()
         if now - self._heartbeat_s >= HEARTBEAT_S:
             dialect = self._dialect
@@ -240,13 +231,8 @@ def _microseconds(moment: datetime) -> int:
     return max(0, round(moment.timestamp() * 1e6))
 
 
-def check_address(where: str) -> None:
-    """Raise ParameterError for an invalid MAVLink address."""
-    _split(where)
-
-
-def _split(where: str) -> tuple[str, str, int]:
-    """Return (kind, host or device, port or rate) of an address. Raises ParameterError."""
+def split_address(where: str) -> tuple[str, str, int]:
+    """Return (kind, host or device, port or rate) of a MAVLink address. Raises ParameterError."""
     kind = next((kind for kind in (UDP, SERIAL) if where.startswith(kind)), "")
     first, _, last = where[len(kind) :].rpartition(":")
     if kind == UDP and last.isdecimal() and len(last) <= 5 and 0 < int(last) < 65_536 and _is_host(first):
@@ -270,8 +256,8 @@ def _is_host(name: str) -> bool:
     return True
 
 
-def _open_line(where: str) -> _Line:
-    kind, name, number = _split(where)
+def _open_line(where: str) -> Any:  # noqa: ANN401 - a socket, or a serial line without types
+    kind, name, number = split_address(where)
     try:
         if kind == UDP:
             return _Udp(name, number)

@@ -6,6 +6,7 @@ zip's directory before unpacking, and shapes and types in the arrays' headers.
 
 from __future__ import annotations
 
+import hmac
 import io
 import math
 import os
@@ -40,7 +41,7 @@ from .format import (
     digest,
     export_date,
 )
-from .signature import is_signed_with, read_key
+from .signature import read_key, signature
 
 _UNREADABLE = (zipfile.BadZipFile, zlib.error, EOFError, OSError, RuntimeError, ValueError, struct.error)
 """Errors of a damaged or malicious zip."""
@@ -52,13 +53,12 @@ _ALWAYS_ALLOWED_BYTES, _BYTES_A_FILE_BYTE = 1 << 26, 200
 """Memory that all members together may need, and more for each byte of the file."""
 
 
-def read_onboard(path: str, with_overview: bool = True, key_file: str | None = None) -> OnboardDatabase:
+def read_onboard(path: str, key_file: str | None = None) -> OnboardDatabase:
     """Read an onboard file.
 
     Its database is complete for localization; the result contains the accuracy of vectors, positions and areas.
 
     Args:
-        with_overview: Read the overview, which map correlation needs.
         key_file: Key of the required signature; None to ignore signatures.
 
     Raises:
@@ -85,7 +85,7 @@ def read_onboard(path: str, with_overview: bool = True, key_file: str | None = N
             _require_signature(files, members, key, path, key_file)
         header = read_json(members[HEADER].tobytes().decode("utf-8"), limits.HEADER_BYTES)
         _check_version(header, path)
-        found = _onboard(members, header, path, with_overview)
+        found = _onboard(members, header, path)
         return found if key is None else replace(found, signature=SignatureStatus.VERIFIED)
     except ClassTableError as error:
         raise _damaged(path, error) from None
@@ -103,7 +103,7 @@ def _require_signature(
             path=path,
             key=key_file,
         )
-    if not is_signed_with(files, members[SIGNATURE].tobytes(), key):
+    if not hmac.compare_digest(signature(files, key), members[SIGNATURE].tobytes()):
         raise DatabaseError(
             "{path} was not signed with the key {key}, or was changed since. Copy it again from the computer that "
             "exported it.",
@@ -196,12 +196,12 @@ def _check_version(header: Mapping[str, Any], path: str) -> None:
         )
 
 
-def _onboard(members: Mapping[str, np.ndarray], header: dict, path: str, with_overview: bool) -> OnboardDatabase:
+def _onboard(members: Mapping[str, np.ndarray], header: dict, path: str) -> OnboardDatabase:
     parameters = build_parameters(header["parameters"], path)
     table = class_table_from_csv(header["class_table"], "its class table")
     if table.digest() != parameters.class_table_hash:
         raise ValueError("its class table does not match its hash")
-    overview = _overview(members, parameters) if with_overview else None
+    overview = _overview(members, parameters)
     if tuple(header["reference_classes"]) != table.require_references().reference_values:
         raise ValueError("its reference_classes are not those of its class table")
     windows = _windows(members, header, parameters, len(table.references))

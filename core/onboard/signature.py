@@ -51,8 +51,3 @@ def signature(files: Mapping[str, bytes], key: bytes) -> bytes:
             found.update(f"{name}\0{len(files[name])}\0".encode("ascii"))
             found.update(files[name])
     return found.digest()
-
-
-def is_signed_with(files: Mapping[str, bytes], stated: bytes, key: bytes) -> bool:
-    """Return whether ``stated`` is the signature of the files with this key, in constant time."""
-    return hmac.compare_digest(signature(files, key), stated)

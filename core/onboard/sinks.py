@@ -10,7 +10,7 @@ import logging
 import os
 import socket
 import sys
-from typing import Callable
+from typing import Any
 
 from ..errors import ParameterError, reason_of
 from .log import log_event
@@ -21,7 +21,7 @@ _UDP = "udp:"
 
 
 class Sink:
-    """Takes lines; a system error is logged once until a line succeeds again.
+    """Takes lines, or records of images; a system error is logged once until one succeeds again.
 
     Attributes:
         lost: Number of lines that could not be written.
@@ -33,14 +33,10 @@ class Sink:
         self.lost = 0
         self._fails = False
 
-    def send(self, line: str) -> None:
+    def send(self, line: Any) -> None:  # noqa: ANN401 - a text, or a record for an autopilot
         """Send one line with its end; a failed line is lost, counted and logged."""
-        self.attempt(lambda: self._take(line))
-
-    def attempt(self, send: Callable[[], None]) -> None:
-        """Call a function that sends; a failure is counted and logged."""
         try:
-            send()
+            self._take(line)
         except OSError as error:
             self.lost += 1
             if not self._fails:
@@ -54,8 +50,9 @@ class Sink:
     def close(self) -> None:
         """Close the connection, if the sink has one."""
 
-    def _take(self, line: str) -> None:
-        """Send nothing."""
+    def _take(self, line: Any) -> None:  # noqa: ANN401 - as of ``send``
+        """Send one line; raises OSError."""
+        raise NotImplementedError
 
 
 class _StandardOutput(Sink):
@@ -120,14 +117,12 @@ class _UdpPort(Sink):
         self._socket.close()
 
 
-def open_sink(where: str | None) -> Sink:
-    """Return the sink of an address: None for no output, ``-`` for stdout, ``udp:PORT``, otherwise a file to append to.
+def open_sink(where: str) -> Sink:
+    """Return the sink of an address: ``-`` for stdout, ``udp:PORT``, otherwise a file to append to.
 
     Raises:
         ParameterError: The file can't be written, or the port is invalid.
     """
-    if where is None:
-        return Sink("nowhere")
     if where == "-":
         return _StandardOutput("stdout")
     return _UdpPort(where) if where.startswith(_UDP) else _File(where)

@@ -12,14 +12,14 @@ import hmac
 import io
 import os
 import stat
-import tempfile
 import zipfile
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import numpy as np
 
 from .. import limits
-from ..cache import user_secret
+from ..cache import user_secret, write_atomically
 from ..errors import ParameterError
 from ..labels.image_files import open_at_once
 from .signature import read_key
@@ -98,18 +98,7 @@ class StateFile:
         Args:
             content: Result of ``pack``.
         """
-        descriptor, made = tempfile.mkstemp(prefix=".", suffix=".part", dir=os.path.dirname(self.path) or ".")
-        try:
-            with os.fdopen(descriptor, "wb") as file:
-                file.write(content)
-                file.flush()
-                os.fsync(file.fileno())
-            os.replace(made, self.path)
-        except OSError:
-            # A partial state must not use up a full disk.
-            with contextlib.suppress(OSError):
-                os.unlink(made)
-            raise
+        write_atomically(Path(self.path), [content])
 
     def read(self) -> dict[str, np.ndarray]:
         """Return the arrays of the state by name.

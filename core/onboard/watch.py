@@ -11,17 +11,14 @@ import time
 from collections.abc import Iterator
 from contextlib import ExitStack, closing
 from datetime import datetime, timezone
-from typing import TYPE_CHECKING, Any, Callable
+from typing import Any, Callable
 
 from ..errors import ParameterError, reason_of
 from ..labels.image_files import is_image_name
 from ..localization import Status
 from ..localizer.record import gga_sentence
 from .log import json_line, log_event
-from .sinks import open_sink
-
-if TYPE_CHECKING:
-    from .mavlink import MavlinkSink
+from .sinks import Sink, open_sink
 
 LOOK_EVERY_S = 0.2
 """Seconds between looks into the folder. An image is localized if it did not change between two looks."""
@@ -34,9 +31,9 @@ def watch(  # noqa: PLR0913 - each sink is a place of its own
     folder: str,
     once: bool,
     find: Callable[[str], dict[str, Any]],
-    fixes: str | None,
+    fixes: str,
     gga: str | None,
-    mavlink: MavlinkSink | None = None,
+    mavlink: Sink | None = None,
     after: tuple[int, str] | None = None,
 ) -> tuple[set[str], int]:
     """Localize a folder's images as they arrive; without ``once`` this never ends.
@@ -46,7 +43,7 @@ def watch(  # noqa: PLR0913 - each sink is a place of its own
         once: End after the images that are in the folder.
         find: Path → record of an image.
         fixes: Output of JSON lines, one for each image, see ``sinks.open_sink``.
-        gga: Output of GGA sentences, one for each image.
+        gga: Output of GGA sentences, one for each image; None for none.
         mavlink: Output to an autopilot; closed at the end.
         after: (time of change in ns, name) of an image: those in the folder up to it are done.
 
@@ -58,18 +55,19 @@ def watch(  # noqa: PLR0913 - each sink is a place of its own
     """
     statuses = set()
     with ExitStack() as stack:
-        fix_sink, gga_sink = (stack.enter_context(closing(open_sink(where))) for where in (fixes, gga))
-        if mavlink is not None:
-            stack.enter_context(closing(mavlink))
+        # The autopilot first, because it navigates by the position.
+        outputs: list[tuple[Sink, Callable[[dict[str, Any]], Any]]] = [] if mavlink is None else [(mavlink, dict)]
+        outputs.append((open_sink(fixes), lambda found: json_line(found) + "\n"))
+        if gga is not None:
+            outputs.append((open_sink(gga), lambda found: _gga(found) + "\r\n"))
+        for sink, _ in outputs:
+            stack.enter_context(closing(sink))
         for path in arriving_images(folder, once, after):
             found = find(path)
-            # The autopilot first, because it navigates by the position.
-            if mavlink is not None:
-                mavlink.send_found(found)
-            fix_sink.send(json_line(found) + "\n")
-            gga_sink.send(_gga(found) + "\r\n")
+            for sink, form in outputs:
+                sink.send(form(found))
             statuses.add(found["status"])
-    return statuses, fix_sink.lost + gga_sink.lost + (0 if mavlink is None else mavlink.lost)
+    return statuses, sum(sink.lost for sink, _ in outputs)
 
 
 def _gga(found: dict[str, Any]) -> str:

@@ -67,7 +67,7 @@ def sent(autopilot, lon_lat, kind, message, *records, **options):
     where, heard = autopilot
     sink = MavlinkSink(MavlinkOptions(where, message, **options), lon_lat)
     for one in records:
-        sink.send_found(one)
+        sink.send(one)
     sink.close()
     assert sink.lost == 0
     return heard(kind)
@@ -114,7 +114,7 @@ def test_an_origin_of_the_autopilot_is_used_and_not_sent(autopilot, lon_lat):
     origin = record()["latitude"], record()["longitude"]
     where, heard = autopilot
     sink = MavlinkSink(MavlinkOptions(where, "vision", origin=origin), lon_lat)
-    sink.send_found(record())
+    sink.send(record())
     sink.close()
     kinds = [heard(None).get_type() for _ in range(2)]
     assert kinds == ["HEARTBEAT", "VISION_POSITION_ESTIMATE"]
@@ -176,7 +176,7 @@ def test_a_serial_line_hears_it(mavutil, lon_lat):
     pty = pytest.importorskip("pty")
     ours, theirs = pty.openpty()
     sink = MavlinkSink(MavlinkOptions(f"serial:{os.ttyname(theirs)}:57600"), lon_lat)
-    sink.send_found(record())
+    sink.send(record())
     data = b""
     while select.select([ours], [], [], 0.5)[0]:
         data += os.read(ours, 4000)
@@ -247,7 +247,7 @@ def test_without_pymavlink_the_message_names_the_package(monkeypatch, lon_lat):
 
 def test_an_unreachable_host_is_reported_and_counted(mavutil, lon_lat):
     sink = MavlinkSink(MavlinkOptions("udp:256.1.1.1:14550"), lon_lat)
-    sink.send_found(record())
-    sink.send_found({"time": None, "x": None})
+    sink.send(record())
+    sink.send({"time": None, "x": None})
     sink.close()
     assert sink.lost >= 1

@@ -208,7 +208,7 @@ def array(source, name):
 def test_an_array_that_does_not_fit_the_others_is_refused(written, tmp_path, name, change, said):
     path = with_array(tmp_path / "odd.npz", written, name, change(array(written, name)))
     with pytest.raises(DatabaseError, match=said):
-        read_onboard(path, with_overview=True)
+        read_onboard(path)
 
 
 @pytest.mark.parametrize("half_size", [[1.0, 0.0], [1.0], [1.0, 2.0, 3.0]])
@@ -234,10 +234,6 @@ def test_the_stated_errors_are_half_a_step(written):
     assert found.size_bytes == written.stat().st_size
     assert found.content_hash == array(written, "content_hash").tobytes().hex()
     assert found.database.source == str(written)
-
-
-def test_a_file_without_overview_is_read(written):
-    assert read_onboard(str(written), with_overview=False).database.overview is None
 
 
 def test_an_onboard_file_is_recognized(written):
