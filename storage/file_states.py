@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import hashlib
 import os
 from collections.abc import Mapping
 from dataclasses import astuple
 
-import numpy as np
 from osgeo import gdal
 
+from ..core.cache import digest
 from ..core.database.model import ReferenceDatabase
 from ..core.errors import ParameterError
 
@@ -35,12 +34,9 @@ def require_unchanged(before: Mapping[str, tuple[int, float]]) -> None:
 def fingerprint(database: ReferenceDatabase) -> str:
     """Return SHA-256 of parameters, classes, landmarks and windows; equal for copies of a database."""
     windows, landmarks = database.windows, database.references
-    sha = hashlib.sha256(repr(astuple(database.parameters)).encode())
-    sha.update(database.class_table.to_csv().encode())
+    texts = repr(astuple(database.parameters)), database.class_table.to_csv()
     columns = (
         *(landmarks.positions, landmarks.classes, landmarks.areas_m2, landmarks.touches_edge),
         *(windows.levels, windows.sizes, windows.centers, windows.counts, windows.vectors, windows.described),
     )
-    for column in columns:
-        sha.update(np.ascontiguousarray(column).tobytes())
-    return sha.hexdigest()
+    return digest([*(text.encode() for text in texts), *columns])

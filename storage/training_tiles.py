@@ -18,7 +18,7 @@ from ..core.labels.class_table import UNLABELED, ClassTable
 from ..core.labels.image_source import PixelMask
 from ..core.labels.sources import count_labels
 from ..core.labels.training_tiles import SUBSETS, TRAIN, VALIDATION, Tile, block_size, plan_tiles, validation_blocks
-from .gdal_errors import gdal_failure, gdal_failures
+from .gdal_errors import gdal_failures, read_by_gdal
 from .images import GdalImage
 from .label_maps import GdalLabels, RasterFile, class_table_of_map, class_table_of_values
 from .pictures import write_png, write_tiff
@@ -88,13 +88,8 @@ class ImageBands:
 
     def read(self, column: int, row: int, size: int) -> np.ndarray:
         """Return (bands, size, size) original values."""
-        with gdal_failures() as failures:
-            pieces = [band.ReadAsArray(column, row, size, size) for band in self.bands]
-        if failures:
-            raise LabelMapError(
-                "{path} is damaged or cut short: {reason}.", path=self.path, reason=gdal_failure(failures[0])
-            )
-        return np.stack(pieces)
+        part = column, row, size, size
+        return np.stack([read_by_gdal(LabelMapError, self.path, band.ReadAsArray, *part) for band in self.bands])
 
     def read_as_seen(self, column: int, row: int, size: int) -> tuple[np.ndarray, np.ndarray]:
         """Return (size, size, 3) uint8 as a network gets it, and (size, size) bool of valid data."""

@@ -4,49 +4,31 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-ERROR, WARNING, INFORMATION = "error", "warning", "information"
-SEVERITIES = (ERROR, WARNING, INFORMATION)
+ERROR, WARNING, INFORMATION = SEVERITIES = "error", "warning", "information"
 
 NOTHING = -1
 """Class of ground without a polygon, and of features without a class; 0 is a class value like others."""
 
-INVALID = "invalid"
-NO_GEOMETRY = "no_geometry"
-NO_AREA = "no_area"
-THREE_DIMENSIONAL = "three_dimensional"
-OUTSIDE_CRS = "outside_crs"
-NO_CLASS = "no_class"
-UNKNOWN_CLASS = "unknown_class"
-OVERLAP = "overlap"
-DUPLICATE = "duplicate"
-HIDDEN = "hidden"
-GAP = "gap"
-SLIVER = "sliver"
-SMALL = "small"
-SAME_CLASS_NEIGHBORS = "same_class_neighbors"
-LOST = "lost"
-MERGED = "merged"
-SPLIT = "split"
-
 CHECKED_KINDS = (
-    INVALID,
-    NO_GEOMETRY,
-    NO_AREA,
-    THREE_DIMENSIONAL,
-    OUTSIDE_CRS,
-    NO_CLASS,
-    UNKNOWN_CLASS,
-    OVERLAP,
-    DUPLICATE,
-    HIDDEN,
-    GAP,
-    SLIVER,
-    SMALL,
-    SAME_CLASS_NEIGHBORS,
-    LOST,
-    MERGED,
-    SPLIT,
+    INVALID := "invalid",
+    NO_GEOMETRY := "no_geometry",
+    NO_AREA := "no_area",
+    THREE_DIMENSIONAL := "three_dimensional",
+    OUTSIDE_CRS := "outside_crs",
+    NO_CLASS := "no_class",
+    UNKNOWN_CLASS := "unknown_class",
+    OVERLAP := "overlap",
+    DUPLICATE := "duplicate",
+    HIDDEN := "hidden",
+    GAP := "gap",
+    SLIVER := "sliver",
+    SMALL := "small",
+    SAME_CLASS_NEIGHBORS := "same_class_neighbors",
+    LOST := "lost",
+    MERGED := "merged",
+    SPLIT := "split",
 )
+"""Kinds that a check finds, in the order in which they are shown."""
 
 DISSOLVED = "dissolved"
 """Only in repairs: touching polygons of one class were joined."""

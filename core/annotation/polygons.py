@@ -68,17 +68,8 @@ class AnnotatedPolygons:
         return _ranks(np.lexsort((np.arange(len(self)), -self.classes, -areas, self.priorities)))
 
 
-@dataclass(frozen=True)
-class FeatureParts:
-    """The single parts of features as drawn.
-
-    Attributes:
-        geometries: (P,) shapely geometries, meters.
-        features: (P,) int64 index of their feature.
-    """
-
-    geometries: np.ndarray
-    features: np.ndarray
+FeatureParts = tuple[np.ndarray, np.ndarray]
+"""(P,) shapely geometries of the single parts of features as drawn, meters, and (P,) int64 index of their feature."""
 
 
 def feature_geometries(features: Sequence[AnnotatedFeature]) -> np.ndarray:
@@ -94,7 +85,7 @@ def feature_geometries(features: Sequence[AnnotatedFeature]) -> np.ndarray:
 
 def split_parts(geometries: np.ndarray) -> FeatureParts:
     """Return the single parts of (M,) shapely geometries or None."""
-    return FeatureParts(*shapely.get_parts(geometries, return_index=True))
+    return shapely.get_parts(geometries, return_index=True)
 
 
 def valid_polygons(features: Sequence[AnnotatedFeature], parts: FeatureParts) -> AnnotatedPolygons:
@@ -114,7 +105,8 @@ def valid_polygons(features: Sequence[AnnotatedFeature], parts: FeatureParts) ->
 
 def _made_valid(parts: FeatureParts) -> tuple[np.ndarray, np.ndarray]:
     """Return single valid geometries and the index of their feature, in the features' order."""
-    geometries = parts.geometries.copy()
+    geometries, features = parts
+    geometries = geometries.copy()
     broken = ~shapely.is_valid(geometries)
     geometries[broken] = shapely.make_valid(geometries[broken])
     place = np.arange(len(geometries))
@@ -122,7 +114,7 @@ def _made_valid(parts: FeatureParts) -> tuple[np.ndarray, np.ndarray]:
     for _ in range(2):
         geometries, index = shapely.get_parts(geometries, return_index=True)
         place = place[index]
-    return geometries, parts.features[place]
+    return geometries, features[place]
 
 
 def _ranks(order: np.ndarray) -> np.ndarray:

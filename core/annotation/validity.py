@@ -24,10 +24,11 @@ _REASON = re.compile(r"(?P<why>[^\[]*)\[(?P<x>\S+) (?P<y>[^\s\]]+)")
 
 def find_invalid(features: Sequence[AnnotatedFeature], geometries: np.ndarray, parts: FeatureParts) -> list[Finding]:
     """Return one finding per invalid part with position and reason; one per feature with valid, conflicting parts."""
-    broken = np.flatnonzero(~shapely.is_valid(parts.geometries))
-    found = [_invalid(features[parts.features[n]], parts.geometries[n]) for n in broken]
+    singles, owners = parts
+    broken = np.flatnonzero(~shapely.is_valid(singles))
+    found = [_invalid(features[owners[n]], singles[n]) for n in broken]
     whole = ~shapely.is_valid(geometries) & ~shapely.is_missing(geometries)
-    whole[parts.features[broken]] = False
+    whole[owners[broken]] = False
     return found + [_invalid(features[n], geometries[n]) for n in np.flatnonzero(whole)]
 
 

@@ -6,10 +6,8 @@ import contextlib
 import os
 import sqlite3
 import struct
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from pathlib import Path
-
-from osgeo import gdal
 
 from ...core.errors import DatabaseError, DatabaseInUseError, reason_of
 from ..vector_files import WAIT_S
@@ -125,11 +123,6 @@ def require_unchanged_since(path: str, then: tuple) -> None:
         is_same = False
     if not is_same:
         raise DatabaseChangedError("{path} was changed by another program meanwhile; try again.", path=path)
-
-
-def open_table(path: str, table: str, kind: int, options: Sequence[str] = ()) -> gdal.Dataset | None:
-    """Open a table of a GeoPackage with GDAL, for any path. On failure returns None or raises RuntimeError."""
-    return gdal.OpenEx(path, kind, ["GPKG"], [f"TABLE={table}", *options])
 
 
 def _connect(path: str) -> Snapshot:

@@ -25,7 +25,7 @@ from ..gdal_errors import gdal_failure, gdal_failures
 from . import schema
 from .cached_columns import Columns, cached_columns
 from .checksums import CHECKSUMS, checksums_of, keeps_shown, overview_checksum, require_unchanged, shown_checksums
-from .connection import DatabaseChangedError, Snapshot, damaged, open_table, require_unchanged_since, snapshot
+from .connection import DatabaseChangedError, Snapshot, require_unchanged_since, snapshot
 from .rows import columns_of, read_references, read_windows
 
 _LONGEST_REASON = 200
@@ -43,8 +43,7 @@ def read_database(path: str, with_overview: bool = False, with_bounds: bool = Fa
     with snapshot(path) as connection:
         database = _read(connection, path, is_cached=True)
         if with_bounds:
-            bounds = _checked_bounds(connection, database, path)
-            database = replace(database, references=replace(database.references, bounds_px=bounds))
+            database = _with_bounds(connection, database, path)
         return replace(database, overview=_overview(connection, path)) if with_overview else database
 
 
@@ -93,7 +92,7 @@ def _overview(connection: Snapshot, path: str) -> np.ndarray:
     require_unchanged(connection, {schema.OVERVIEW: overview_checksum(connection)})
     overview = None
     with gdal_failures() as failures:
-        dataset = open_table(path, schema.OVERVIEW, gdal.OF_RASTER)
+        dataset = gdal.OpenEx(path, gdal.OF_RASTER, ["GPKG"], [f"TABLE={schema.OVERVIEW}"])
         overview = None if dataset is None else _labels(dataset, parameters)
     require_unchanged_since(path, connection.state)
     if overview is None:
@@ -156,19 +155,17 @@ class StoredDatabase:
 def read_stored_database(path: str) -> StoredDatabase:
     """Read a database with the data for an update. Raises DatabaseError as ``read_database``."""
     with snapshot(path) as connection:
-        database = _read(connection, path)
+        database = _with_bounds(connection, _read(connection, path), path)
         fids = ("SELECT fid FROM windows ORDER BY fid", 'SELECT fid FROM "references" ORDER BY fid')
         window_fids, reference_fids = (tuple(chain.from_iterable(connection.execute(query))) for query in fids)
-        bounds = _checked_bounds(connection, database, path)
-    database = replace(database, references=replace(database.references, bounds_px=bounds))
     return StoredDatabase(database, window_fids, reference_fids, connection.state)
 
 
-def _checked_bounds(connection: sqlite3.Connection, database: ReferenceDatabase, path: str) -> np.ndarray | None:
-    """Return (N, 4) bounds of all landmarks; None for a database of an older version."""
+def _with_bounds(connection: sqlite3.Connection, database: ReferenceDatabase, path: str) -> ReferenceDatabase:
+    """Return a database with the bounds of its landmarks, which databases of older versions do not have."""
     bounds = _read_bounds(connection)
     if bounds is None:
-        return None
+        return database
     require_unchanged(connection, {schema.BOUNDS: digest([bounds])})
     if len(bounds) != len(database.references):
         raise DatabaseError(
@@ -177,15 +174,11 @@ def _checked_bounds(connection: sqlite3.Connection, database: ReferenceDatabase,
             count=len(database.references),
             bounds=len(bounds),
         )
-    if not _on_map(bounds, database.parameters):
-        raise damaged(path, ValueError("a landmark spans pixels that the map has not"))
-    return bounds
-
-
-def _on_map(bounds_px: np.ndarray, parameters: BuildParameters) -> bool:
-    first, end = bounds_px[:, :2], bounds_px[:, 2:]
-    size = parameters.map_width_px, parameters.map_height_px
-    return bool(((first >= 0) & (first < end) & (end <= size)).all())
+    first, end = bounds[:, :2], bounds[:, 2:]
+    size = database.parameters.map_width_px, database.parameters.map_height_px
+    if not ((first >= 0) & (first < end) & (end <= size)).all():
+        raise ValueError("a landmark spans pixels that the map has not")
+    return replace(database, references=replace(database.references, bounds_px=bounds))
 
 
 def _read_bounds(connection: sqlite3.Connection) -> np.ndarray | None:
