@@ -31,7 +31,7 @@ from semref.processing.compat import wkt_for_gdal
 from semref.processing.inspection.image import ImageInspector
 from semref.processing.layers.database_layers import add_database_to_map
 from semref.processing.packages import components
-from semref.ui.canvas.drapes import add_placed, place_image
+from semref.ui.canvas.drapes import PlacedImage, add_placed, place_image
 from semref.ui.dock.content import INSPECT, LOCALIZE
 from semref.ui.dock.dock import FIRST_WIDTH_PX
 from semref.ui.entry import PAGE
@@ -203,7 +203,7 @@ def test_an_image_that_is_laid_on_the_map_has_its_crs_always(qgis_app, tmp_path)
     tilted = ((400_000, 5_400_020), (400_022, 5_400_021), (400_019, 5_400_001), (400_001, 5_400_000))
     for ground in (level, tilted, level):
         placed = place_image(str(tmp_path / "photo.png"), ground, wkt_for_gdal(crs))
-        layer = add_placed(placed, "photo", wkt_for_gdal(crs), "", QgsProject.instance())
+        layer = add_placed(placed, "", QgsProject.instance())
         assert layer.crs().authid() == "EPSG:32632"
     QgsProject.instance().clear()
 
@@ -214,7 +214,8 @@ def test_an_image_that_is_added_to_the_map_is_above_all_other_layers(qgis_app, a
     bridge, root = project.layerTreeRegistryBridge(), project.layerTreeRoot()
     # As where the overview is selected among the layers.
     bridge.setLayerInsertionPoint(QgsLayerTreeRegistryBridge.InsertionPoint(group, 2))
-    photo = add_placed(str(write_raster(tmp_path / "a.tif", np.zeros((3, 20, 20), np.uint8))), "photo", "", "", project)
+    raster = str(write_raster(tmp_path / "a.tif", np.zeros((3, 20, 20), np.uint8)))
+    photo = add_placed(PlacedImage(raster, "photo", ""), "", project)
     assert project.layerTreeRoot().layerOrder()[0] is photo
     assert root.children()[0].layerId() == photo.id()
     bridge.setLayerInsertionPoint(QgsLayerTreeRegistryBridge.InsertionPoint(root, 0))

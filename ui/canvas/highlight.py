@@ -15,7 +15,7 @@ from .marks import ORANGE, POINTS_A_SIDE, RED, RIM, Marks, band, dots
 _ZOOM_MARGIN = 2.0
 """Factor by which the visible extent exceeds the footprint."""
 
-_CENTER_PX = 11
+_CENTER_PX = 10
 _ARROW_HEAD = 0.12
 """Length of the barbs of the heading arrow, as a share of its shaft."""
 

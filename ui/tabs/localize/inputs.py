@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from functools import partial
 
 from qgis.core import QgsApplication, QgsProject, QgsProviderRegistry, QgsSettings
 from qgis.gui import QgsFileWidget
@@ -22,6 +23,7 @@ from ...proposals import training_at_hand
 from ...running.background import Reader
 from ...widgets.controls import ChoiceBox, tool_button
 from ...widgets.layouts import FoldingBox, content_of, name_fold, narrow, row_of
+from ...widgets.messages import Messages, open_file
 from .image_list import ImageList
 
 _METHOD_SETTING = "semref/dock/method"
@@ -37,15 +39,15 @@ class ImageBox(FoldingBox):
         chosen: Properties of the images; None while folders are being read.
         fault: Why a folder can't be used; otherwise empty.
 
-    looked: ``chosen`` or ``fault`` changed; trained: report of a trained model, which is now the chosen one.
+    looked: ``chosen`` or ``fault`` changed.
     """
 
     changed = pyqtSignal()
     looked = pyqtSignal()
-    trained = pyqtSignal(str)
 
-    def __init__(self) -> None:
+    def __init__(self, messages: Messages) -> None:
         super().__init__(tr("Images"))
+        self._messages = messages
         self.setObjectName("SemRefImages")
         # Collapsed after a run, but not in the next session.
         self.setSaveCollapsedState(False)
@@ -89,6 +91,7 @@ class ImageBox(FoldingBox):
         self.list.itemSelectionChanged.connect(self._enable_remove)
         self.list.changed.connect(self._look)
         self.list.changed.connect(self.changed)
+        self.list.refused.connect(self._refuse_layers)
         self._reader = Reader(self)
         self._reader.answered.connect(self._take_look)
         self._reader.failed.connect(self._take_fault)
@@ -167,11 +170,19 @@ class ImageBox(FoldingBox):
     def _take_model(self, successful: bool, results: dict) -> None:
         if successful and results.get("OUTPUT"):
             self.model.setFilePath(results["OUTPUT"])
-            self.trained.emit(results.get("REPORT") or "")
+            sentence, report = tr("The model is trained and selected in the dock."), results.get("REPORT")
+            if report:
+                self._messages.success_with(sentence, tr("Open report"), partial(open_file, report))
+            else:
+                self._messages.success(sentence)
 
     def _remember_model(self) -> None:
         QgsSettings().setValue(MODEL_SETTING, self.model_path())
         self.changed.emit()
+
+    def _refuse_layers(self, names: list[str]) -> None:
+        sentence = tr("Not added, because they are not image files: {layers}.")
+        self._messages.warning(sentence.format(layers=", ".join(names)))
 
     def _enable_remove(self) -> None:
         self.remove.setEnabled(bool(self.list.selectedItems()))

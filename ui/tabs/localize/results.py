@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from qgis.core import QgsApplication, QgsSettings
+from qgis.core import QgsSettings
 from qgis.gui import QgsCollapsibleGroupBox
-from qgis.PyQt.QtCore import QByteArray, Qt, pyqtSignal
+from qgis.PyQt.QtCore import QByteArray, Qt
 from qgis.PyQt.QtWidgets import QMenu, QPushButton, QSplitter, QToolButton, QVBoxLayout
 
 from ....processing.translation import tr
-from ...findings import Finding, lon_lat_text, x_y_text
+from ...findings import Finding
 from ...widgets.controls import remember, shortcut, tool_button
 from ...widgets.layouts import content_of, name_fold, narrow, row_of
 from .details import Details
@@ -22,12 +22,7 @@ _SHARES = 2, 3, 0
 
 
 class ResultsBox(QgsCollapsibleGroupBox):
-    """Results with buttons. findingSelected: a Finding or None."""
-
-    findingSelected = pyqtSignal(object)
-    saveAsked = pyqtSignal()
-    drapeAsked = pyqtSignal(object)
-    copied = pyqtSignal(str)
+    """Results with buttons."""
 
     def __init__(self) -> None:
         super().__init__(tr("Results"))
@@ -43,9 +38,6 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.list.findingSelected.connect(self._select)
         self.before.clicked.connect(lambda: self.list.step(-1))
         self.after.clicked.connect(lambda: self.list.step(1))
-        self.save.clicked.connect(self.saveAsked)
-        self.drape.clicked.connect(self._drape)
-        self.copy.clicked.connect(self._copy)
         self._select(None)
 
     def _make_buttons(self) -> None:
@@ -96,17 +88,6 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.drape.setEnabled(has_position and finding.heading is not None)
         for button in (self.before, self.after):
             button.setEnabled(finding is not None)
-        self.findingSelected.emit(finding)
 
     def _remember_parts(self, *_moved) -> None:
         QgsSettings().setValue(_PARTS_SETTING, self.parts.saveState())
-
-    def _drape(self) -> None:
-        self.drapeAsked.emit(self.list.selected())
-
-    def _copy(self) -> None:
-        """Copy longitude and latitude; without them, as with a local CRS, x and y."""
-        finding = self.list.selected()
-        text = lon_lat_text(finding) or x_y_text(finding)
-        QgsApplication.clipboard().setText(text)
-        self.copied.emit(text)

@@ -15,7 +15,7 @@ from ....processing.compat import wkt_for_gdal
 from ....processing.inspection.image import ImageQuery
 from ....processing.messages.sentences import worded
 from ....processing.translation import tr
-from ...canvas.drapes import add_placed, place_image
+from ...canvas.drapes import PlacedImage, add_placed, place_image
 from ...canvas.highlight import HitHighlight
 from ...canvas.match_marks import MatchMarks
 from ...canvas.track_marks import TrackMarks
@@ -43,15 +43,15 @@ class ShownHit(QObject):
         self._pictures = PictureShelf()
         self._picture_reader = Reader(self)
         self._drape_reader = Reader(self)
-        self._database = self._model = self._draped_name = self._draped_crs = ""
+        self._database = self._model = ""
         self._chosen: Callable[[], list[str]] | None = None
         self._results.image.clear(_nothing_yet())
         self._connect()
 
     def _connect(self) -> None:
-        self._results.findingSelected.connect(self._show)
+        self._results.list.findingSelected.connect(self._show)
         self._results.zoom.toggled.connect(self._zoom_if_asked)
-        self._results.drapeAsked.connect(self.drape)
+        self._results.drape.clicked.connect(self._drape)
         self._picture_reader.answered.connect(self._show_picture)
         self._picture_reader.failed.connect(self._results.image.clear)
         self._drape_reader.answered.connect(self._show_drape)
@@ -114,24 +114,23 @@ class ShownHit(QObject):
 
     # --- image on the map ---
 
-    def drape(self, finding: Finding) -> None:
+    def _drape(self) -> None:
         """Add the image to the map at its position."""
+        finding = self._results.list.selected()
         image = self._file_of(finding)
         if not image:
             self._messages.warning(_not_chosen())
             return
-        self._draped_name = finding.name
-        self._draped_crs = wkt_for_gdal(finding.crs)
-        arguments = image, finding.corners, self._draped_crs
+        arguments = image, finding.corners, wkt_for_gdal(finding.crs)
         self._drape_reader.read(tr("Adding an image to the map"), place_image, *arguments)
 
     def _file_of(self, finding: Finding) -> str:
         """Return the path of an image; empty if results from a file name an image that the user did not choose."""
         return finding.image if self._chosen is None else named_file(finding.image, self._chosen())
 
-    def _show_drape(self, placed: str) -> None:
+    def _show_drape(self, placed: PlacedImage) -> None:
         try:
-            add_placed(placed, self._draped_name, self._draped_crs, self._database, QgsProject.instance())
+            add_placed(placed, self._database, QgsProject.instance())
         except LabelMapError as error:
             self._messages.error(worded(error))
 

@@ -6,7 +6,7 @@ import os
 from functools import partial
 from typing import Callable
 
-from qgis.core import QgsProject, QgsSettings
+from qgis.core import QgsApplication, QgsProject, QgsSettings
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtWidgets import QFileDialog, QPushButton, QVBoxLayout, QWidget
@@ -17,14 +17,14 @@ from ....processing.base.localized_image import count_sentence
 from ....processing.layers.results_file import open_results, save_results
 from ....processing.messages.sentences import worded
 from ....processing.translation import tr
-from ...findings import Finding, ResultLayers, read_findings
+from ...findings import Finding, ResultLayers, lon_lat_text, read_findings, x_y_text
 from ...project_state import DockState
 from ...running.background import Reader
 from ...running.localization_run import LocalizationRun, named_results
 from ...running.run_history import RunRecord, forget_old_runs, labels_of, run_records, runs_folder
 from ...widgets.database_box import DatabaseBox
 from ...widgets.layouts import MARGIN_PX
-from ...widgets.messages import Messages, open_file
+from ...widgets.messages import Messages
 from ...widgets.progress import RemainingBar, StatusLine
 from .inputs import ImageBox, MethodRow
 from .prior_row import PriorRow
@@ -37,10 +37,9 @@ _RESULTS_FOLDER_SETTING = "semref/dock/results_folder"
 class LocalizeTab(QWidget):
     """Localizes images in the chosen database. Call ``shut_down`` before deleting it.
 
-    modelChosen: path of the model for photos, empty for label images; found: a sentence about the results of a run.
+    found: a sentence about the results of a run.
     """
 
-    modelChosen = pyqtSignal(str)
     found = pyqtSignal(str)
 
     def __init__(self, canvas: QgsMapCanvas, database: DatabaseBox, messages: Messages) -> None:
@@ -51,7 +50,7 @@ class LocalizeTab(QWidget):
         self._used = self._found_with = self._chosen = "", ""
         self.run = LocalizationRun(self)
         self._reader = Reader(self)
-        self.images = ImageBox()
+        self.images = ImageBox(messages)
         self.method = MethodRow()
         self.prior = PriorRow(canvas)
         self.localize_button = QPushButton()
@@ -79,12 +78,10 @@ class LocalizeTab(QWidget):
         self.images.changed.connect(self._show_idle)
         self.images.looked.connect(self._show_looked)
         self.images.collapsedStateChanged.connect(self._show_choices)
-        self.images.list.refused.connect(self._refuse_layers)
-        self.images.trained.connect(self._show_trained)
         self.localize_button.clicked.connect(self._localize_or_cancel)
-        self.results.saveAsked.connect(self._save_results)
+        self.results.save.clicked.connect(self._save_results)
         self.results.earlier.aboutToShow.connect(self._list_earlier)
-        self.results.copied.connect(self._show_copied)
+        self.results.copy.clicked.connect(self._copy_position)
         self.run.progressed.connect(self.progress.show_percent)
         self.run.textChanged.connect(self.state.show_text)
         self.run.logged.connect(self._messages.log)
@@ -170,7 +167,6 @@ class LocalizeTab(QWidget):
         return bool(self._database.path()) and not self._database.fault
 
     def _show_idle(self, *_) -> None:
-        self.modelChosen.emit(self.images.model_path())
         # A model or database may be completed during a run.
         if not self.run.running:
             self._set_running(False)
@@ -304,16 +300,9 @@ class LocalizeTab(QWidget):
             return
         self._collapse_inputs()
 
-    def _show_copied(self, text: str) -> None:
+    def _copy_position(self) -> None:
+        """Copy longitude and latitude; without them, as with a local CRS, x and y."""
+        finding = self.results.list.selected()
+        text = lon_lat_text(finding) or x_y_text(finding)
+        QgsApplication.clipboard().setText(text)
         self.state.show_text(tr("Copied: {command}").format(command=text))
-
-    def _show_trained(self, report: str) -> None:
-        sentence = tr("The model is trained and selected in the dock.")
-        if report:
-            self._messages.success_with(sentence, tr("Open report"), partial(open_file, report))
-        else:
-            self._messages.success(sentence)
-
-    def _refuse_layers(self, names: list[str]) -> None:
-        sentence = tr("Not added, because they are not image files: {layers}.")
-        self._messages.warning(sentence.format(layers=", ".join(names)))
