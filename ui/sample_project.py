@@ -5,9 +5,8 @@ from __future__ import annotations
 import shutil
 from pathlib import Path
 
-from qgis.core import QgsProject, QgsRasterLayer, QgsReferencedRectangle, QgsSettings, QgsVectorLayer
+from qgis.core import QgsProject, QgsRasterLayer, QgsReferencedRectangle, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject
-from qgis.PyQt.QtWidgets import QFileDialog
 
 from ..core.errors import ParameterError, SemRefError, reason_of
 from ..processing.inspection.models import SHIPPED
@@ -19,6 +18,7 @@ from ..storage.atomic_output import folder_written_beside
 from ..storage.text_tables import CLASSES_FILE, read_class_table
 from .project_state import read_state
 from .running.algorithm_run import AlgorithmRun
+from .widgets.controls import ask_folder
 from .widgets.database_box import MAKE_DATABASE
 
 FOLDER = "semref_sample"
@@ -58,12 +58,9 @@ class SampleProject(QObject):
         if self.run.running:
             self._messages.info(tr("SemRef is already creating the sample project."))
             return
-        last = QgsSettings().value(_FOLDER_SETTING, "", type=str)
-        picked = QFileDialog.getExistingDirectory(
-            self._iface.mainWindow(), tr("Choose a folder for the sample project"), last
-        )
+        title = tr("Choose a folder for the sample project")
+        picked = ask_folder(self._iface.mainWindow(), title, _FOLDER_SETTING)
         if picked:
-            QgsSettings().setValue(_FOLDER_SETTING, picked)
             self.make(Path(picked))
 
     def make(self, picked: Path) -> None:

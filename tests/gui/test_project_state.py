@@ -132,7 +132,7 @@ def test_earlier_results_are_shown_until_another_choice(dock, area, tab, tmp_pat
 
 
 def test_a_message_that_waits_for_a_click_goes_with_its_project(dock, iface, tab):
-    tab.images.trained.emit("/models/report.html")
+    tab.images._take_model(True, {"OUTPUT": "/models/own.onnx", "REPORT": "/models/report.html"})
     assert messages(iface) == ["The model is trained and selected in the dock."]
     QgsProject.instance().clear()
     settle()

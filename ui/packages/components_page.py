@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from qgis.core import QgsApplication, QgsSettings
+from qgis.core import QgsApplication
 from qgis.gui import QgsOptionsPageWidget
 from qgis.PyQt.QtCore import Qt, pyqtSignal
 from qgis.PyQt.QtGui import QFontDatabase, QTextCursor
 from qgis.PyQt.QtWidgets import (
     QCheckBox,
-    QFileDialog,
     QFrame,
     QGridLayout,
     QGroupBox,
@@ -37,14 +36,13 @@ from ...processing.packages.components import (
     remove_components,
 )
 from ...processing.translation import tr
+from ..widgets.controls import ask_folder
 from ..widgets.layouts import row_of
 from .component_installer import ComponentInstaller
 from .device_group import DeviceGroup
-from .training_group import TrainingGroup
+from .training_group import WHEELS_SETTING, TrainingGroup
 
 _LOG_STRETCH = 100
-
-_WHEELS_SETTING = "semref/options/wheels_folder"
 
 
 class ComponentsPage(QgsOptionsPageWidget):
@@ -190,17 +188,9 @@ class ComponentsPage(QgsOptionsPageWidget):
         self._start(self._chosen_packages(), "")
 
     def _choose_wheels(self) -> None:
-        folder = self._ask_folder()
+        folder = ask_folder(self.window(), tr("Choose a folder with wheels (*.whl)"), WHEELS_SETTING)
         if folder:
             self._start(self._chosen_packages(), folder)
-
-    def _ask_folder(self) -> str:
-        """Ask for a folder of wheels; empty if the user cancels."""
-        last = QgsSettings().value(_WHEELS_SETTING, "", type=str)
-        folder = QFileDialog.getExistingDirectory(self.window(), tr("Choose a folder with wheels (*.whl)"), last)
-        if folder:
-            QgsSettings().setValue(_WHEELS_SETTING, folder)
-        return folder
 
     def _start(self, packages: list[Package], wheels: str) -> None:
         self.log.clear()

@@ -7,7 +7,7 @@ import sys
 from qgis.core import QgsApplication, QgsSettings
 from qgis.gui import QgsFileWidget
 from qgis.PyQt.QtCore import Qt
-from qgis.PyQt.QtWidgets import QCheckBox, QFileDialog, QGroupBox, QLabel, QProgressBar, QPushButton, QVBoxLayout
+from qgis.PyQt.QtWidgets import QCheckBox, QGroupBox, QLabel, QProgressBar, QPushButton, QVBoxLayout
 
 from ...core.errors import ComponentError
 from ...processing.messages.sentences import worded
@@ -19,8 +19,11 @@ from ...processing.packages.training_environment import (
     remove_environment,
 )
 from ...processing.translation import tr
+from ..widgets.controls import ask_folder
 from ..widgets.layouts import row_of
 from .component_installer import ComponentInstaller
+
+WHEELS_SETTING = "semref/options/wheels_folder"
 
 
 class TrainingGroup(QGroupBox):
@@ -87,7 +90,7 @@ class TrainingGroup(QGroupBox):
         self._start("")
 
     def _choose_wheels(self) -> None:
-        folder = QFileDialog.getExistingDirectory(self.window(), tr("Choose a folder with wheels (*.whl)"))
+        folder = ask_folder(self.window(), tr("Choose a folder with wheels (*.whl)"), WHEELS_SETTING)
         if folder:
             self._start(folder)
 

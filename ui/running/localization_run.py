@@ -9,7 +9,7 @@ from ...processing.layers.results_file import TABLES, open_results, table_output
 from ...processing.messages.numbers import LocalTemplate
 from ...processing.translation import tr
 from .algorithm_run import AlgorithmRun
-from .run_history import begin_run
+from .run_history import RunRecord, begin_run
 
 ALGORITHM, FLIGHT_ALGORITHM = "semref:localizeimages", "semref:localizeflight"
 
@@ -24,14 +24,15 @@ class LocalizationRun(AlgorithmRun):
     """AlgorithmRun that writes all results to one file.
 
     Attributes:
-        file: GeoPackage of the results.
+        record: The last run.
         pace: Sentence on device and speed of the model; empty without a model.
     """
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self.done.connect(self._take_pace)
-        self.pace = self.file = ""
+        self.record: RunRecord | None = None
+        self.pace = ""
 
     def start(self, database: str, images: list[str], method: int, settings: dict, is_flight: bool = False) -> bool:
         """Start a run. Returns False after emitting ``failed`` if it can't start.
@@ -39,8 +40,7 @@ class LocalizationRun(AlgorithmRun):
         Args:
             is_flight: Whether the images are one flight.
         """
-        run = begin_run(database, settings.get("MODEL", ""), len(images))
-        self.file = run.file
+        run = self.record = begin_run(database, settings.get("MODEL", ""), len(images))
         left_out = "ALTERNATIVES" if is_flight else "TRACK"
         outputs = {key: table_output(run.file, table) for key, table in zip(_KEYS, TABLES) if key != left_out}
         parameters = {"DATABASE": database, "IMAGES": images, "METHOD": method, "RISK": RISK, **settings, **outputs}

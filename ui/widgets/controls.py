@@ -1,11 +1,11 @@
-"""Icon buttons, shortcuts, and combo boxes: one that may be narrow, and one for the name of a class."""
+"""Icon buttons, shortcuts, a combo box that may be narrow, and choices that QGIS remembers."""
 
 from __future__ import annotations
 
 from qgis.core import QgsApplication, QgsSettings
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QKeySequence
-from qgis.PyQt.QtWidgets import QAbstractButton, QComboBox, QShortcut, QToolButton, QWidget
+from qgis.PyQt.QtWidgets import QAbstractButton, QComboBox, QFileDialog, QShortcut, QToolButton, QWidget
 
 from ...processing.layers.guess_fields import BUILDING
 from ...processing.translation import tr
@@ -40,6 +40,14 @@ def shortcut(keys: str, parent: QWidget) -> QShortcut:
     made = QShortcut(QKeySequence(keys), parent)
     made.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
     return made
+
+
+def ask_folder(window: QWidget, title: str, setting: str) -> str:
+    """Ask for a folder, and remember it. Return an empty text if the user cancels."""
+    folder = QFileDialog.getExistingDirectory(window, title, QgsSettings().value(setting, "", type=str))
+    if folder:
+        QgsSettings().setValue(setting, folder)
+    return folder
 
 
 class ChoiceBox(QComboBox):

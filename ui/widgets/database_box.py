@@ -18,12 +18,12 @@ from ..project_state import DATABASE_SETTING
 from ..proposals import annotation_at_hand
 from ..running.background import Reader
 from .controls import tool_button
-from .layouts import FoldingBox, content_of, name_fold, narrow, row_of
+from .layouts import InputBox, narrow, row_of
 
 MAKE_DATABASE = "semref:annotationtodatabase"
 
 
-class DatabaseBox(FoldingBox):
+class DatabaseBox(InputBox):
     """The chosen database, remembered between sessions; a file or layer can be dropped on it.
 
     Call ``shut_down`` before deleting it.
@@ -37,10 +37,7 @@ class DatabaseBox(FoldingBox):
     checked = pyqtSignal()
 
     def __init__(self) -> None:
-        super().__init__(tr("Reference database"))
-        self.setObjectName("SemRefDatabase")
-        # Collapsed after a run, but not in the next session.
-        self.setSaveCollapsedState(False)
+        super().__init__(tr("Reference database"), "SemRefDatabase")
         self.collapsedStateChanged.connect(self._show_title)
         self.setAcceptDrops(True)
         self.file = QgsFileWidget()
@@ -61,11 +58,10 @@ class DatabaseBox(FoldingBox):
         # A file name may look like HTML.
         self.fault_label.setTextFormat(Qt.TextFormat.PlainText)
         self.fault_label.setVisible(False)
-        layout = narrow(QVBoxLayout(content_of(self)), 0)
+        layout = narrow(QVBoxLayout(self.content), 0)
         layout.addLayout(row_of((self.file, 1), self.add_to_map, self.make))
         layout.addWidget(self.fault_label)
         layout.addWidget(self.set_up)
-        name_fold(self)
         self.file.fileChanged.connect(self._remember)
         self.make.clicked.connect(self._make_database)
         self._reader = Reader(self)
@@ -98,7 +94,6 @@ class DatabaseBox(FoldingBox):
         self.making.show()
 
     def _remember(self) -> None:
-        name_fold(self)
         path = self.path()
         if path:
             # Clearing a project clears the database, but the next session starts with it.

@@ -26,7 +26,32 @@ def row_of(*widgets: QWidget | tuple[QWidget, int]) -> QHBoxLayout:
 
 
 class FoldingBox(QgsCollapsibleGroupBox):
-    """Collapsible box that also collapses while it is hidden behind another tab; QGIS's box ignores that."""
+    """Collapsible box.
+
+    content: the only child, because QGIS shows every child when a box opens, also hidden widgets and closed dialogs.
+    """
+
+    def __init__(self, title: str, name: str) -> None:
+        super().__init__()
+        self.setObjectName(name)
+        self.setTitle(title)
+        self.content = QWidget()
+        narrow(QVBoxLayout(self)).addWidget(self.content)
+
+    def setTitle(self, title: str) -> None:
+        super().setTitle(title)
+        # For screen readers; QGIS gives the triangle no name.
+        triangle = self.findChild(QToolButton, "collapseButton")
+        triangle.setAccessibleName(tr("Fold or unfold: {title}").format(title=title))
+
+
+class InputBox(FoldingBox):
+    """Box that is collapsed after a run, also behind another tab, where QGIS's box ignores that."""
+
+    def __init__(self, title: str, name: str) -> None:
+        super().__init__(title, name)
+        # The next session starts with an open box.
+        self.setSaveCollapsedState(False)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -38,19 +63,3 @@ def narrow(layout: QBoxLayout, margin: int = MARGIN_PX) -> QBoxLayout:
     """Return the layout with narrow margins."""
     layout.setContentsMargins(margin, margin, margin, margin)
     return layout
-
-
-def content_of(box: QgsCollapsibleGroupBox) -> QWidget:
-    """Return the only child of a collapsible box, for the box's content.
-
-    QGIS shows every child of a box when it opens, also hidden widgets and closed dialogs.
-    """
-    content = QWidget()
-    narrow(QVBoxLayout(box)).addWidget(content)
-    return content
-
-
-def name_fold(box: QgsCollapsibleGroupBox) -> None:
-    """Name the triangle of a collapsible box for screen readers; QGIS gives it no name."""
-    for button in box.findChildren(QToolButton, "collapseButton"):
-        button.setAccessibleName(tr("Fold or unfold: {title}").format(title=box.title()))

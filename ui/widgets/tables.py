@@ -1,14 +1,12 @@
-"""Shared parts of lists and tables: row selection, severity icons, placeholder texts."""
+"""Shared parts of lists and tables: icons and placeholder texts."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-from qgis.PyQt.QtCore import QItemSelectionModel, QRectF, Qt
+from qgis.PyQt.QtCore import QRectF, Qt
 from qgis.PyQt.QtGui import QIcon, QPainter, QPalette, QTextOption
-from qgis.PyQt.QtWidgets import QAbstractScrollArea, QTableView, QWidget
-
-from ...core.annotation.findings import SEVERITIES, WARNING
+from qgis.PyQt.QtWidgets import QAbstractScrollArea, QWidget
 
 _SIGNS = Path(__file__).resolve().parents[2] / "resources" / "severity"
 """QGIS's own error sign is gray in some versions."""
@@ -16,25 +14,7 @@ _SIGNS = Path(__file__).resolve().parents[2] / "resources" / "severity"
 LIKELY = "likely"
 """Name of the sign of a likely position."""
 
-_FLAGS = QItemSelectionModel.SelectionFlag
 _MARGIN_PX = 12
-
-
-def select_row(view: QTableView, row: int) -> None:
-    """Select a row and make it current.
-
-    In right-to-left layouts Qt's own method selects nothing if the columns exactly fill the view.
-    """
-    header = view.horizontalHeader()
-    shown = (column for column in range(view.model().columnCount()) if not header.isSectionHidden(column))
-    index = view.model().index(row, next(shown, 0))
-    view.selectionModel().setCurrentIndex(index, _FLAGS.ClearAndSelect | _FLAGS.Rows)
-    view.scrollTo(index)
-
-
-def severity_icon(severity: str) -> QIcon:
-    """Return a cross in a disk, a triangle, or an i in a disk; a triangle for unknown severities."""
-    return sign_icon(severity if severity in SEVERITIES else WARNING)
 
 
 def sign_icon(name: str) -> QIcon:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from qgis.core import QgsFeature, QgsMapLayer, QgsVectorLayer
-from qgis.PyQt.QtCore import QEvent, Qt
+from qgis.PyQt.QtCore import QEvent, QItemSelectionModel, Qt
 from qgis.PyQt.QtGui import QPaintEvent, QResizeEvent
 from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
@@ -14,7 +14,7 @@ from ....core.annotation.findings import SEVERITIES, WARNING
 from ....processing.compat import POLYGON_GEOMETRY, is_null
 from ....processing.messages.annotation_messages import kind_titles, severity_title
 from ....processing.translation import tr
-from ...widgets.tables import paint_placeholder, select_row, severity_icon
+from ...widgets.tables import paint_placeholder, sign_icon
 from ...widgets.texts import number_text, plain_tip
 
 SEVERITY_COLUMN, KIND_COLUMN, MESSAGE_COLUMN = range(3)
@@ -28,9 +28,10 @@ KIND = "kind"
 AREA = "area"
 """Field with the area in m²."""
 
-_COLUMNS = ((KIND, "annotated_class"), ("message", "predicted_class"))
+ISSUES, DISAGREEMENTS = (KIND, "message"), ("annotated_class", "predicted_class")
 """Fields that the list shows: of issues, and of disagreements of label maps."""
 
+_FLAGS = QItemSelectionModel.SelectionFlag
 _LINES = 2
 """Lines of a message before it is cut off; enough for most in a dock of usual width."""
 _MARGIN_PX = 6
@@ -56,8 +57,8 @@ class PlacesTable(QTableWidget):
     """Table of places; done ones are struck through."""
 
     def __init__(self) -> None:
-        super().__init__(0, 1 + len(_COLUMNS))
-        self._icons = {severity: severity_icon(severity) for severity in SEVERITIES}
+        super().__init__(0, 3)
+        self._icons = {severity: sign_icon(severity) for severity in SEVERITIES}
         self.setObjectName("SemRefPlaces")
         self.setAccessibleName(tr("Places"))
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -78,8 +79,8 @@ class PlacesTable(QTableWidget):
 
     def show_titles(self, layer: QgsVectorLayer | None) -> None:
         """Set the headings for a layer, or those of issues without one."""
-        names = _fields(layer) if layer is not None else [choices[0] for choices in _COLUMNS]
-        self.setHorizontalHeaderLabels(["", *(_title(name) for name in names)])
+        titles = {ISSUES: (tr("Kind"), tr("Message")), DISAGREEMENTS: (tr("Annotated"), tr("Predicted"))}
+        self.setHorizontalHeaderLabels(["", *titles[shown_fields(layer) or ISSUES]])
         self.horizontalHeaderItem(SEVERITY_COLUMN).setToolTip(tr("Severity"))
         self.horizontalHeaderItem(SEVERITY_COLUMN).setIcon(self._icons[WARNING])
         self.setColumnHidden(SEVERITY_COLUMN, layer is not None and not has_severity(layer))
@@ -107,7 +108,9 @@ class PlacesTable(QTableWidget):
         return self.item(row, 0).data(Qt.ItemDataRole.UserRole)
 
     def selectRow(self, row: int) -> None:
-        select_row(self, row)
+        """Select a row. In right-to-left layouts Qt's method selects nothing if the columns exactly fill the view."""
+        shown = SEVERITY_COLUMN if not self.isColumnHidden(SEVERITY_COLUMN) else KIND_COLUMN
+        self.setCurrentCell(row, shown, _FLAGS.ClearAndSelect | _FLAGS.Rows)
 
     def selected_row(self) -> int:
         """Return the selected row; -1 without one."""
@@ -150,12 +153,16 @@ class PlacesTable(QTableWidget):
             )
 
 
+def shown_fields(layer: QgsMapLayer | None) -> tuple[str, str] | None:
+    """Return ISSUES or DISAGREEMENTS; None for a layer of neither."""
+    if not isinstance(layer, QgsVectorLayer) or layer.geometryType() != POLYGON_GEOMETRY:
+        return None
+    return next((fields for fields in (ISSUES, DISAGREEMENTS) if set(fields) <= set(layer.fields().names())), None)
+
+
 def is_places(layer: QgsMapLayer) -> bool:
     """Return whether a layer has the fields of a result of *Check land-cover layer* or *Compare label maps*."""
-    if not isinstance(layer, QgsVectorLayer) or layer.geometryType() != POLYGON_GEOMETRY:
-        return False
-    names = set(layer.fields().names())
-    return any({kind, message} <= names for kind, message in zip(*_COLUMNS[:2]))
+    return shown_fields(layer) is not None
 
 
 def has_severity(layer: QgsVectorLayer) -> bool:
@@ -165,54 +172,42 @@ def has_severity(layer: QgsVectorLayer) -> bool:
 
 def places_of(layer: QgsVectorLayer) -> Iterator[PlaceRow]:
     """Yield the places of a layer."""
-    words, with_severity = kind_titles(), has_severity(layer)
-    with_messages = "message" in layer.fields().names()
+    fields, kinds = shown_fields(layer), kind_titles()
     for feature in layer.getFeatures():
-        severity = feature[SEVERITY] if with_severity else ""
-        kind, message, area, position = _texts(feature, layer, words)
-        # All disagreements may have the same classes, so area and position are shown below.
-        title, key = (kind, feature[KIND]) if with_messages else (f"{kind} → {message}",) * 2
-        second = _joined(area, message) if with_messages else f"{message}\n{_joined(area, position)}"
-        yield PlaceRow(
-            feature.id(), "" if is_null(severity) else severity, [kind, second], "" if is_null(key) else key, title
-        )
+        first, second, area, position = _texts(feature, layer, kinds)
+        place, severity = feature.id(), _value(feature, SEVERITY)
+        if fields == DISAGREEMENTS:
+            # All may have the same classes, so area and position are shown below.
+            kind = f"{first} → {second}"
+            yield PlaceRow(place, severity, [first, f"{second}\n{_joined(area, position)}"], kind, kind)
+        else:
+            yield PlaceRow(place, severity, [first, _joined(area, second)], _value(feature, KIND), first)
 
 
 def place_text(feature: QgsFeature, layer: QgsVectorLayer) -> str:
     """Return all data of a place in one line."""
-    severity = feature[SEVERITY] if has_severity(layer) else None
-    first = "" if is_null(severity) else severity_title(severity)
-    return _joined(first, *_texts(feature, layer, kind_titles()))
+    severity = _value(feature, SEVERITY)
+    return _joined(severity and severity_title(severity), *_texts(feature, layer, kind_titles()))
 
 
 def _joined(*texts: str) -> str:
     return " · ".join(filter(None, texts))
 
 
-def _fields(layer: QgsVectorLayer) -> list[str | None]:
-    """Return the field of each column; None if the layer does not have it."""
-    names = set(layer.fields().names())
-    return [next((name for name in choices if name in names), None) for choices in _COLUMNS]
-
-
-def _title(field: str | None) -> str:
-    titles = {
-        KIND: tr("Kind"),
-        "message": tr("Message"),
-        "annotated_class": tr("Annotated"),
-        "predicted_class": tr("Predicted"),
-    }
-    return titles.get(field, "")
+def _value(feature: QgsFeature, field: str) -> Any:
+    """Return a value; an empty text for NULL and for a field that the layer does not have."""
+    index = feature.fieldNameIndex(field)
+    return "" if index < 0 or is_null(feature[index]) else feature[index]
 
 
 def _texts(feature: QgsFeature, layer: QgsVectorLayer, kinds: dict[str, str]) -> tuple[str, str, str, str]:
     """Return kind, message, area and position; for disagreements both classes instead of kind and message."""
-    fields = _fields(layer)
-    values = [(name, None if name is None else feature[name]) for name in fields]
-    kind, message = ("" if is_null(v) else _text(v, kinds if name == KIND else {}) for name, v in values)
-    area = feature[AREA] if AREA in layer.fields().names() else None
-    size = "" if is_null(area) else tr("{area} m²").format(area=number_text(area, 1))
-    return kind, message, size, _position(feature, 5 if layer.crs().isGeographic() else 0)
+    first, second = shown_fields(layer) or ISSUES
+    area = _value(feature, AREA)
+    size = "" if area == "" else tr("{area} m²").format(area=number_text(area, 1))
+    position = _position(feature, 5 if layer.crs().isGeographic() else 0)
+    kind = _text(_value(feature, first), kinds if first == KIND else {})
+    return kind, _text(_value(feature, second), {}), size, position
 
 
 def _position(feature: QgsFeature, decimals: int) -> str:

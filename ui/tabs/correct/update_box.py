@@ -7,7 +7,7 @@ from functools import partial
 from typing import Callable
 
 from qgis.core import QgsMapLayer, QgsMapLayerProxyModel, QgsProject, QgsVectorLayer
-from qgis.gui import QgsCollapsibleGroupBox, QgsFieldComboBox, QgsMapLayerComboBox
+from qgis.gui import QgsFieldComboBox, QgsMapLayerComboBox
 from qgis.PyQt.QtWidgets import QFormLayout, QPushButton, QWidget
 
 from ....processing.layers.database_layers import database_file, reload_database
@@ -19,7 +19,7 @@ from ...running.background import Reader
 from ...running.correction_run import RASTERIZE, Correction, CorrectionRun
 from ...widgets.controls import ClassNameBox
 from ...widgets.database_box import DatabaseBox
-from ...widgets.layouts import content_of, name_fold, narrow
+from ...widgets.layouts import FoldingBox, narrow
 from ...widgets.messages import Messages
 from ...widgets.progress import RemainingBar, StatusLine
 from ...widgets.texts import plain_tip
@@ -30,13 +30,12 @@ _ANNOTATION_ENTRY = "/annotation"
 _VALUE_ENTRIES = ("/class_field", "/priority_field", "/class")
 
 
-class UpdateBox(QgsCollapsibleGroupBox):
+class UpdateBox(FoldingBox):
     """Updates the chosen database from a land-cover layer. Call ``shut_down`` before deleting it."""
 
     def __init__(self, database: DatabaseBox, messages: Messages, places: Callable[[], QgsVectorLayer | None]) -> None:
         """``places`` returns the layer of corrected places; None without one."""
-        super().__init__(tr("Update the database"))
-        self.setObjectName("SemRefUpdate")
+        super().__init__(tr("Update the database"), "SemRefUpdate")
         self._database, self._messages, self._places = database, messages, places
         self._undone = ""
         self.run = CorrectionRun(self)
@@ -53,7 +52,7 @@ class UpdateBox(QgsCollapsibleGroupBox):
         self.progress = RemainingBar()
         self.state = StatusLine()
         self.undo = QPushButton(tr("Undo the last update"))
-        layout = narrow(QFormLayout(content_of(self)), 0)
+        layout = narrow(QFormLayout(self.content), 0)
         layout.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)
         layout.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         for title, widget in (
@@ -67,7 +66,6 @@ class UpdateBox(QgsCollapsibleGroupBox):
             layout.addRow(title, widget)
         for widget in (self.button, self.progress, self.state, self.undo):
             layout.addRow(widget)
-        name_fold(self)
         self._connect()
         self.list_layers(QgsProject.instance().mapLayers().values())
         self._show_running()

@@ -21,8 +21,8 @@ from ...model_list import ModelsDialog
 from ...project_state import MODEL_SETTING
 from ...proposals import training_at_hand
 from ...running.background import Reader
-from ...widgets.controls import ChoiceBox, tool_button
-from ...widgets.layouts import FoldingBox, content_of, name_fold, narrow, row_of
+from ...widgets.controls import ChoiceBox, ask_folder, tool_button
+from ...widgets.layouts import InputBox, narrow, row_of
 from ...widgets.messages import Messages, open_file
 from .image_list import ImageList
 
@@ -32,7 +32,7 @@ _FOLDER_SETTING = "semref/dock/image_folder"
 TRAIN_MODEL = "semref:trainmodel"
 
 
-class ImageBox(FoldingBox):
+class ImageBox(InputBox):
     """List of images with buttons to add and remove them, and the model for photos.
 
     Attributes:
@@ -46,11 +46,8 @@ class ImageBox(FoldingBox):
     looked = pyqtSignal()
 
     def __init__(self, messages: Messages) -> None:
-        super().__init__(tr("Images"))
+        super().__init__(tr("Images"), "SemRefImages")
         self._messages = messages
-        self.setObjectName("SemRefImages")
-        # Collapsed after a run, but not in the next session.
-        self.setSaveCollapsedState(False)
         self.list = ImageList()
         self.add_files = QPushButton(tr("Add files…"))
         self.add_folder = QPushButton(tr("Add folder…"))
@@ -75,12 +72,11 @@ class ImageBox(FoldingBox):
         self.choosing: ModelsDialog | None = None
         self.train = tool_button("/processingAlgorithm.svg", tr("Train a model with an orthophoto and polygons…"))
         self.training: QWidget | None = None
-        layout = narrow(QVBoxLayout(content_of(self)), 0)
+        layout = narrow(QVBoxLayout(self.content), 0)
         layout.addWidget(self.list)
         layout.addLayout(row_of((self.add_files, 1), (self.add_folder, 1), self.remove))
         layout.addWidget(self.flight)
         layout.addLayout(row_of((self.model, 1), self.models, self.train))
-        name_fold(self)
         self.models.clicked.connect(self._choose_model)
         self.train.clicked.connect(self._train_model)
         self.model.fileChanged.connect(self._remember_model)
@@ -189,11 +185,13 @@ class ImageBox(FoldingBox):
 
     def _choose_files(self) -> None:
         filters = QgsProviderRegistry.instance().fileRasterFilters()
-        paths, _ = QFileDialog.getOpenFileNames(self.window(), tr("Add images"), _last_folder(), filters)
+        # For a file, Qt opens its folder.
+        last = QgsSettings().value(_FOLDER_SETTING, "", type=str)
+        paths, _ = QFileDialog.getOpenFileNames(self.window(), tr("Add images"), last, filters)
         self._add(paths)
 
     def _choose_folder(self) -> None:
-        self._add([QFileDialog.getExistingDirectory(self.window(), tr("Add a folder of images"), _last_folder())])
+        self._add([ask_folder(self.window(), tr("Add a folder of images"), _FOLDER_SETTING)])
 
     def _add(self, paths: list[str]) -> None:
         if any(paths):
@@ -227,8 +225,3 @@ class MethodRow(QWidget):
 
     def _remember(self) -> None:
         QgsSettings().setValue(_METHOD_SETTING, self.method())
-
-
-def _last_folder() -> str:
-    """Return the path used last; for a file, Qt opens its folder."""
-    return QgsSettings().value(_FOLDER_SETTING, "", type=str)

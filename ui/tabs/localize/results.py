@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from qgis.core import QgsSettings
-from qgis.gui import QgsCollapsibleGroupBox
 from qgis.PyQt.QtCore import QByteArray, Qt
 from qgis.PyQt.QtWidgets import QMenu, QPushButton, QSplitter, QToolButton, QVBoxLayout
 
 from ....processing.translation import tr
 from ...findings import Finding
 from ...widgets.controls import remember, shortcut, tool_button
-from ...widgets.layouts import content_of, name_fold, narrow, row_of
+from ...widgets.layouts import FoldingBox, narrow, row_of
 from .details import Details
 from .image_view import ImageView
 from .results_list import ResultsList
@@ -21,12 +20,11 @@ _SHARES = 2, 3, 0
 """Shares of list, image and details in the remaining height."""
 
 
-class ResultsBox(QgsCollapsibleGroupBox):
+class ResultsBox(FoldingBox):
     """Results with buttons."""
 
     def __init__(self) -> None:
-        super().__init__(tr("Results"))
-        self.setObjectName("SemRefResults")
+        super().__init__(tr("Results"), "SemRefResults")
         self.list = ResultsList()
         self.image = ImageView()
         self.details = Details()
@@ -70,11 +68,10 @@ class ResultsBox(QgsCollapsibleGroupBox):
             self.parts.setStretchFactor(number, share)
         self.parts.restoreState(QgsSettings().value(_PARTS_SETTING, QByteArray(), type=QByteArray))
         self.parts.splitterMoved.connect(self._remember_parts)
-        layout = narrow(QVBoxLayout(content_of(self)), 0)
+        layout = narrow(QVBoxLayout(self.content), 0)
         layout.addWidget(self.parts, 1)
         layout.addLayout(row_of(self.before, self.after, self.zoom, self.drape, (self.copy, 1)))
         layout.addLayout(row_of((self.save, 1), self.history))
-        name_fold(self)
 
     def show_findings(self, findings: list[Finding]) -> None:
         """Replace the results, and select the first one."""

@@ -47,7 +47,7 @@ class LocalizeTab(QWidget):
         self._database, self._messages = database, messages
         self._findings: list[Finding] = []
         self._results_file = self._idle_shown = ""
-        self._used = self._found_with = self._chosen = "", ""
+        self._found_with = self._chosen = "", ""
         self.run = LocalizationRun(self)
         self._reader = Reader(self)
         self.images = ImageBox(messages)
@@ -148,7 +148,6 @@ class LocalizeTab(QWidget):
         if self.run.start(
             self._database.path(), self.images.paths(), self.method.method(), settings, self.images.is_flight()
         ):
-            self._used = self._now_chosen()
             self._set_running(True)
             self.state.show_text(tr("Starting…"))
 
@@ -198,9 +197,9 @@ class LocalizeTab(QWidget):
 
     def _show_found(self) -> None:
         self._set_running(False)
-        database, model = self._used
+        run = self.run.record
         try:
-            self._show_results(self.run.file, model, database)
+            self._show_results(run.file, run.model, run.database)
         except ParameterError as error:
             # Another program removed the file.
             self._messages.error(worded(error))
