@@ -156,7 +156,7 @@ def test_results_from_a_stranger_show_only_images_in_their_folder_or_in_the_list
     monkeypatch.setattr(tab.hit._picture_reader, "read", lambda *given: drawn.append(given[2].image))
     tab.show_state(replace(state, images=[]))
     assert drawn == [] and "not in the folder of the results" in tab.results.image.canvas._text
-    tab.results.drape.click()
+    tab.hit.drape()
     assert any("not in the folder of the results" in text for text in messages(iface))
     tab.show_state(replace(state, images=[area.image]))
     assert drawn == [area.image]

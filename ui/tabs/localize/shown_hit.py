@@ -51,7 +51,7 @@ class ShownHit(QObject):
     def _connect(self) -> None:
         self._results.list.findingSelected.connect(self._show)
         self._results.zoom.toggled.connect(self._zoom_if_asked)
-        self._results.drape.clicked.connect(self._drape)
+        self._results.drape.clicked.connect(self.drape)
         self._picture_reader.answered.connect(self._show_picture)
         self._picture_reader.failed.connect(self._results.image.clear)
         self._drape_reader.answered.connect(self._show_drape)
@@ -114,8 +114,8 @@ class ShownHit(QObject):
 
     # --- image on the map ---
 
-    def _drape(self) -> None:
-        """Add the image to the map at its position."""
+    def drape(self) -> None:
+        """Add the selected image to the map at its position."""
         finding = self._results.list.selected()
         image = self._file_of(finding)
         if not image:
