@@ -90,15 +90,18 @@ class QueryTriangles:
         return QueryTriangles(self.members, self.numbers * np.array([1, -1, 1, 1, 1]), self.tolerances)
 
 
-def query_triangles(query: SeenLandmarks, settings: ConstellationSettings) -> QueryTriangles:
+def query_triangles(query: SeenLandmarks, settings: ConstellationSettings, anchors: int) -> QueryTriangles:
     """Return the triangles of an image's whole landmarks of known class.
 
     If noise could change the order of a triangle's sides, it is returned in each order.
+
+    Args:
+        anchors: Largest landmarks that form triangles.
     """
     usable = np.flatnonzero(query.whole & (query.ranks >= 0))
     areas = np.exp(query.log_areas[usable])
     neighbors, exists = triples(query.points[usable], areas, settings.limits.query_neighbors)
-    exists[np.argsort(-areas, kind="stable")[settings.limits.anchors :]] = False
+    exists[np.argsort(-areas, kind="stable")[anchors:]] = False
     rows, pair = np.nonzero(exists)
     chosen = np.take_along_axis(neighbors[rows], neighbor_pairs(settings.limits.query_neighbors)[pair], axis=1)
     triple = usable[np.column_stack([rows, chosen])].reshape(-1, 3)

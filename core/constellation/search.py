@@ -5,7 +5,7 @@ See docs/explanation/method.md#constellation.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -13,7 +13,8 @@ import numpy as np
 from ..geometry.pose import Pose
 from ..localization import Prior
 from .clusters import Seeds
-from .hypotheses import MINIMUM_OBJECTS, SeenLandmarks
+from .hypotheses import MINIMUM_OBJECTS, SeenLandmarks, query_triangles
+from .index import ConstellationIndex
 from .lookup import Lookup, allowed_poses, find_seeds
 from .settings import Decision, SearchLimits
 from .verification import (
@@ -67,18 +68,25 @@ class Round(NamedTuple):
         return self._replace(lookup=self.lookup.mirrored())
 
 
-def rounds(everything: Lookup) -> list[Round]:
-    """Return the rounds: a few triangles from all over the image, then all with increasing caps.
+def rounds(index: ConstellationIndex, query: SeenLandmarks, prior: Prior | None) -> Iterator[Round]:
+    """Yield the rounds: some and all triangles of the largest landmarks, then those of more landmarks by caps.
 
-    A map of more landmarks has more places that resemble the image by chance. So more candidates are tested if the
-    first rounds bring nothing.
+    The later rounds also test more candidates: the map has more places that resemble the image by chance the more
+    landmarks it has.
     """
-    limits = everything.index.settings.limits
-    some = everything.every(max(-(-len(everything.triangles) // limits.first_triangles), 1))
-    more = round(limits.seeds * max(len(everything.index) / limits.landmarks_of_few_seeds, 1.0) ** 0.5)
+    settings, limits = index.settings, index.settings.limits
+    few, many = limits.anchors
+    largest = Lookup(index, query, query_triangles(query, settings, few), prior)
+    some = largest.every(max(-(-len(largest.triangles) // limits.first_triangles), 1))
     first, second, *others = limits.maximum_hits
-    quick = [Round(some, first, limits.seeds), Round(everything, second, limits.seeds)]
-    return quick + [Round(everything, cap, more) for cap in others]
+    yield Round(some, first, limits.seeds)
+    yield Round(largest, second, limits.seeds)
+    more = max(limits.thorough_seeds, round(limits.seeds * (len(index) / limits.landmarks_of_few_seeds) ** 0.5))
+    wide = largest
+    if query.usable_count > few:
+        wide = Lookup(index, query, query_triangles(query, settings, many), prior)
+    for cap in others:
+        yield Round(wide, cap, more)
 
 
 def search(verifier: Verifier, query: SeenLandmarks, reach: Round) -> tuple[list[PoseEvidence], bool]:

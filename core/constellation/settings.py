@@ -20,8 +20,9 @@ class SearchLimits:
             a landmark [by hand; constellation trials, north].
         query_neighbors: The same for an image: one more, because some neighbors of an image's landmark are not on the
             map [by hand; constellation trials, north].
-        anchors: Landmarks of an image that form triangles, its largest. More only take time [by hand; constellation
-            trials, north].
+        anchors: Landmarks of an image that form triangles in the first two searches, its largest, and in the later
+            ones. If 40 % of the landmarks are missed and 40 % spurious, the largest have no triangle of the map in 12 %
+            of images; with 250, in 1 % [Liechtenstein, south; constellation trials, north].
         minimum_side_in_sizes: Longest side of a triangle over the size (√area) of its smallest landmark. The
             uncertainty of a center is a share of the size, so shorter triangles are useless [Liechtenstein, north;
             constellation trials, north].
@@ -30,7 +31,10 @@ class SearchLimits:
         maximum_hits: Largest number of index triangles examined in the successive searches, rarest first. Limits time
             and memory; the last exceeds the number of similar triangles at 10⁶ landmarks [by hand, for the time;
             catalogue sizes].
-        seeds: Clusters of poses that are roughly fitted [by hand, for the time; constellation trials, north].
+        seeds: Clusters of poses that are roughly fitted in the first two searches [by hand, for the time; constellation
+            trials, north].
+        thorough_seeds: The same in the later searches, and for a side, which has few landmarks [by hand, for the time;
+            probability].
         rough_objects: Largest landmarks of the image that rough fits use [by hand, for the time; constellation trials,
             north].
         rough_share: Poses are verified if their rough score is at least this share of the best one's [by hand;
@@ -40,28 +44,26 @@ class SearchLimits:
         largest_objects: Landmarks of an image used as evidence, largest first. More change only the time [by hand, for
             the time; constellation trials, north].
         tilted_verified: Seeds from which a tilted camera is tested [by hand, for the time; tilted trials].
-        landmarks_of_few_seeds: Map size that the constellation was designed for. For a map of more landmarks, ``seeds``
-            grows with the square root of the ratio after the second search [by hand; catalogue sizes].
-        side_seeds: Clusters of poses that are roughly fitted for a side, which has few landmarks [by hand, for the
-            time; probability].
+        landmarks_of_few_seeds: Map size that the constellation was designed for. For a map of more landmarks, the seeds
+            of the later searches are at least ``seeds`` times the square root of the ratio [by hand; catalogue sizes].
         side_verified: Largest number of poses verified for a side [by hand, for the time; probability].
     """
 
     scales: tuple[float, float] = (0.4, 2.5)
     neighbors: int = 6
     query_neighbors: int = 7
-    anchors: int = 70
+    anchors: tuple[int, int] = (70, 250)
     minimum_side_in_sizes: float = 5.0
     first_triangles: int = 400
     maximum_hits: tuple[int, ...] = (400_000, 1_500_000, 6_000_000, 40_000_000)
     seeds: int = 32
+    thorough_seeds: int = 300
     rough_objects: int = 80
     rough_share: float = 0.25
     verified: int = 5
     largest_objects: int = 250
     tilted_verified: int = 3
     landmarks_of_few_seeds: int = 10_000
-    side_seeds: int = 300
     side_verified: int = 40
 
 

@@ -31,7 +31,17 @@ from .hypotheses import MINIMUM_OBJECTS, SeenLandmarks, query_triangles
 from .index import ConstellationIndex, full_area
 from .lookup import Lookup
 from .parts import Agreement, Side, empty_side, uneven_side
-from .search import SAME_TILTED_PLACE, Round, level_poses, rounds, search, tilted_poses, with_copies, with_repeats
+from .search import (
+    SAME_TILTED_PLACE,
+    Found,
+    Round,
+    level_poses,
+    rounds,
+    search,
+    tilted_poses,
+    with_copies,
+    with_repeats,
+)
 from .settings import ConstellationSettings
 from .verification import MINIMUM_MATCHES, PoseEvidence, Verifier, telling_objects, verify, verify_tilted
 
@@ -123,17 +133,19 @@ def _search_for(
     """Search round by round, until a candidate is a fix or no round is left."""
     index, settings = verifier.index, verifier.index.settings
     searched = _Searched([], [], False, errors)
-    everything = Lookup(index, query, query_triangles(query, settings), prior)
-    looks = rounds(everything)
-    for number, reach in enumerate(looks):
-        if number > 1 and not searched.capped:
+    last = len(settings.limits.maximum_hits) - 1
+    for number, reach in enumerate(rounds(index, query, prior)):
+        if number > 2 and not searched.capped:
             break
-        found, capped = search(verifier, query, reach)
-        searched = replace(searched, found=found, decoys=[], capped=capped)
-        if not found or found[0].log_odds <= 0:
+        latest, capped = search(verifier, query, reach)
+        known = Found(query, settings.decision, searched.found)
+        for evidence in latest:
+            known.add(evidence)
+        searched = replace(searched, found=known.best_first, decoys=[], capped=capped)
+        if not searched.found or searched.found[0].log_odds <= 0:
             continue
-        searched = replace(searched, found=with_repeats(verifier, query, found))
-        is_last = reach is looks[-1] or reach.lookup is everything and not capped
+        searched = replace(searched, found=with_repeats(verifier, query, searched.found))
+        is_last = number == last or number > 1 and not capped
         if is_last or may_be_a_fix(searched.opponents(index), allowed_risk, settings.decision):
             searched = replace(searched, decoys=_decoys(verifier, query, reach, searched))
             if risk_of_best(searched.opponents(index), settings.decision) <= allowed_risk:
@@ -251,8 +263,8 @@ def _other_place(query: SeenLandmarks, verifier: Verifier, best: PoseEvidence, s
     others = others.select(np.flatnonzero(side.contains(others.points)))
     thorough = replace(settings.limits, verified=settings.limits.side_verified, rough_share=0.0)
     there = replace(verifier, index=replace(index, settings=replace(settings, limits=thorough)), side=side)
-    anywhere = Lookup(there.index, others, query_triangles(others, settings), None)
-    reach = Round(anywhere, settings.limits.maximum_hits[1], settings.limits.side_seeds)
+    anywhere = Lookup(there.index, others, query_triangles(others, settings, settings.limits.anchors[0]), None)
+    reach = Round(anywhere, settings.limits.maximum_hits[1], settings.limits.thorough_seeds)
     size, ratio = abs(best.pose.turn), SIDE_PIXEL_SIZES
     same_camera = Prior(pixel_size_range=(size / ratio, size * ratio))
     for prior, least in ((same_camera, settings.decision.side_log_odds), (None, settings.decision.minimum_log_odds)):

@@ -23,7 +23,7 @@ TRUE = (900.0, 1100.0, 70.0, 1.1)
 
 
 def lookup_of(index, query, prior):
-    return Lookup(index, query, query_triangles(query, CONSTELLATION), prior)
+    return Lookup(index, query, query_triangles(query, CONSTELLATION, CONSTELLATION.limits.anchors[0]), prior)
 
 
 def seeds_of(index, query, prior):
@@ -47,7 +47,7 @@ def test_the_true_pose_has_the_most_votes(index, cut, place):
 
 def test_poses_are_the_fits_of_triangles_whose_classes_agree(index, cut):
     query = cut(*TRUE).query
-    triple, hits = query_triangles(query, CONSTELLATION).members[:3], np.arange(900)
+    triple, hits = query_triangles(query, CONSTELLATION, CONSTELLATION.limits.anchors[0]).members[:3], np.arange(900)
     members, source = np.column_stack(index.members(hits)), hits % 3
     same = (index.ranks[members] == query.ranks[triple[source]]).all(axis=1)
     assert 0 < same.sum() < len(hits) and index.keys_tell_classes

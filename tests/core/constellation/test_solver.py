@@ -227,7 +227,7 @@ def test_a_cap_does_not_count_triangles_that_a_prior_excludes(ground, place):
     view = seen_from(*place, 70.0, 1.1)
     objects = ground.see(view, NOISE, 5)
     query = make_query(objects, ground.index, (SIZE, SIZE))
-    triangles = query_triangles(query, CONSTELLATION)
+    triangles = query_triangles(query, CONSTELLATION, CONSTELLATION.limits.anchors[0])
     position = (ORIGIN[0] + view.position[0] + 40, ORIGIN[1] + view.position[1] - 30)
     prior = Prior(position=position, radius=100.0, pixel_size_range=(0.9, 1.3))
     everything = find_seeds(Lookup(ground.index, query, triangles, prior), 10**9)
@@ -250,6 +250,22 @@ def test_a_place_that_capped_searches_leave_out_is_found_by_one_that_looks_every
     assert found.status == Status.FIX and error(found, view) < 0.5
     assert not found.search_capped
     assert (found.risk, found.confidence) == (pytest.approx(1e-12, abs=1e-6), 1 - found.risk)
+
+
+def test_an_image_whose_largest_landmarks_are_not_on_the_map_is_found_by_the_others(ground):
+    view, few = seen_from(1400, 1600, 77.0), 20
+    objects = ground.see(view)
+    centers = objects.centers_xy.copy()
+    largest = np.argsort(-objects.areas_px)[:few]
+    centers[largest] = np.random.default_rng(3).uniform(0, SIZE, (few, 2))
+    spoiled = dataclasses.replace(objects, centers_xy=centers)
+    results = {}
+    for many in (few, len(objects)):
+        limits = dataclasses.replace(CONSTELLATION.limits, anchors=(few, many))
+        index = dataclasses.replace(ground.index, settings=dataclasses.replace(CONSTELLATION, limits=limits))
+        results[many] = localize(spoiled, (SIZE, SIZE), index, PRIOR)
+    assert [result.status for result in results.values()] == [Status.NO_MATCH, Status.FIX]
+    assert error(results[len(objects)], view) < 0.5
 
 
 def test_a_smaller_risk_that_is_allowed_refuses_more(ground):
