@@ -309,6 +309,13 @@ def writers(folder: Path) -> dict[str, tuple[str, dict, str]]:
     }
 
 
+def require_kept(target, writer, run_algorithm):
+    before, (algorithm, parameters, key) = target.read_bytes(), writer
+    with pytest.raises(QgsProcessingException, match="holds other layers|another kind of file"):
+        run_algorithm(algorithm, {**parameters, key: str(target)})
+    assert target.read_bytes() == before
+
+
 @pytest.mark.parametrize("writer", list(writers(Path())))
 @pytest.mark.parametrize("layers", [("roads", "rivers"), ("roads", "target")])
 def test_a_geopackage_of_the_user_is_never_replaced(run_algorithm, given, writer, layers):
@@ -316,11 +323,7 @@ def test_a_geopackage_of_the_user_is_never_replaced(run_algorithm, given, writer
     for name in layers:
         mode = {"accessMode": "update"} if target.exists() else {}
         gdal.VectorTranslate(str(target), str(source), format="GPKG", layerName=name, **mode)
-    before = target.read_bytes()
-    algorithm, parameters, key = writers(given)[writer]
-    with pytest.raises(QgsProcessingException, match="holds other layers|another kind of file"):
-        run_algorithm(algorithm, {**parameters, key: str(target)})
-    assert target.read_bytes() == before
+    require_kept(target, writers(given)[writer], run_algorithm)
 
 
 @pytest.mark.parametrize("writer", list(writers(Path())))
@@ -334,14 +337,10 @@ def test_another_kind_of_file_is_never_replaced(run_algorithm, given, tmp_path, 
         shutil.copy(given / name, target)
     else:
         target.write_bytes({"photo.jpg": b"\xff\xd8\xff\xe0", "run.sh": b"#!/bin/sh"}[name] + b"mine")
-    before = target.read_bytes()
     if writer == "localize" and name != "area.gpkg":
         # QGIS adds the suffix of a vector format, and that file may be foreign as well.
         shutil.copy(given / "area.gpkg", tmp_path / f"{name}.gpkg")
-    algorithm, parameters, key = writers(given)[writer]
-    with pytest.raises(QgsProcessingException, match="holds other layers|another kind of file"):
-        run_algorithm(algorithm, {**parameters, key: str(target)})
-    assert target.read_bytes() == before
+    require_kept(target, writers(given)[writer], run_algorithm)
 
 
 @pytest.mark.slow

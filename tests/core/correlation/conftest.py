@@ -4,9 +4,11 @@ import cv2
 import made_labels
 import numpy as np
 import pytest
+from made_patches import FRAME, made_map
 
 from semref.core.correlation.class_pyramid import MapPyramid, evidence_level
 from semref.core.geometry.frame import MapFrame
+from semref.core.labels.overview import most_frequent_labels
 
 
 @pytest.fixture(scope="package")
@@ -18,6 +20,16 @@ def patches():
 @pytest.fixture(scope="package")
 def patch_pyramid(patches):
     return MapPyramid(patches, MapFrame.at((500_000.0, 5_200_000.0), 4.0))
+
+
+@pytest.fixture(scope="package")
+def labels():
+    return made_map(1)
+
+
+@pytest.fixture(scope="package")
+def pyramid(labels):
+    return MapPyramid(most_frequent_labels(labels), FRAME)
 
 
 @pytest.fixture(scope="package")

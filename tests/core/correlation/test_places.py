@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from made_patches import FRAME, MODEST, PRIOR, STRONG, error_m, made_map, spoiled, view
+from made_patches import MODEST, PRIOR, STRONG, error_m, spoiled, view
 
-from semref.core.correlation.class_pyramid import EvidenceLevel, MapPyramid, evidence_level
+from semref.core.correlation.class_pyramid import EvidenceLevel, evidence_level
 from semref.core.correlation.places import (
     ChanceLevels,
     best_places,
@@ -20,7 +20,6 @@ from semref.core.correlation.places import (
 )
 from semref.core.correlation.refine import ScoredPose
 from semref.core.correlation.solver import localize, part_against
-from semref.core.labels.overview import most_frequent_labels
 from semref.core.localization import Prior
 
 
@@ -114,16 +113,6 @@ def test_an_image_without_labels_or_of_one_class_has_no_place(patch_pyramid, pat
 
 HERE, ELSEWHERE = (1300.0, 1000.0), (2000.0, 1450.0)
 PARTS = {"left": np.s_[:, :175], "right": np.s_[:, 385:], "upper": np.s_[:175], "lower": np.s_[385:]}
-
-
-@pytest.fixture(scope="module")
-def labels():
-    return made_map(1)
-
-
-@pytest.fixture(scope="module")
-def pyramid(labels):
-    return MapPyramid(most_frequent_labels(labels), FRAME)
 
 
 @pytest.mark.slow

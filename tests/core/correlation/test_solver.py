@@ -16,16 +16,6 @@ from semref.core.labels.overview import most_frequent_labels
 from semref.core.localization import Place, Prior
 
 
-@pytest.fixture(scope="module")
-def labels():
-    return made_map(1)
-
-
-@pytest.fixture(scope="module")
-def pyramid(labels):
-    return MapPyramid(most_frequent_labels(labels), FRAME)
-
-
 def test_an_image_without_pixels_is_an_error(pyramid):
     with pytest.raises(LabelMapError):
         localize(np.zeros((0, 5), np.uint8), pyramid, PRIOR)
