@@ -45,7 +45,7 @@ from ..processing.reports.page import percent
 from ..processing.translation import tr
 from .layer_files import photo_layer
 from .running.algorithm_run import AlgorithmRun
-from .running.background import Reader
+from .running.background import Reader, shut_down
 from .sample_project import ORTHOPHOTO_FILE, SAMPLE
 from .widgets.layouts import row_of
 
@@ -59,10 +59,7 @@ _PICTURE_PX, _SWATCH_PX, _LEGEND_ROWS = 260, 12, 7
 
 
 class AddModelDialog(QDialog):
-    """``shut_down`` ends what runs; it is called when the dialog closes.
-
-    added: path of the new model.
-    """
+    """added: path of the new model."""
 
     added = pyqtSignal(str)
 
@@ -310,16 +307,10 @@ class AddModelDialog(QDialog):
             widget.setEnabled(not is_running)
 
     def done(self, result: int) -> None:
-        """End what runs."""
-        self.shut_down()
-        super().done(result)
-
-    def shut_down(self) -> None:
-        """Cancel the run and background reading, and remove the model of the test picture."""
-        for reader in (self._looking, self._labeling):
-            reader.shut_down()
-        self._run.abandon()
+        """End what runs, and remove the model of the test picture."""
+        shut_down(self)
         self._folder.cleanup()
+        super().done(result)
 
 
 def _empty_picture() -> QLabel:

@@ -20,6 +20,7 @@ from ..processing.version import guide_url
 from .diagnostics import Diagnostics
 from .dock.dock import SemRefDock
 from .packages.component_installer import ComponentInstaller
+from .running.background import shut_down
 from .running.localization_run import named_results
 
 if TYPE_CHECKING:
@@ -110,7 +111,7 @@ class DockEntry:
         self._diagnostics.shut_down()
         self._diagnostics.deleteLater()
         if self._sample is not None:
-            self._sample.shut_down()
+            shut_down(self._sample)
             self._sample.deleteLater()
         self._iface.unregisterCustomDropHandler(self._drop)
         # QGIS deletes the handler.

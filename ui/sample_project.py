@@ -40,7 +40,7 @@ _FOLDER_SETTING = "semref/sample_folder"
 
 
 class SampleProject(QObject):
-    """Asks for a folder, creates the sample project there, and opens it. Call ``shut_down`` before deleting it."""
+    """Asks for a folder, creates the sample project there, and opens it."""
 
     def __init__(self, iface, dock) -> None:
         super().__init__(iface.mainWindow())
@@ -50,9 +50,6 @@ class SampleProject(QObject):
         self.run = AlgorithmRun(self)
         self.run.done.connect(lambda *_: self._open())
         self.run.failed.connect(self._messages.error)
-
-    def shut_down(self) -> None:
-        self.run.abandon()
 
     def ask(self) -> None:
         if self.run.running:

@@ -34,7 +34,7 @@ from ..processing.translation import tr
 from .layer_files import photo_layer
 from .proposals import annotation_at_hand
 from .running.algorithm_run import AlgorithmRun
-from .running.background import Reader
+from .running.background import Reader, shut_down
 from .running.localization_run import named_results
 from .widgets.layouts import row_of
 from .widgets.progress import RemainingBar, StatusLine
@@ -142,11 +142,9 @@ class SetUpAreaDialog(QDialog):
         self.close_button.clicked.connect(self.hide)
 
     def shut_down(self) -> None:
-        """Cancel the run and background reading, and delete the dialog."""
-        self._soon.stop()
+        """Cancel what runs, and delete the dialog."""
         self._feedback.cancel()
-        self._reader.shut_down()
-        self._run.abandon()
+        shut_down(self)
         self.deleteLater()
 
     def parameters(self) -> dict:

@@ -25,7 +25,7 @@ def run(qgis_app):
         getattr(made, name).connect(lambda *values, name=name: ends.append((name, *values)))
     made.ends = ends
     yield made
-    made.abandon()
+    made.shut_down()
     parent.deleteLater()
 
 

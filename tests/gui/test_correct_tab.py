@@ -18,6 +18,7 @@ from qgis.core import (
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtWidgets import QApplication, QMessageBox
 
+from semref.ui.running.background import shut_down
 from semref.ui.tabs.correct.places_table import PlaceRow, PlacesTable
 from semref.ui.tabs.correct.tab import CorrectTab
 from semref.ui.widgets.database_box import DatabaseBox
@@ -33,6 +34,7 @@ def tab(iface):
     tab = CorrectTab(iface.canvas, DatabaseBox(), Messages(iface.bar))
     tab.open.setChecked(False)
     yield tab
+    shut_down(tab)
     tab.shut_down()
     tab.deleteLater()
     QgsProject.instance().clear()

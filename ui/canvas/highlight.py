@@ -6,6 +6,7 @@ from math import cos, radians, sin, sqrt
 
 from qgis.core import QgsGeometry, QgsPointXY
 from qgis.gui import QgsMapCanvas, QgsRubberBand
+from qgis.PyQt.QtCore import QObject
 from qgis.PyQt.QtGui import QColor
 
 from ...processing.compat import LINE_GEOMETRY, POLYGON_GEOMETRY
@@ -26,9 +27,10 @@ class HitHighlight(Marks):
     A position is red; a likely position and possible places are amber.
     """
 
-    def __init__(self, canvas: QgsMapCanvas) -> None:
+    def __init__(self, canvas: QgsMapCanvas, parent: QObject) -> None:
         super().__init__(
             canvas,
+            parent,
             {
                 "outline": band(canvas, POLYGON_GEOMETRY, RED),
                 "heading": band(canvas, LINE_GEOMETRY, RED),

@@ -15,11 +15,12 @@ class ButtonTool(QgsMapTool):
     def __init__(self, canvas: QgsMapCanvas, button: QAbstractButton, cursor: Qt.CursorShape) -> None:
         super().__init__(canvas)
         self.setCursor(cursor)
+        self.setParent(button)
         # QGIS checks and unchecks the button.
         self.setButton(button)
         button.clicked.connect(self._follow_button)
 
-    def leave(self) -> None:
+    def shut_down(self) -> None:
         """Return to the previous tool."""
         self.canvas().unsetMapTool(self)
 
@@ -27,11 +28,11 @@ class ButtonTool(QgsMapTool):
         if checked:
             self.canvas().setMapTool(self)
         else:
-            self.leave()
+            self.shut_down()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape:
-            self.leave()
+            self.shut_down()
         else:
             super().keyPressEvent(event)
 

@@ -34,14 +34,11 @@ POINTS_A_SIDE = 16
 
 
 class Marks(QObject):
-    """Shapes on the canvas, each drawn by its own rubber band. Call ``remove`` before deleting it."""
+    """Shapes on the canvas, each drawn by its own rubber band."""
 
-    def __init__(self, canvas: QgsMapCanvas, bands: Mapping[str, QgsRubberBand]) -> None:
-        """Args:
-        canvas: Map canvas to draw on.
-        bands: Rubber bands by the names of their shapes.
-        """
-        super().__init__()
+    def __init__(self, canvas: QgsMapCanvas, parent: QObject, bands: Mapping[str, QgsRubberBand]) -> None:
+        """``bands``: rubber bands on the canvas by the names of their shapes."""
+        super().__init__(parent)
         self._canvas = canvas
         self._bands = dict(bands)
         self._shapes: dict[str, QgsGeometry] = {}
@@ -80,7 +77,7 @@ class Marks(QObject):
         if not extent.isEmpty():
             show_extent(self._canvas, extent, factor)
 
-    def remove(self) -> None:
+    def shut_down(self) -> None:
         """Remove the bands from the canvas for good."""
         self._canvas.destinationCrsChanged.disconnect(self._place)
         for band in self._bands.values():
@@ -163,8 +160,8 @@ def dots(canvas: QgsMapCanvas, color: QColor, size_px: int) -> QgsRubberBand:
 class CircleMark(Marks):
     """Circle that is round in the CRS of the canvas."""
 
-    def __init__(self, canvas: QgsMapCanvas) -> None:
-        super().__init__(canvas, {"circle": band(canvas, POLYGON_GEOMETRY, BLUE, filled=30, rim=False)})
+    def __init__(self, canvas: QgsMapCanvas, parent: QObject) -> None:
+        super().__init__(canvas, parent, {"circle": band(canvas, POLYGON_GEOMETRY, BLUE, filled=30, rim=False)})
 
     def show(self, middle: QgsPointXY, edge: QgsPointXY, crs: QgsCoordinateReferenceSystem) -> None:
         """Draw a circle around ``middle`` through ``edge``, both in ``crs``."""
@@ -181,8 +178,8 @@ class CircleMark(Marks):
 class PlaceMark(Marks):
     """Polygon of a place to check."""
 
-    def __init__(self, canvas: QgsMapCanvas) -> None:
-        super().__init__(canvas, {"place": band(canvas, POLYGON_GEOMETRY, RED, filled=40, rim=False)})
+    def __init__(self, canvas: QgsMapCanvas, parent: QObject) -> None:
+        super().__init__(canvas, parent, {"place": band(canvas, POLYGON_GEOMETRY, RED, filled=40, rim=False)})
 
     def show(self, place: QgsGeometry, crs: QgsCoordinateReferenceSystem) -> None:
         self.draw({"place": place}, crs)

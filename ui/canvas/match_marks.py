@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry, QgsPointXY
 from qgis.gui import QgsMapCanvas, QgsMapCanvasItem
-from qgis.PyQt.QtCore import QPointF, QRectF
+from qgis.PyQt.QtCore import QObject, QPointF, QRectF
 from qgis.PyQt.QtGui import QPainter, QPen
 
 from ..findings import MatchPoints
@@ -17,8 +17,8 @@ _RING_PX = 6.0
 class MatchMarks(Marks):
     """Pairs of matched landmarks."""
 
-    def __init__(self, canvas: QgsMapCanvas) -> None:
-        super().__init__(canvas, {"pairs": _Pairs(canvas)})
+    def __init__(self, canvas: QgsMapCanvas, parent: QObject) -> None:
+        super().__init__(canvas, parent, {"pairs": _Pairs(canvas)})
 
     @property
     def pairs(self) -> list[list[QgsPointXY]]:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from qgis.core import QgsGeometry
 from qgis.gui import QgsMapCanvas
+from qgis.PyQt.QtCore import QObject
 
 from ...processing.compat import LINE_GEOMETRY
 from ..findings import Finding
@@ -17,9 +18,10 @@ _DOT_PX, _WIDTH_PX = 9, 2
 class TrackMarks(Marks):
     """Tracks of flights; nothing for single images."""
 
-    def __init__(self, canvas: QgsMapCanvas) -> None:
+    def __init__(self, canvas: QgsMapCanvas, parent: QObject) -> None:
         super().__init__(
             canvas,
+            parent,
             {
                 "track": band(canvas, LINE_GEOMETRY, with_opacity(BLUE, 180), _WIDTH_PX),
                 "own": dots(canvas, BLUE, _DOT_PX),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry, QgsPointXY
 from qgis.gui import QgsMapCanvas
+from qgis.PyQt.QtCore import QObject
 
 from ...processing.compat import LINE_GEOMETRY, POLYGON_GEOMETRY
 from ...processing.inspection.window import InspectedWindow
@@ -15,9 +16,10 @@ _ZOOM_MARGIN = 1.6
 class WindowMarks(Marks):
     """A window of the database, lines to the landmarks of its vector, and similar windows."""
 
-    def __init__(self, canvas: QgsMapCanvas) -> None:
+    def __init__(self, canvas: QgsMapCanvas, parent: QObject) -> None:
         super().__init__(
             canvas,
+            parent,
             {
                 "window": band(canvas, POLYGON_GEOMETRY, BLUE, width=3),
                 "star": band(canvas, LINE_GEOMETRY, BLUE, width=1),

@@ -31,7 +31,7 @@ _LEAST_WIDTH_PX = 300
 
 
 class DockContent(QWidget):
-    """Connects the tabs with the database and with each other. Call ``shut_down`` before deleting it."""
+    """Connects the tabs with the database and with each other."""
 
     def __init__(self, canvas: QgsMapCanvas, messages: Messages) -> None:
         super().__init__()
@@ -72,11 +72,6 @@ class DockContent(QWidget):
     def minimumSizeHint(self) -> QSize:
         least = super().minimumSizeHint()
         return QSize(max(least.width(), _LEAST_WIDTH_PX), least.height())
-
-    def shut_down(self) -> None:
-        """Cancel runs and background reading, and clear the canvas."""
-        for part in (self.localize, self.database, self.inspect, self.correct):
-            part.shut_down()
 
     def _add_database_to_map(self) -> None:
         try:

@@ -17,6 +17,7 @@ from ...processing.layers.database_layers import OPENED, reload_raster
 from ...processing.translation import tr
 from ..packages.missing_notice import MissingNotice
 from ..project_state import DATABASE_SETTING, DockState, read_state, write_state
+from ..running.background import shut_down
 from ..widgets.layouts import narrow
 from ..widgets.messages import Messages, open_file
 
@@ -106,8 +107,7 @@ class SemRefDock(QgsDockWidget):
         if self.setting_up is not None:
             self.setting_up.shut_down()
             self.setting_up = None
-        if self._content is not None:
-            self._content.shut_down()
+        shut_down(self)
 
     def prepare(self, database: str, model: str, images: list[str], results: str = "") -> None:
         """Show the dock with database, model, images and results, and the automatic method."""

@@ -124,7 +124,7 @@ class AlgorithmRun(QObject):
             self._cancel_asked = True
             self._task.cancel()
 
-    def abandon(self) -> None:
+    def shut_down(self) -> None:
         """Cancel without signals, and wait until the background thread has ended."""
         if self._task is None:
             return

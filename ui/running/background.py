@@ -8,7 +8,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Callable
 
 from qgis.core import QgsTask
-from qgis.PyQt.QtCore import QObject, pyqtSignal
+from qgis.PyQt.QtCore import QObject, QTimer, pyqtSignal
 
 from ...core.errors import SemRefError
 from ...processing.messages.sentences import worded
@@ -19,11 +19,22 @@ if TYPE_CHECKING:
     from ...core.database.model import ReferenceDatabase
 
 
+def shut_down(whole: QObject) -> None:
+    """End what the parts of an object do outside of it. Call it before the object is deleted.
+
+    Timers stop. Background work, map tools and marks on the canvas have a method ``shut_down``.
+    """
+    for timer in whole.findChildren(QTimer):
+        timer.stop()
+    for part in whole.findChildren(QObject):
+        if hasattr(part, "shut_down"):
+            part.shut_down()
+
+
 class Reader(QObject):
     """Runs one function at a time. A new one discards the result of the previous one and waits until that has ended.
 
-    Thus, stepping through hundreds of images with a key held down reads two of them. Call ``shut_down`` before
-    deleting it.
+    Thus, stepping through hundreds of images with a key held down reads two of them.
 
     answered: result of the function; failed: a sentence for the user.
     """

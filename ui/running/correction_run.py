@@ -78,8 +78,7 @@ class _Known:
 class CorrectionRun(QObject):
     """Updates a database from a layer. After the first update, only changed areas are rasterized and compared.
 
-    One update at a time. It ends with exactly one of ``done``, ``failed`` and ``canceled``. Call ``shut_down`` before
-    deleting it.
+    One update at a time. It ends with exactly one of ``done``, ``failed`` and ``canceled``.
 
     Attributes:
         rasterizing: Parameters of *Rasterize land-cover layer* in the last update.
@@ -116,7 +115,7 @@ class CorrectionRun(QObject):
     def shut_down(self) -> None:
         """Cancel, and wait until the background thread has ended."""
         self._reader.shut_down()
-        self._run.abandon()
+        self._run.shut_down()
         self._stop()
 
     def start(self, wanted: Correction) -> None:

@@ -26,8 +26,6 @@ MAKE_DATABASE = "semref:annotationtodatabase"
 class DatabaseBox(InputBox):
     """The chosen database, remembered between sessions; a file or layer can be dropped on it.
 
-    Call ``shut_down`` before deleting it.
-
     fault: why the file is not a database, empty while that is unknown; replaced: the file has new content; checked: the
     file was checked.
     """
@@ -68,10 +66,6 @@ class DatabaseBox(InputBox):
         self._reader.answered.connect(lambda _nothing: self._show_fault(""))
         self._reader.failed.connect(self._show_fault)
         self._check()
-
-    def shut_down(self) -> None:
-        """Stop background reading."""
-        self._reader.shut_down()
 
     def path(self) -> str:
         """Return the path of the chosen database; may be empty."""

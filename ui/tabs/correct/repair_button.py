@@ -22,7 +22,7 @@ REPAIR = "semref:repairannotation"
 
 
 class RepairButton(QPushButton):
-    """Button to repair all places. Call ``shut_down`` before deleting it.
+    """Button to repair all places.
 
     textChanged: progress or result in words; repaired: the layer, which has one more undo step; failed: a sentence.
     """
@@ -46,10 +46,6 @@ class RepairButton(QPushButton):
         self.run.canceled.connect(lambda: self.textChanged.emit(tr("Canceled.")))
         self.clicked.connect(self._press)
         self.show_kinds(Counter())
-
-    def shut_down(self) -> None:
-        """Cancel the repair."""
-        self.run.abandon()
 
     def show_kinds(self, kinds: Counter) -> None:
         """Show how many open places can be repaired. ``kinds``: number of open places by kind."""

@@ -38,7 +38,7 @@ _FILL_S = 0.03
 
 
 class CorrectTab(QWidget):
-    """Tab *Correct*. Call ``shut_down`` before deleting it."""
+    """Tab *Correct*."""
 
     def __init__(self, canvas: QgsMapCanvas, database: DatabaseBox, messages: Messages) -> None:
         super().__init__()
@@ -57,7 +57,7 @@ class CorrectTab(QWidget):
         self._listing.setSingleShot(True)
         self._listing.timeout.connect(self._list_layers)
         self._layer: QgsVectorLayer | None = None
-        self._mark = PlaceMark(canvas)
+        self._mark = PlaceMark(canvas, self)
         self.updating = UpdateBox(database, messages, lambda: self._layer)
         self._lay_out()
         self._connect()
@@ -120,17 +120,11 @@ class CorrectTab(QWidget):
         project.layersAdded.connect(self._take_added)
 
     def shut_down(self) -> None:
-        """Cancel runs, stop filling the list, and remove the mark from the canvas."""
-        for timer in (self._soon, self._listing):
-            timer.stop()
-        self._rows = iter(())
-        self.repair.shut_down()
-        self.updating.shut_down()
+        """Ignore changes of the project, whose layers may be removed before this tab is deleted."""
         project = QgsProject.instance()
         project.layersWillBeRemoved.disconnect(self._leave_removed)
         project.layersAdded.disconnect(self._take_added)
         self.layer.layerChanged.disconnect(self._use_layer)
-        self._mark.remove()
 
     # --- the layer ---
 

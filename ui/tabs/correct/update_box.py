@@ -31,7 +31,7 @@ _VALUE_ENTRIES = ("/class_field", "/priority_field", "/class")
 
 
 class UpdateBox(FoldingBox):
-    """Updates the chosen database from a land-cover layer. Call ``shut_down`` before deleting it."""
+    """Updates the chosen database from a land-cover layer."""
 
     def __init__(self, database: DatabaseBox, messages: Messages, places: Callable[[], QgsVectorLayer | None]) -> None:
         """``places`` returns the layer of corrected places; None without one."""
@@ -85,11 +85,6 @@ class UpdateBox(FoldingBox):
         for part in (self.run, self._undoing):
             part.failed.connect(lambda _: self._show_end(""))
             part.failed.connect(self._messages.error)
-
-    def shut_down(self) -> None:
-        """Cancel the update, and wait until the background thread has ended."""
-        self.run.shut_down()
-        self._undoing.shut_down()
 
     def correction(self) -> Correction | None:
         """Return the choices; None without a layer, or without its class field or class."""

@@ -55,7 +55,7 @@ _DIFFERS = 0.1
 
 
 class InspectTab(QWidget):
-    """Reads the chosen database for the first window. Call ``shut_down`` before deleting it."""
+    """Reads the chosen database for the first window."""
 
     def __init__(self, canvas: QgsMapCanvas, database: DatabaseBox, messages: Messages) -> None:
         super().__init__()
@@ -67,7 +67,7 @@ class InspectTab(QWidget):
         self._image_vector: np.ndarray | None = None
         self._image_name = ""
         self._wanted: Callable[[], None] = self._show_nothing
-        self._marks = WindowMarks(canvas)
+        self._marks = WindowMarks(canvas, self)
         self._lay_out()
         self._connect()
         self._show_nothing()
@@ -122,12 +122,6 @@ class InspectTab(QWidget):
         self.after.clicked.connect(lambda: self._step(1))
         self.compare.toggled.connect(self._refresh)
         self.look_alikes.cellDoubleClicked.connect(self._show_look_alike)
-
-    def shut_down(self) -> None:
-        """Stop reading, release the map tool and clear the canvas."""
-        self._reader.shut_down()
-        self.tool.leave()
-        self._marks.remove()
 
     # --- choosing a window ---
 

@@ -102,8 +102,7 @@ class ImageBox(InputBox):
         return self.flight.isChecked()
 
     def shut_down(self) -> None:
-        """Stop background reading, and close the list of models."""
-        self._reader.shut_down()
+        """Close the list of models."""
         self._close_models()
 
     def _look(self) -> None:

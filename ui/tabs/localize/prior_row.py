@@ -18,7 +18,7 @@ from ...widgets.progress import StatusLine
 
 
 class PriorRow(QWidget):
-    """Row with the search area and its buttons. Call ``shut_down`` before deleting it."""
+    """Row with the search area and its buttons."""
 
     def __init__(self, canvas: QgsMapCanvas) -> None:
         super().__init__()
@@ -26,7 +26,7 @@ class PriorRow(QWidget):
         self._canvas = canvas
         self._circle: Prior | None = None
         self._radius_m = 0.0
-        self._mark = CircleMark(canvas)
+        self._mark = CircleMark(canvas, self)
         self.text = StatusLine()
         self.draw = tool_button("/mActionCircle2Points.svg", tr("Draw the search area"), checkable=True)
         self.draw.setToolTip(tr("Draw the search area on the map: press at its center and drag to its edge"))
@@ -57,7 +57,7 @@ class PriorRow(QWidget):
                 # Drawn outside the area of the CRS, such as beside a globe: there is no such place.
                 return
         self.restore((middle.x(), middle.y(), edge.x(), edge.y(), crs.authid()))
-        self._tool.leave()
+        self._tool.shut_down()
 
     def circle(self) -> Prior | None:
         """Return the search circle; None without one."""
@@ -89,11 +89,6 @@ class PriorRow(QWidget):
         self._mark.clear()
         self.text.show_text(tr("Search area: the whole database"))
         self.clear.setEnabled(False)
-
-    def shut_down(self) -> None:
-        """Release the map tool and remove the circle from the canvas."""
-        self._tool.leave()
-        self._mark.remove()
 
     def _preview(self, middle: QgsPointXY, edge: QgsPointXY) -> None:
         self._mark.show(middle, edge, self._canvas.mapSettings().destinationCrs())

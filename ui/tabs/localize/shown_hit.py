@@ -27,7 +27,7 @@ from .results import ResultsBox
 
 
 class ShownHit(QObject):
-    """Follows the selection of a ResultsBox. Call ``shut_down`` before deleting it.
+    """Follows the selection of a ResultsBox.
 
     described: name and topology vector of the selected image; None without a vector.
     """
@@ -37,9 +37,9 @@ class ShownHit(QObject):
     def __init__(self, canvas: QgsMapCanvas, results: ResultsBox, messages: Messages) -> None:
         super().__init__(results)
         self._results, self._messages = results, messages
-        self.highlight = HitHighlight(canvas)
-        self.matches = MatchMarks(canvas)
-        self.track = TrackMarks(canvas)
+        self.highlight = HitHighlight(canvas, self)
+        self.matches = MatchMarks(canvas, self)
+        self.track = TrackMarks(canvas, self)
         self._pictures = PictureShelf()
         self._picture_reader = Reader(self)
         self._drape_reader = Reader(self)
@@ -56,13 +56,6 @@ class ShownHit(QObject):
         self._picture_reader.failed.connect(self._results.image.clear)
         self._drape_reader.answered.connect(self._show_drape)
         self._drape_reader.failed.connect(self._messages.error)
-
-    def shut_down(self) -> None:
-        """Clear the canvas, and stop background reading."""
-        for reader in (self._picture_reader, self._drape_reader):
-            reader.shut_down()
-        for marks in (self.matches, self.highlight, self.track):
-            marks.remove()
 
     def use(self, database: str, model: str, chosen: Callable[[], list[str]] | None = None) -> None:
         """Set what the next results were computed with.

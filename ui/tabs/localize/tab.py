@@ -35,7 +35,7 @@ _RESULTS_FOLDER_SETTING = "semref/dock/results_folder"
 
 
 class LocalizeTab(QWidget):
-    """Localizes images in the chosen database. Call ``shut_down`` before deleting it.
+    """Localizes images in the chosen database.
 
     found: a sentence about the results of a run.
     """
@@ -90,14 +90,6 @@ class LocalizeTab(QWidget):
         for ended in (self.run.failed, self.run.canceled):
             ended.connect(self._show_idle)
         self.run.canceled.connect(lambda: self.state.show_text(tr("Canceled.")))
-
-    def shut_down(self) -> None:
-        """Cancel runs and clear the canvas."""
-        self.run.abandon()
-        self._reader.shut_down()
-        self.images.shut_down()
-        self.hit.shut_down()
-        self.prior.shut_down()
 
     # --- project ---
 
