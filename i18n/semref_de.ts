@@ -5276,10 +5276,6 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Es gibt keine Stelle zu prüfen.</translation>
   </message>
   <message>
-   <source>There is no run to resume in {folder}.</source>
-   <translation>{folder} enthält keinen Lauf, der fortgesetzt werden kann.</translation>
-  </message>
-  <message>
    <source>There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: local:4.</source>
    <translation>Unter {address} gibt es keinen Scheduler ({reason}); starten Sie einen oder lassen Sie Prozesse auf diesem Rechner starten: local:4.</translation>
   </message>

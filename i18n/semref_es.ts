@@ -5276,10 +5276,6 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>No hay ningún lugar que comprobar.</translation>
   </message>
   <message>
-   <source>There is no run to resume in {folder}.</source>
-   <translation>En {folder} no hay ninguna ejecución que continuar.</translation>
-  </message>
-  <message>
    <source>There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: local:4.</source>
    <translation>No hay ningún planificador en {address} ({reason}); inicie uno o haga que se inicien procesos en este equipo: local:4.</translation>
   </message>

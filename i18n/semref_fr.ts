@@ -5276,10 +5276,6 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>Il n’y a aucun endroit à vérifier.</translation>
   </message>
   <message>
-   <source>There is no run to resume in {folder}.</source>
-   <translation>Il n’y a aucune exécution à reprendre dans {folder}.</translation>
-  </message>
-  <message>
    <source>There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: local:4.</source>
    <translation>Il n’y a pas d’ordonnanceur à l’adresse {address} ({reason}) ; démarrez-en un, ou faites démarrer des processus sur cet ordinateur : local:4.</translation>
   </message>

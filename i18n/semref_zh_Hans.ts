@@ -5276,10 +5276,6 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>没有待检查的位置。</translation>
   </message>
   <message>
-   <source>There is no run to resume in {folder}.</source>
-   <translation>{folder} 中没有可继续的运行。</translation>
-  </message>
-  <message>
    <source>There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: local:4.</source>
    <translation>{address} 处没有调度器（{reason}）；请启动一个，或在本机启动进程：local:4。</translation>
   </message>

@@ -40,7 +40,7 @@ def run(job: Path, report: Report) -> None:
     write_onnx(network, TILE_PX, target)
     report("exporting", share=0.6)
     add_metadata(target, {"tile_size": TILE_PX})
-    image = np.random.default_rng(IR_VERSION).normal(size=(3, TILE_PX, TILE_PX)).astype(np.float32)
+    image = np.random.default_rng(IR_VERSION).normal(size=(1, 3, TILE_PX, TILE_PX)).astype(np.float32)
     largest_difference(network, target, [image])
     report("exporting", share=0.9)
 

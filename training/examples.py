@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 import torch
 
-from .tiles import TileClass, TileReader, spread
+from .tiles import TileClass, TileReader, spread, standardized
 
 EDGE_PX, GAP_PX, MOST = 256, 8, 4
 UNKNOWN = (200, 200, 200)
@@ -25,9 +25,8 @@ def write_examples(
     network = network.cpu().eval()
     for number, index in enumerate(spread(len(reader), MOST)):
         image, labels = reader(index)
-        batch = ((image - mean) / deviation).astype(np.float32).transpose(2, 0, 1)[None].copy()
         with torch.inference_mode():
-            found = network(torch.from_numpy(batch)).argmax(1)[0].numpy().astype(np.uint8)
+            found = network(torch.from_numpy(standardized(image, mean, deviation))).argmax(1)[0].numpy()
         shown = [np.clip(image * 255 + 0.5, 0, 255).astype(np.uint8), colors[labels], colors[found]]
         gap = np.full((EDGE_PX, GAP_PX, 3), 255, np.uint8)
         small = [cv2.resize(one, (EDGE_PX, EDGE_PX), interpolation=cv2.INTER_AREA) for one in shown]

@@ -11,8 +11,7 @@ import onnxruntime
 import torch
 
 from ..core.errors import TrainingError
-from .metrics import confusion_matrix
-from .tiles import TileClass, TileReader
+from .tiles import TileClass, standardized
 
 OPSET, IR_VERSION = 17, 8  # supported by onnxruntime from 1.12 on
 LARGEST_DIFFERENCE = 1e-3  # of logits, between torch and onnxruntime
@@ -46,8 +45,8 @@ def add_metadata(target: Path, entries: dict) -> None:
     onnx.save(model, target)
 
 
-def largest_difference(network: torch.nn.Module, target: Path, images: list[np.ndarray]) -> float:
-    """Return the largest difference of logits between torch and onnxruntime, for standardized images (3, H, W).
+def largest_difference(network: torch.nn.Module, target: Path, batches: list[np.ndarray]) -> float:
+    """Return the largest difference of logits between torch and onnxruntime, for standardized images (N, 3, H, W).
 
     Raises:
         TrainingError: The difference is larger than LARGEST_DIFFERENCE.
@@ -55,8 +54,7 @@ def largest_difference(network: torch.nn.Module, target: Path, images: list[np.n
     session = onnxruntime.InferenceSession(str(target), providers=["CPUExecutionProvider"])
     network = network.cpu().eval()
     largest = 0.0
-    for image in images:
-        batch = image[None].astype(np.float32)
+    for batch in batches:
         with torch.inference_mode():
             expected = network(torch.from_numpy(batch)).numpy()
         largest = max(largest, float(np.abs(session.run(None, {"image": batch})[0] - expected).max()))
@@ -74,31 +72,6 @@ def scoring(target: Path, mean, deviation):
     session = onnxruntime.InferenceSession(str(target), providers=["CPUExecutionProvider"])
 
     def scores_of(image: np.ndarray) -> np.ndarray:
-        batch = ((image - mean) / deviation).astype(np.float32).transpose(2, 0, 1)[None].copy()
-        return session.run(None, {"image": batch})[0][0]
+        return session.run(None, {"image": standardized(image, mean, deviation)})[0][0]
 
     return scores_of
-
-
-def answering(scores_of):
-    """Return a function from an image to the channels (H, W) with the highest score."""
-    return lambda image: scores_of(image).argmax(0).astype(np.uint8)
-
-
-def compare(network: torch.nn.Module, target: Path, reader: TileReader, mean, deviation):
-    """Return the confusion matrices of the network in torch and in onnxruntime, and the share of equal pixels."""
-    session = onnxruntime.InferenceSession(str(target), providers=["CPUExecutionProvider"])
-    network = network.cpu().eval()
-    count = session.get_outputs()[0].shape[1]
-    by_torch, by_onnx = (np.zeros((count, count), np.int64) for _ in range(2))
-    same = total = 0
-    for index in range(len(reader)):
-        image, labels = reader(index)
-        batch = ((image - mean) / deviation).astype(np.float32).transpose(2, 0, 1)[None].copy()
-        with torch.inference_mode():
-            first = network(torch.from_numpy(batch)).argmax(1)[0].numpy()
-        second = session.run(None, {"image": batch})[0].argmax(1)[0]
-        by_torch += confusion_matrix(labels, first, count)
-        by_onnx += confusion_matrix(labels, second, count)
-        same, total = same + int((first == second).sum()), total + first.size
-    return by_torch, by_onnx, same / total

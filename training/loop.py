@@ -6,7 +6,7 @@ import csv
 import math
 import time
 from collections.abc import Callable
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
@@ -16,7 +16,7 @@ from torch.optim.swa_utils import AveragedModel
 
 from ..core.errors import TrainingError
 from .augment import random_light, random_piece
-from .job import CHECKPOINT, FREE
+from .job import CHECKPOINT, FREE, Job
 from .metrics import confusion_matrix, intersection_over_union
 from .partial import decided_channels
 from .tiles import IGNORED, TileReader
@@ -33,39 +33,20 @@ Report = Callable[..., None]
 """``report(event, **values)`` informs the caller of the training."""
 
 
-@dataclass(frozen=True)
-class Settings:
-    """Settings of a run; a run is resumed with equal settings."""
-
-    epochs: int
-    pieces: int  # per epoch
-    piece_size: int
-    batch: int
-    learning_rate: float
-    patience: int  # epochs without a better validation before the training stops; 0: no early stop
-    mixed_precision: bool
-    channels_last: bool
-    workers: int
-    seed: int
-    light: float = 1.0  # factor for the variation of light and color
-    minutes: float = 0.0  # from the start of the process to the written model; 0: no limit
-    processor_time: bool = False  # whether minutes are processor time, for a machine with other work
-
-
 class Pieces(torch.utils.data.Dataset):
     """Random pieces of tiles; equal seed and epoch give equal pieces."""
 
-    def __init__(self, reader: TileReader, settings: Settings, epoch: int) -> None:
-        self._reader, self._settings, self._epoch = reader, settings, epoch
+    def __init__(self, reader: TileReader, job: Job, epoch: int) -> None:
+        self._reader, self._job, self._epoch = reader, job, epoch
 
     def __len__(self) -> int:
-        return self._settings.pieces
+        return self._job.pieces
 
     def __getitem__(self, index: int):
-        rng = np.random.default_rng([self._settings.seed, self._epoch, index])
+        rng = np.random.default_rng([self._job.seed, self._epoch, index])
         image, labels = self._reader(int(rng.integers(len(self._reader))))
-        piece, marks = random_piece(rng, image, labels, self._settings.piece_size)
-        piece = random_light(rng, piece, self._settings.light)
+        piece, marks = random_piece(rng, image, labels, self._job.piece_size)
+        piece = random_light(rng, piece, self._job.light)
         return torch.from_numpy(piece.transpose(2, 0, 1).copy()), torch.from_numpy(marks).long()
 
 
@@ -86,18 +67,18 @@ class Trainer:
         class_names,
         class_weights,
         allowed,
-        settings: Settings,
-        folder: Path,
+        job: Job,
         report: Report,
     ) -> None:
-        """Prepare a run in ``folder``.
+        """Prepare a run in the folder of a job.
 
         Args:
             class_weights: (L,) weight of each label.
             allowed: (L, K) bool of the classes that each label allows (partial.py).
+            job: With all defaults filled in (``train.with_defaults``).
         """
         self.device = torch.device("cuda" if torch.cuda.is_available() else "cpu")
-        self.layout = torch.channels_last if settings.channels_last else torch.contiguous_format
+        self.layout = torch.channels_last if job.channels_last else torch.contiguous_format
         self.network = network.to(self.device, memory_format=self.layout)
         self.average = AveragedModel(self.network, avg_fn=running_average, use_buffers=True)
         self.mean = torch.tensor(mean, dtype=torch.float32, device=self.device).view(1, 3, 1, 1)
@@ -106,16 +87,17 @@ class Trainer:
         self.weights = torch.tensor(class_weights, dtype=torch.float32, device=self.device)
         self.allowed = np.asarray(allowed, bool)
         self._meanings = torch.tensor(self.allowed, device=self.device)
-        self.settings, self.folder, self.report = settings, folder, report
-        self.optimizer = torch.optim.AdamW(self.network.parameters(), settings.learning_rate, weight_decay=WEIGHT_DECAY)
-        self.steps_an_epoch = max(1, settings.pieces // settings.batch)
-        self.scaler = torch.amp.GradScaler("cuda", enabled=settings.mixed_precision and self.device.type == "cuda")
+        self.job, self.folder, self.report = job, Path(job.folder), report
+        self.optimizer = torch.optim.AdamW(self.network.parameters(), job.learning_rate, weight_decay=WEIGHT_DECAY)
+        self.steps_an_epoch = max(1, job.pieces // job.batch)
+        self.is_mixed = job.mixed_precision == "on"
+        self.scaler = torch.amp.GradScaler("cuda", enabled=self.is_mixed and self.device.type == "cuda")
         self.epoch, self.step, self.best_score, self.best_epoch = 0, 0, -1.0, 0
         self.history: list[dict] = []
         self.best_confusion = np.zeros(self.allowed.shape, np.int64)
         self.stopped_by = ""
         self._seconds_before, self._reported = 0.0, 0.0
-        self._clock = time.process_time if settings.processor_time else time.monotonic
+        self._clock = time.process_time if job.processor_time else time.monotonic
         self.began = self._clock()
         self._trained = TRAINED
 
@@ -127,32 +109,32 @@ class Trainer:
     @property
     def share(self) -> float:
         """Share of the training that is done, 0…1: of the steps, or of the time limit if that is larger."""
-        by_steps = self.step / (self.settings.epochs * self.steps_an_epoch)
-        by_time = self.seconds / (60 * self.settings.minutes * self._trained) if self.settings.minutes else 0.0
+        by_steps = self.step / (self.job.epochs * self.steps_an_epoch)
+        by_time = self.seconds / (60 * self.job.minutes * self._trained) if self.job.minutes else 0.0
         return min(max(by_steps, by_time), 1.0)
 
     @property
     def total_share(self) -> float:
         """Share of all work until the model is written, 0…1; with a time limit at least the share of time."""
-        passed = self.seconds / (60 * self.settings.minutes) if self.settings.minutes else 0.0
+        passed = self.seconds / (60 * self.job.minutes) if self.job.minutes else 0.0
         return min(max(self.share * self._trained, passed), 1.0)
 
     def reserve(self, seconds: float) -> None:
         """Reserve seconds of the time limit for the work after the training, at most half of the limit."""
-        self._trained = 1 - min(seconds / (60 * self.settings.minutes), 0.5)
+        self._trained = 1 - min(seconds / (60 * self.job.minutes), 0.5)
 
     def run(self, reader: TileReader, validation: TileReader) -> None:
         """Train until a limit is reached, and load the best weights: those of the start if training does not help."""
         if not self.epoch:
             confusion = self.confusion(self.network, validation)
-            self._save_best(self.network, self._shown(confusion)["mean_iou"], confusion)
+            self._save_best(self.network, self.shown(confusion)["mean_iou"], confusion)
         while not self._is_over():
             started = time.monotonic()
             loss = self._train_epoch(reader)
             self.epoch += 1
             confusion = self.confusion(self.average, validation)
-            row = {"epoch": self.epoch, "training_loss": round(loss, 4), **self._shown(confusion)}
-            row |= {"learning_rate": f"{learning_rate_at(self.share, self.settings.learning_rate):.2e}"}
+            row = {"epoch": self.epoch, "training_loss": round(loss, 4), **self.shown(confusion)}
+            row |= {"learning_rate": f"{learning_rate_at(self.share, self.job.learning_rate):.2e}"}
             row |= {"seconds": round(time.monotonic() - started, 1)}
             self.history.append(row)
             self._write_curves()
@@ -162,19 +144,19 @@ class Trainer:
 
     def _is_over(self) -> bool:
         limits = {
-            "epochs": self.epoch >= self.settings.epochs,
-            "patience": 0 < self.settings.patience <= self.epoch - self.best_epoch,
-            "minutes": bool(self.settings.minutes) and self.epoch > 0 and self.share >= 1,
+            "epochs": self.epoch >= self.job.epochs,
+            "patience": 0 < self.job.patience <= self.epoch - self.best_epoch,
+            "minutes": bool(self.job.minutes) and self.epoch > 0 and self.share >= 1,
         }
         self.stopped_by = next((name for name, reached in limits.items() if reached), "")
         return bool(self.stopped_by)
 
     def _train_epoch(self, reader: TileReader) -> float:
         loader = torch.utils.data.DataLoader(
-            Pieces(reader, self.settings, self.epoch),
-            self.settings.batch,
-            drop_last=self.settings.pieces >= self.settings.batch,
-            num_workers=self.settings.workers,
+            Pieces(reader, self.job, self.epoch),
+            self.job.batch,
+            drop_last=self.job.pieces >= self.job.batch,
+            num_workers=self.job.workers,
             pin_memory=self.device.type == "cuda",
         )
         self.network.train()
@@ -183,7 +165,7 @@ class Trainer:
             total += self._step(images.to(self.device), labels.to(self.device))
             count += 1
             self._report_step(total / count)
-            if self.settings.minutes and self.share >= 1:
+            if self.job.minutes and self.share >= 1:
                 break
         if not np.isfinite(total):
             raise TrainingError("The training failed: the loss is not a number. Train with a lower learning rate.")
@@ -196,9 +178,9 @@ class Trainer:
 
     def _step(self, images: torch.Tensor, labels: torch.Tensor) -> float:
         for group in self.optimizer.param_groups:
-            group["lr"] = learning_rate_at(self.share, self.settings.learning_rate)
+            group["lr"] = learning_rate_at(self.share, self.job.learning_rate)
         self.optimizer.zero_grad(set_to_none=True)
-        with torch.autocast(self.device.type, self._half, enabled=self.settings.mixed_precision):
+        with torch.autocast(self.device.type, self._half, enabled=self.is_mixed):
             logits = self.network(self._standardize(images))
         loss = segmentation_loss(logits.float(), labels, self.weights, self._meanings)
         self.scaler.scale(loss).backward()
@@ -231,7 +213,7 @@ class Trainer:
                 confusion += confusion_matrix(labels, predicted, count, sets)
         return confusion
 
-    def _shown(self, confusion: np.ndarray) -> dict:
+    def shown(self, confusion: np.ndarray) -> dict:
         """Return the intersection over union of each class and their mean; without tiles the mean is 0."""
         iou = intersection_over_union(confusion, self.allowed)
         shown = {f"iou_{name}": round(float(v), 4) for name, v in zip(self.class_names, iou) if np.isfinite(v)}
@@ -260,7 +242,7 @@ class Trainer:
             "progress": [self.epoch, self.step, self.best_score, self.best_epoch, self.seconds],
             "history": self.history,
             "best_confusion": self.best_confusion.tolist(),
-            "settings": asdict(self.settings),
+            "settings": asdict(self.job),
         }
         self._write(CHECKPOINT, state)
 
@@ -281,8 +263,6 @@ class Trainer:
     def resume(self) -> None:
         """Continue the last run in the folder. Raises TrainingError if this is impossible."""
         path = self.folder / CHECKPOINT
-        if not path.exists():
-            raise TrainingError("There is no run to resume in {folder}.", folder=self.folder)
         try:
             state = torch.load(path, map_location=self.device, weights_only=True)
         except Exception as error:  # torch raises many kinds for incomplete files
@@ -292,7 +272,7 @@ class Trainer:
                 path=path,
                 reason=_first_line(error),
             ) from None
-        differing = [k for k, v in asdict(self.settings).items() if k not in FREE and state["settings"].get(k) != v]
+        differing = [k for k, v in state["settings"].items() if k not in FREE and getattr(self.job, k, None) != v]
         if differing:
             raise TrainingError(
                 "The run in {folder} had other settings ({settings}). Use the same settings, or start a new training.",

@@ -166,6 +166,11 @@ def spread(count: int, most: int) -> list[int]:
     return sorted({int(n) for n in np.linspace(0, count - 1, min(count, most))}) if count else []
 
 
+def standardized(image: np.ndarray, mean, deviation) -> np.ndarray:
+    """Return the network's input, (1, 3, H, W) float32, for an image (H, W, 3) in 0…1."""
+    return ((image - mean) / deviation).astype(np.float32).transpose(2, 0, 1)[None].copy()
+
+
 def read_image(pair: TilePair) -> np.ndarray:
     """Return (H, W, 3) uint8: red, green and blue as semref:segmentimage passes them to the network."""
     if pair.image.suffix == ".png":

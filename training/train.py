@@ -96,18 +96,18 @@ def run(job: Job, report: loop.Report, began: float | None = None) -> loop.Train
     if job.threads:
         torch.set_num_threads(job.threads)
     ground = read_tiles(job)
-    settings = settings_of(job, ground)
-    start = start_of(job, ground, settings)
+    job = with_defaults(job, ground)
+    start = start_of(job, ground)
     folder = Path(job.folder)
     folder.mkdir(parents=True, exist_ok=True)
     standardization = {"standardization_mean": start.mean.tolist(), "standardization_std": start.deviation.tolist()}
     stated = {**start.architecture, "class_names": ground.class_names, **standardization}
     (folder / NETWORK).write_text(json.dumps(stated), encoding="utf-8")
-    settings = replace(settings, learning_rate=start.learning_rate)
+    job = replace(job, learning_rate=start.learning_rate)
     weights = metrics.class_weights(ground.pixels)
     trainer = loop.Trainer(
         *(start.network, start.mean, start.deviation, ground.class_names),
-        *(weights, ground.allowed, settings, folder, report),
+        *(weights, ground.allowed, job, report),
     )
     if not job.processor_time:
         trainer.began = began
@@ -175,26 +175,15 @@ def read_tiles(job: Job) -> TileData:
     )
 
 
-def settings_of(job: Job, ground: TileData) -> loop.Settings:
-    """Return the settings of the training loop with all defaults filled in."""
-    covering = len(ground.training) * max(1, (ground.tile_size // min(job.piece_size, ground.tile_size)) ** 2)
+def with_defaults(job: Job, ground: TileData) -> Job:
+    """Return the job with its pieces, their size and the precision chosen."""
+    piece_size = min(job.piece_size, ground.tile_size)
+    covering = len(ground.training) * max(1, (ground.tile_size // piece_size) ** 2)
     if job.minutes:
         covering = min(max(covering, FEWEST_PIECES), MOST_PIECES)
-    return loop.Settings(
-        epochs=job.epochs,
-        pieces=job.pieces or covering,
-        piece_size=min(job.piece_size, ground.tile_size),
-        batch=job.batch,
-        learning_rate=job.learning_rate,
-        patience=job.patience,
-        mixed_precision=job.mixed_precision == "on" or (job.mixed_precision == "auto" and torch.cuda.is_available()),
-        channels_last=job.channels_last,
-        workers=job.workers,
-        seed=job.seed,
-        light=job.light,
-        minutes=job.minutes,
-        processor_time=job.processor_time,
-    )
+    is_mixed = job.mixed_precision == "on" or (job.mixed_precision == "auto" and torch.cuda.is_available())
+    precision = "on" if is_mixed else "off"
+    return replace(job, pieces=job.pieces or covering, piece_size=piece_size, mixed_precision=precision)
 
 
 def validation_tiles(job: Job, trainer: loop.Trainer, reader: tiles.TileReader) -> ValidationTiles:
@@ -214,13 +203,13 @@ def validation_tiles(job: Job, trainer: loop.Trainer, reader: tiles.TileReader) 
     return numbers
 
 
-def start_of(job: Job, ground: TileData, settings: loop.Settings) -> Start:
+def start_of(job: Job, ground: TileData) -> Start:
     """Return the network with its start weights. Raises TrainingError for weights of another network."""
     if job.base_model:
         base = base_weights.read_base(Path(job.base_model))
         net = base_weights.with_classes(base, ground.class_names)
         if base.is_merged:
-            pieces = loop.Pieces(ground.training, settings, 0)
+            pieces = loop.Pieces(ground.training, job, 0)
             base_weights.restore_normalization(net, _batches(pieces, base, job.batch))
         return Start(net, base.architecture, base.mean, base.deviation, job.learning_rate or FROM_BASE)
     net = network.pyramid_attention_network(job.encoder, job.depth, len(ground.classes), job.pretrained)
@@ -268,14 +257,14 @@ def finish(
         {**training_facts(job, trainer, ground), **job.card},
     )
     scores_of = export.scoring(temporary, start.mean, start.deviation)
-    entries |= _biases(export.answering(scores_of), ground, ground.validation.spread(numbers.bias))
+    entries |= _biases(scores_of, ground, ground.validation.spread(numbers.bias))
     report("exporting", share=trainer.total_share)
     entries |= _temperature(scores_of, ground.validation.spread(numbers.final))
     report("exporting", share=trainer.total_share)
     export.add_metadata(temporary, entries)
-    image = (ground.training(0)[0].transpose(2, 0, 1) - start.mean[:, None, None]) / start.deviation[:, None, None]
+    image = tiles.standardized(ground.training(0)[0], start.mean, start.deviation)
     half = max(ground.tile_size // 32 * 16, SMALLEST_IMAGE)
-    difference = export.largest_difference(trainer.network, temporary, [image, image[:, :half, : ground.tile_size]])
+    difference = export.largest_difference(trainer.network, temporary, [image, image[..., :half, :]])
     examples.write_examples(
         trainer.network, ground.validation, ground.classes, start.mean, start.deviation, folder / EXAMPLES
     )
@@ -284,7 +273,7 @@ def finish(
         "classes": [c.__dict__ for c in ground.classes],
         "history": trainer.history,
         "best_epoch": trainer.best_epoch,
-        "mean_iou": mean_iou(trainer.best_confusion, ground.allowed),
+        "mean_iou": trainer.shown(trainer.best_confusion)["mean_iou"],
         "confusion": trainer.best_confusion[: len(ground.classes)].tolist(),
         "stopped_by": trainer.stopped_by,
         "seconds": round(trainer.seconds, 1),
@@ -299,9 +288,15 @@ def finish(
     report("done", **{key: result[key] for key in ("best_epoch", "stopped_by", "seconds", "bytes", "difference")})
 
 
-def _biases(answer: Callable[[np.ndarray], np.ndarray], ground: TileData, reader: tiles.TileReader) -> dict[str, str]:
+def _biases(
+    scores_of: Callable[[np.ndarray], np.ndarray], ground: TileData, reader: tiles.TileReader
+) -> dict[str, str]:
     """Return the metadata entry of the class offsets; empty without a pixel size or enough landmarks."""
-    rows = class_bias.measure_class_biases(answer, reader, len(ground.classes)) if ground.pixel_size else []
+    if not ground.pixel_size:
+        return {}
+    rows = class_bias.measure_class_biases(
+        lambda image: scores_of(image).argmax(0).astype(np.uint8), reader, len(ground.classes)
+    )
     biases = {ground.class_names[row.ground.value]: row.bias(ground.pixel_size) for row in rows}
     return {KEY: class_bias_text(biases)} if biases else {}
 
@@ -313,7 +308,7 @@ def training_facts(job: Job, trainer: loop.Trainer, ground: TileData) -> dict:
         "training": {
             "minutes": round(trainer.seconds / 60, 1),
             "pieces": trainer.step * job.batch,
-            "piece_size": trainer.settings.piece_size,
+            "piece_size": job.piece_size,
             "tiles": len(ground.training),
             "validation_tiles": len(ground.validation),
             "seed": job.seed,
@@ -326,12 +321,6 @@ def _temperature(scores_of: Callable[[np.ndarray], np.ndarray], reader: tiles.Ti
     """Return the metadata entry of the temperature; empty without validation tiles."""
     found = temperature.fit_temperature(scores_of, reader)
     return {} if found is None else {TEMPERATURE: round(found, 3)}
-
-
-def mean_iou(confusion: np.ndarray, allowed: np.ndarray) -> float:
-    """Return the mean IoU of the classes with true pixels; 0 without any."""
-    found = metrics.intersection_over_union(confusion, allowed)
-    return round(float(np.nanmean(found)), 4) if np.isfinite(found).any() else 0.0
 
 
 def _device_name(device: torch.device) -> str:

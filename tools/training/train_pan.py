@@ -85,6 +85,7 @@ def say(event: str, **values: object) -> None:
 def say_test(folder: Path, trainer: object, job: Job) -> None:
     """Print a table of IoU per class on the tiles of a folder."""
     import numpy as np
+    import torch
 
     from semref.training import export, metrics, tiles
     from semref.training.train import read_tiles
@@ -94,8 +95,18 @@ def say_test(folder: Path, trainer: object, job: Job) -> None:
     (test,) = tiles.open_folders([folder])
     values = [c.value for c in ground.classes]
     reader = tiles.TileReader(test.tiles("train") + test.tiles("validation"), values, job.learn_unlabeled)
-    by_torch, by_onnx, same = export.compare(trainer.network, Path(job.output), reader, mean, deviation)
-    print(f"\n{folder}, {len(reader)} tiles, {same:.4%} of the pixels equal in torch and onnxruntime\n")
+    network, scores_of = trainer.network.cpu().eval(), export.scoring(Path(job.output), mean, deviation)
+    count, same = len(values), []
+    by_torch, by_onnx = (np.zeros((count, count), np.int64) for _ in range(2))
+    for index in range(len(reader)):
+        image, labels = reader(index)
+        with torch.inference_mode():
+            first = network(torch.from_numpy(tiles.standardized(image, mean, deviation))).argmax(1)[0].numpy()
+        second = scores_of(image).argmax(0)
+        by_torch += metrics.confusion_matrix(labels, first, count)
+        by_onnx += metrics.confusion_matrix(labels, second, count)
+        same.append((first == second).mean())
+    print(f"\n{folder}, {len(reader)} tiles, {np.mean(same):.4%} of the pixels equal in torch and onnxruntime\n")
     print("| class | IoU in torch | IoU in onnxruntime |\n|---|---|---|")
     pairs = zip(ground.class_names, *(metrics.intersection_over_union(m) for m in (by_torch, by_onnx)))
     print("\n".join(f"| {name} | {a:.4f} | {b:.4f} |" for name, a, b in pairs if np.isfinite(a)))
