@@ -158,30 +158,26 @@ class ClassTableEditor(QDialog):
         self.show_classes(read_rows(path))
 
 
-class EditButton(QToolButton):
-    """Opens the table of a file box, or an empty table. The box then has the path of the saved table."""
+def add_edit_button(box: QgsFileWidget) -> QToolButton:
+    """Add a button to a file box that edits its table, or an empty table."""
+    button = tool_button("/mActionToggleEditing.svg", tr("Edit class table"))
+    button.setObjectName("SemRefEditClassTable")
+    button.clicked.connect(lambda: _edit(box))
+    box.layout().addWidget(button)
+    return button
 
-    def __init__(self, box: QgsFileWidget) -> None:
-        super().__init__(box)
-        tool_button("/mActionToggleEditing.svg", tr("Edit class table"), made=self)
-        self.setObjectName("SemRefEditClassTable")
-        self.clicked.connect(self.edit)
-        box.layout().addWidget(self)
 
-    def edit(self) -> None:
-        """Edit the table, and save it to its file or to a file that the user chooses."""
-        path = self.parent().filePath()
-        try:
-            editor = ClassTableEditor(read_rows(path), self.window())
-            if editor.exec() == ClassTableEditor.DialogCode.Accepted:
-                self._save(editor.classes(), path)
-        except SemRefError as error:
-            QMessageBox.warning(self.window(), tr("Class table"), worded(error))
-
-    def _save(self, classes: list[ClassRow], path: str) -> None:
-        """Save the classes. Raises SemRefError if the file can't be written."""
+def _edit(box: QgsFileWidget) -> None:
+    """Save the edited table to its file or to a file that the user chooses. The box then has its path."""
+    path = box.filePath()
+    try:
+        editor = ClassTableEditor(read_rows(path), box.window())
+        if editor.exec() != ClassTableEditor.DialogCode.Accepted:
+            return
         if not path or is_shipped(path):
-            path, _ = QFileDialog.getSaveFileName(self.window(), tr("Save class table"), "", tr("CSV files (*.csv)"))
+            path, _ = QFileDialog.getSaveFileName(box.window(), tr("Save class table"), "", tr("CSV files (*.csv)"))
         if path:
-            save_rows(classes, path)
-            self.parent().setFilePath(path)
+            save_rows(editor.classes(), path)
+            box.setFilePath(path)
+    except SemRefError as error:
+        QMessageBox.warning(box.window(), tr("Class table"), worded(error))

@@ -19,8 +19,8 @@ _LONGEST_MESSAGE = 4000
 class Diagnostics(QObject):
     """Records log messages about SemRef until ``shut_down``."""
 
-    def __init__(self, parent: QObject | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._lines: deque[str] = deque(maxlen=_MOST_MESSAGES)
         QgsApplication.messageLog().messageReceived.connect(self._keep)
 

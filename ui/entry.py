@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Callable
 
 from qgis.core import QgsApplication, QgsProject, QgsSettings
 from qgis.gui import QgisInterface, QgsCustomDropHandler, QgsOptionsWidgetFactory
-from qgis.PyQt.QtCore import Qt, QUrl, pyqtSignal
+from qgis.PyQt.QtCore import Qt, QUrl
 from qgis.PyQt.QtGui import QDesktopServices, QIcon
 from qgis.PyQt.QtWidgets import QAction
 
@@ -57,7 +57,7 @@ class DockEntry:
         self._drop = DatabaseDrop()
         iface.registerCustomDropHandler(self._drop)
         self._sample = None
-        self._diagnostics = Diagnostics(window)
+        self._diagnostics = Diagnostics()
         self._add_to_menu("SemRefSampleAction", tr("Open the sample project…"), "", self._open_sample)
         self._add_to_menu("SemRefSetUpAction", tr("Set up an area…"), "", self._dock.set_up_area)
         self._add_to_menu("SemRefHelpAction", tr("User guide"), "/mActionHelpContents.svg", _open_user_guide)
@@ -65,10 +65,9 @@ class DockEntry:
         self._add_to_menu(*copy, self._copy_diagnostics)
         # The page does not own them: an installation continues when the options are closed.
         self._installer, self._training_installer = ComponentInstaller(window), ComponentInstaller(window)
-        self._options = OptionsFactory(self._installer, self._training_installer)
+        self._options = OptionsFactory(self._installer, self._training_installer, self._dock.refresh_notice)
         iface.registerOptionsWidgetFactory(self._options)
-        self._dock.notice.installAsked.connect(self._show_options)
-        self._options.changed.connect(self._dock.refresh_notice)
+        self._dock.notice.install.clicked.connect(self._show_options)
         for signal in (self._installer.installed, self._installer.failed, self._installer.canceled):
             signal.connect(self._dock.refresh_notice)
         for installer in (self._installer, self._training_installer):
@@ -109,7 +108,6 @@ class DockEntry:
         self._iface.unregisterOptionsWidgetFactory(self._options)
         self._options.deleteLater()
         self._diagnostics.shut_down()
-        self._diagnostics.deleteLater()
         if self._sample is not None:
             shut_down(self._sample)
             self._sample.deleteLater()
@@ -129,13 +127,14 @@ class DockEntry:
 
 
 class OptionsFactory(QgsOptionsWidgetFactory):
-    """changed: packages were removed on the page."""
+    """Creates the options page."""
 
-    changed = pyqtSignal()
-
-    def __init__(self, installer: ComponentInstaller, training_installer: ComponentInstaller) -> None:
+    def __init__(
+        self, installer: ComponentInstaller, training_installer: ComponentInstaller, removed: Callable[[], None]
+    ) -> None:
+        """``removed`` is called when the page removed packages."""
         super().__init__("SemRef", QIcon(str(ICON_PATH)))
-        self._installer, self._training_installer = installer, training_installer
+        self._installer, self._training_installer, self._removed = installer, training_installer, removed
 
     def createWidget(self, parent=None) -> ComponentsPage:
         # Imported here because few sessions open the options.
@@ -143,7 +142,7 @@ class OptionsFactory(QgsOptionsWidgetFactory):
 
         page = ComponentsPage(self._installer, self._training_installer, parent)
         page.setObjectName(PAGE)
-        page.removed.connect(self.changed)
+        page.removed.connect(self._removed)
         return page
 
 

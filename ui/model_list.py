@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from html import escape
 
-from qgis.core import QgsSettings
-from qgis.gui import QgsFileWidget
+from qgis.gui import QgsFileWidget, QgsGui
 from qgis.PyQt.QtCore import QSize, Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import (
     QDialog,
@@ -29,7 +28,6 @@ from .add_model import AddModelDialog
 from .widgets.layouts import row_of
 from .widgets.texts import plain_tip
 
-_SIZE_SETTING = "semref/models/size"
 _SMALLEST_PX = 760, 460
 _LIST_SHARE, _CARD_SHARE = 5, 4
 _CARD = Qt.ItemDataRole.UserRole
@@ -67,12 +65,8 @@ class ModelsDialog(QDialog):
         self.buttons.rejected.connect(self.reject)
         self.refresh()
         self.select(current)
-        self.resize(QgsSettings().value(_SIZE_SETTING, self.sizeHint().expandedTo(QSize(*_SMALLEST_PX))))
-
-    def done(self, result: int) -> None:
-        """Remember the size."""
-        QgsSettings().setValue(_SIZE_SETTING, self.size())
-        super().done(result)
+        self.resize(self.sizeHint().expandedTo(QSize(*_SMALLEST_PX)))
+        QgsGui.enableAutoGeometryRestore(self)
 
     def path(self) -> str:
         """Return the path of the selected model; empty without a usable selected model."""

@@ -8,7 +8,7 @@ import importlib
 import sys
 import types
 
-MODULES = "QtCore", "QtGui", "QtWidgets", "QtNetwork", "QtXml"
+MODULES = "QtCore", "QtGui", "QtWidgets", "QtNetwork", "QtXml", "sip"
 
 ACTIONS = ("QAction", "QActionGroup", "QShortcut")
 """Qt 6 moved these to QtGui; QGIS still has them in QtWidgets."""

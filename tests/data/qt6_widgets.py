@@ -113,9 +113,13 @@ def details():
 
 
 def components_page():
+    from PyQt6.QtWidgets import QWidget
+
     page = module("ui.packages.components_page")
     installer = module("ui.packages.component_installer").ComponentInstaller()
-    made = page.ComponentsPage(installer)
+    # It has a widget of QGIS.
+    page.TrainingGroup = lambda _installer: QWidget()
+    made = page.ComponentsPage(installer, installer)
     installer.outputRead.emit("ERROR: something\n")
     installer.failed.emit("It failed.")
     return made

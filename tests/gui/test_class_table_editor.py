@@ -95,7 +95,7 @@ def test_a_nomenclature_fills_the_table(editor, accepted):
 def button(plugin, file):
     """The button beside a box that names the file."""
     box = QgsFileWidget()
-    made = class_table.EditButton(box)
+    made = class_table.add_edit_button(box)
     box.setFilePath(str(file))
     yield made
     box.deleteLater()

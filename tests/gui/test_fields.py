@@ -17,10 +17,9 @@ from qgis.core import (
     QgsVectorFileWriter,
     QgsVectorLayer,
 )
-from qgis.PyQt.QtWidgets import QApplication, QDialog, QMenu, QVBoxLayout
+from qgis.PyQt.QtWidgets import QApplication, QDialog, QMenu, QToolButton, QVBoxLayout
 
 from semref.processing.layers.database_layers import OPENED
-from semref.ui.class_table import EditButton
 
 
 @pytest.fixture
@@ -66,7 +65,7 @@ def test_a_database_that_was_opened_is_the_docks_choice_also_in_a_dock_that_was_
 def test_a_class_table_can_be_edited_where_it_is_asked_for(wrapper_in, plugin):
     for dialog in ("AlgorithmDialog", "BatchAlgorithmDialog"):
         wrapper = wrapper_in(dialog, "semref:rasterizeannotation", "CLASS_TABLE")
-        (button,) = wrapper.wrappedWidget().findChildren(EditButton)
+        (button,) = wrapper.wrappedWidget().findChildren(QToolButton, "SemRefEditClassTable")
         assert button.accessibleName() == "Edit class table"
 
 

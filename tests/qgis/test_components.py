@@ -108,7 +108,7 @@ def is_tidy(root: Path) -> bool:
 @needs_pip
 def test_a_package_is_installed_without_a_network_and_can_be_used_at_once(root, wheels, installer):
     numpy_path = np.__file__
-    installer.start([GOOD], str(wheels))
+    installer.start(component_install.installing([GOOD], str(wheels)))
     assert end_of(installer) == "installed", installer.log
     module = importlib.import_module(GOOD.module)
     assert module.VALUE == 7
@@ -122,7 +122,7 @@ def test_a_package_is_installed_without_a_network_and_can_be_used_at_once(root, 
 @pytest.mark.slow
 @needs_pip
 def test_what_cannot_be_imported_is_removed_and_explained_and_the_others_are_installed(root, wheels, installer):
-    installer.start([BROKEN, GOOD], str(wheels))
+    installer.start(component_install.installing([BROKEN, GOOD], str(wheels)))
     sentence = end_of(installer)
     assert "semref-broken" in sentence and "compiled for another numpy" in sentence and np.__version__ in sentence
     assert "removed" in sentence
@@ -135,7 +135,7 @@ def test_a_cancel_leaves_nothing_and_what_was_there_as_it_was(root, wheels, inst
     script = f'case "$1" in -c) {answers()};; *) touch "${{@: -1}}"; exec sleep 60;; esac'
     use_python(script)
     path = list(sys.path)
-    installer.start([GOOD], str(wheels))
+    installer.start(component_install.installing([GOOD], str(wheels)))
     deadline = time.monotonic() + DEADLINE_S
     while not list(root.rglob("tmp")):
         assert time.monotonic() < deadline
@@ -161,7 +161,7 @@ def use_python(tmp_path, monkeypatch):
 
 def test_a_python_without_pip_is_explained(root, installer, use_python):
     python = use_python(answers(pip=False))
-    installer.start([GOOD])
+    installer.start(component_install.installing([GOOD]))
     sentence = end_of(installer)
     assert f"{python}, the Python of QGIS, has no pip" in sentence and "install it with “" in sentence
     assert is_tidy(root)
@@ -183,7 +183,7 @@ OTHER_BUILDS = [
 @pytest.mark.parametrize("script", [*OTHER_BUILDS, "exit 3", "kill -9 $$"])
 def test_a_python_of_another_build_or_a_broken_one_is_not_used(root, installer, use_python, script):
     python = use_python(script)
-    installer.start([GOOD])
+    installer.start(component_install.installing([GOOD]))
     sentence = end_of(installer)
     assert sentence.startswith("The Python 3.") and python in sentence and is_tidy(root)
 
@@ -191,7 +191,7 @@ def test_a_python_of_another_build_or_a_broken_one_is_not_used(root, installer, 
 @needs_pip
 def test_a_folder_that_cannot_be_made_is_explained(root, tmp_path, wheels, installer):
     (tmp_path / "profile").write_text("a file")
-    installer.start([GOOD], str(wheels))
+    installer.start(component_install.installing([GOOD], str(wheels)))
     assert "semref-made cannot be installed" in end_of(installer)
 
 
@@ -218,7 +218,7 @@ def test_each_failure_is_reported_but_what_concerns_all_packages_only_once(qgis_
 
 @pytest.mark.slow
 def test_removing_takes_the_folder_and_its_part_of_the_path(root, wheels, installer):
-    installer.start([GOOD], str(wheels))
+    installer.start(component_install.installing([GOOD], str(wheels)))
     end_of(installer)
     components.remove_components()
     assert not root.exists()
@@ -245,7 +245,7 @@ def pinned(wheels, monkeypatch):
 def test_only_a_wheel_with_the_pinned_hash_is_installed(root, wheels, installer, pinned, is_right):
     (wheel,) = wheels.glob("semref_made*.whl")
     pinned(hashlib.sha256(wheel.read_bytes()).hexdigest() if is_right else "0" * 64)
-    installer.start([GOOD])
+    installer.start(component_install.installing([GOOD]))
     if is_right:
         assert end_of(installer) == "installed" and importlib.import_module(GOOD.module).VALUE == 7
     else:

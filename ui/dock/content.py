@@ -65,7 +65,7 @@ class DockContent(QWidget):
 
     def _connect(self) -> None:
         self.database.add_to_map.clicked.connect(self._add_database_to_map)
-        self.tabs.currentChanged.connect(self._remember_tab)
+        self.tabs.currentChanged.connect(lambda tab: QgsSettings().setValue(_TAB_SETTING, tab))
         self.help.clicked.connect(lambda: QDesktopServices.openUrl(QUrl(guide_url())))
         self.localize.hit.described.connect(self.inspect.compare_with)
 
@@ -78,9 +78,6 @@ class DockContent(QWidget):
             add_database_to_map(self.database.path(), QgsProject.instance())
         except DatabaseError as error:
             self._messages.error(worded(error))
-
-    def _remember_tab(self, tab: int) -> None:
-        QgsSettings().setValue(_TAB_SETTING, tab)
 
 
 class _Page(QScrollArea):

@@ -26,7 +26,7 @@ from qgis.PyQt.QtWidgets import QWidget
 
 from ...processing.base import parameters
 from ...processing.layers.guess_fields import class_field_of, class_of_all
-from ..class_table import EditButton
+from ..class_table import add_edit_button
 from ..layer_files import photo_layer
 from ..project_state import DATABASE_SETTING, MODEL_SETTING, remembered_file
 from ..widgets.controls import ClassNameBox
@@ -69,7 +69,7 @@ class ClassTableWidget(_Widget):
         box.setDialogTitle(self.parameterDefinition().description())
         box.setFilter(self.parameterDefinition().createFileFilter())
         box.fileChanged.connect(self._report)
-        EditButton(box)
+        add_edit_button(box)
         return self._prepare(box)
 
     def setWidgetValue(self, value, context):

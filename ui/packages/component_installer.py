@@ -8,8 +8,8 @@ from qgis.PyQt.QtCore import QObject, QProcess, QProcessEnvironment, pyqtSignal
 
 from ...core.errors import SemRefError
 from ...processing.messages.sentences import worded
-from ...processing.packages.components import Package, add_components_to_path
-from ...processing.packages.install import Answer, Command, Commands, installing
+from ...processing.packages.components import add_components_to_path
+from ...processing.packages.install import Answer, Command, Commands
 from ..widgets.messages import bug_sentence
 
 _KILLED_WITHIN_MS = 5000
@@ -39,12 +39,7 @@ class ComponentInstaller(QObject):
     def running(self) -> bool:
         return self._commands is not None
 
-    def start(self, packages: list[Package], wheels: str = "") -> None:
-        """Install packages. ``wheels``: folder of wheels to use instead of the package index."""
-        self.follow(installing(packages, wheels))
-
-    def follow(self, commands: Commands) -> None:
-        """Run these commands."""
+    def start(self, commands: Commands) -> None:
         self.log = ""
         self._commands = commands
         self._go_on(None)

@@ -35,6 +35,7 @@ from ...processing.packages.components import (
     purpose,
     remove_components,
 )
+from ...processing.packages.install import installing
 from ...processing.translation import tr
 from ..widgets.controls import ask_folder
 from ..widgets.layouts import row_of
@@ -50,12 +51,10 @@ class ComponentsPage(QgsOptionsPageWidget):
 
     removed = pyqtSignal()
 
-    def __init__(
-        self, installer: ComponentInstaller, training_installer: ComponentInstaller | None = None, parent=None
-    ) -> None:
+    def __init__(self, installer: ComponentInstaller, training_installer: ComponentInstaller, parent=None) -> None:
         super().__init__(parent)
         self._installer = installer
-        self.training = None if training_installer is None else TrainingGroup(training_installer)
+        self.training = TrainingGroup(training_installer)
         self.devices = DeviceGroup()
         self.checks = {package: QCheckBox() for package in PACKAGES}
         self.states = {package: QLabel() for package in PACKAGES}
@@ -75,8 +74,7 @@ class ComponentsPage(QgsOptionsPageWidget):
     def apply(self) -> None:
         """Store the device and the Python for training. All buttons act at once, without OK."""
         self.devices.apply()
-        if self.training is not None:
-            self.training.apply()
+        self.training.apply()
 
     def _lay_out(self) -> None:
         explanation = QLabel(
@@ -114,8 +112,7 @@ class ComponentsPage(QgsOptionsPageWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(group, 1)
         layout.addWidget(self.devices)
-        if self.training is not None:
-            layout.addWidget(self.training)
+        layout.addWidget(self.training)
         # The page is higher than the dialog on small screens.
         area = QScrollArea()
         area.setWidgetResizable(True)
@@ -194,7 +191,7 @@ class ComponentsPage(QgsOptionsPageWidget):
 
     def _start(self, packages: list[Package], wheels: str) -> None:
         self.log.clear()
-        self._installer.start(packages, wheels)
+        self._installer.start(installing(packages, wheels))
         self._enable()
 
     def _copy_command(self) -> None:

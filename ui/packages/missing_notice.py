@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from qgis.core import QgsApplication
-from qgis.PyQt.QtCore import Qt, pyqtSignal
+from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton
 
 from ...processing.packages.components import NEEDED, ONNXRUNTIME, OPTIONAL, PACKAGES, missing
@@ -18,8 +18,6 @@ class MissingNotice(QFrame):
     blocks: the dock can't work without the missing packages.
     """
 
-    installAsked = pyqtSignal()
-
     def __init__(self) -> None:
         super().__init__()
         self.blocks = self._photos = False
@@ -30,7 +28,6 @@ class MissingNotice(QFrame):
         self.sentence = QLabel()
         self.sentence.setWordWrap(True)
         self.install = QPushButton(tr("Install…"))
-        self.install.clicked.connect(self.installAsked)
         layout = QHBoxLayout(self)
         layout.addWidget(icon, 0, Qt.AlignmentFlag.AlignTop)
         layout.addWidget(self.sentence, 1)

@@ -97,7 +97,7 @@ class TrainingGroup(QGroupBox):
     def _start(self, wheels: str) -> None:
         # Not isVisible: the page itself may not be shown yet.
         is_small = self.small.isChecked() and not self.small.isHidden()
-        self._installer.follow(making_environment(wheels, is_small))
+        self._installer.start(making_environment(wheels, is_small))
         self._enable()
 
     def _remove(self) -> None:

@@ -60,18 +60,14 @@ class LocalizationRun(AlgorithmRun):
 def named_results(file: str) -> list[QgsVectorLayer | None]:
     """Open the layers of a results file, with names for the user. Raises ParameterError."""
     layers = list(open_results(file))
-    for layer, title in zip(layers, _titles()):
-        if layer is not None:
-            layer.setName(title)
-    return layers
-
-
-def _titles() -> list[str]:
-    """Return the names of the layers, in the order of TABLES."""
-    return [
+    titles = (
         tr("SemRef positions"),
         tr("SemRef footprints"),
         tr("SemRef possible places"),
         tr("SemRef matches"),
         tr("SemRef track"),
-    ]
+    )
+    for layer, title in zip(layers, titles):
+        if layer is not None:
+            layer.setName(title)
+    return layers

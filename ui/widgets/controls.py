@@ -13,15 +13,14 @@ from ...processing.translation import tr
 _LEAST_LETTERS = 8
 
 
-def tool_button(icon: str, text: str, checkable: bool = False, made: QToolButton | None = None) -> QToolButton:
+def tool_button(icon: str, text: str, checkable: bool = False) -> QToolButton:
     """Return a button with an icon only.
 
     Args:
         icon: Icon of QGIS's theme, such as ``/mActionAdd.svg``.
         text: Tool tip and name for screen readers.
-        made: Button to set up; by default a new one.
     """
-    button = QToolButton() if made is None else made
+    button = QToolButton()
     button.setIcon(QgsApplication.getThemeIcon(icon))
     button.setToolTip(text)
     button.setAccessibleName(text)

@@ -16,6 +16,7 @@ from ....processing.messages.sentences import worded
 from ....processing.translation import tr
 from ...running.algorithm_run import AlgorithmRun
 from ...running.correction_run import Correction
+from ...widgets.messages import Messages
 from ...widgets.texts import number_text
 
 REPAIR = "semref:repairannotation"
@@ -24,17 +25,16 @@ REPAIR = "semref:repairannotation"
 class RepairButton(QPushButton):
     """Button to repair all places.
 
-    textChanged: progress or result in words; repaired: the layer, which has one more undo step; failed: a sentence.
+    textChanged: progress or result in words; repaired: the layer, which has one more undo step.
     """
 
     textChanged = pyqtSignal(str)
     repaired = pyqtSignal(object)
-    failed = pyqtSignal(str)
 
-    def __init__(self, annotation: Callable[[], Correction | None]) -> None:
+    def __init__(self, messages: Messages, annotation: Callable[[], Correction | None]) -> None:
         """``annotation`` returns what to repair; None if nothing is chosen."""
         super().__init__()
-        self._annotation = annotation
+        self._messages, self._annotation = messages, annotation
         self._kinds: Counter = Counter()
         self._layer: QgsVectorLayer | None = None
         self.run = AlgorithmRun(self)
@@ -42,7 +42,7 @@ class RepairButton(QPushButton):
         self.run.progressed.connect(self._show_percent)
         for ended in (self.run.failed, self.run.canceled):
             ended.connect(self._show)
-        self.run.failed.connect(self.failed)
+        self.run.failed.connect(messages.error)
         self.run.canceled.connect(lambda: self.textChanged.emit(tr("Canceled.")))
         self.clicked.connect(self._press)
         self.show_kinds(Counter())
@@ -72,7 +72,8 @@ class RepairButton(QPushButton):
             return
         wanted = self._annotation()
         if wanted is None:
-            self.failed.emit(tr("Choose the land-cover layer and its class field below, under “Update the database”."))
+            sentence = tr("Choose the land-cover layer and its class field below, under “Update the database”.")
+            self._messages.error(sentence)
             return
         if QMessageBox.question(self.window(), tr("Repair all"), self._question(wanted)) != _YES:
             return
@@ -105,7 +106,7 @@ class RepairButton(QPushButton):
         try:
             done = apply_repair(layer, repaired, changes, project.transformContext(), tr("Repair all"))
         except ParameterError as error:
-            self.failed.emit(worded(error))
+            self._messages.error(worded(error))
             return
         self.repaired.emit(layer)
         self.textChanged.emit(

@@ -44,7 +44,6 @@ class CorrectTab(QWidget):
         super().__init__()
         self._canvas = canvas
         self._done: set[int] = set()
-        self._ids: set[int] = set()
         self._kinds: dict[int, tuple[str, str]] = {}
         self._report = ""
         self._repaired: tuple[int, set[int]] | None = None
@@ -59,13 +58,12 @@ class CorrectTab(QWidget):
         self._layer: QgsVectorLayer | None = None
         self._mark = PlaceMark(canvas, self)
         self.updating = UpdateBox(database, messages, lambda: self._layer)
-        self._lay_out()
+        self._lay_out(messages)
         self._connect()
-        self.repair.failed.connect(messages.error)
         self._list_layers()
         self._use_layer()
 
-    def _lay_out(self) -> None:
+    def _lay_out(self, messages: Messages) -> None:
         self.layer = QgsMapLayerComboBox()
         self.layer.setFilters(QgsMapLayerProxyModel.Filter.PolygonLayer)
         self.layer.setAllowEmptyLayer(True, tr("Choose a layer of issues or disagreements"))
@@ -76,7 +74,7 @@ class CorrectTab(QWidget):
         self.kind = ChoiceBox()
         self.kind.setAccessibleName(tr("Kind"))
         self.kind.setToolTip(tr("Show places of one kind only"))
-        self.repair = RepairButton(self.updating.correction)
+        self.repair = RepairButton(messages, self.updating.correction)
         self.repair.setMinimumWidth(1)
         self.text = QLabel()
         self.text.setWordWrap(True)
@@ -163,7 +161,7 @@ class CorrectTab(QWidget):
     def _fill(self, *_) -> None:
         self.places.show_titles(self._layer)
         self._rows = iter(()) if self._layer is None else places_of(self._layer)
-        self._ids, self._counted, self._kinds = set(), set(), {}
+        self._counted, self._kinds = set(), {}
         self.problems.setEnabled(self._layer is not None and has_severity(self._layer))
         self.places.setRowCount(0)
         self.progress.setRange(0, 1 if self._layer is None else max(self._layer.featureCount(), 1))
@@ -175,7 +173,6 @@ class CorrectTab(QWidget):
         """Add rows for a short time, then continue later: a check may have tens of thousands of places."""
         end = time.perf_counter() + _FILL_S
         for place in self._rows:
-            self._ids.add(place.id)
             self._kinds[place.id] = place.kind, place.kind_title
             if self.kind.currentData() not in (None, "", place.kind):
                 continue
@@ -188,7 +185,7 @@ class CorrectTab(QWidget):
                 break
         else:
             self._soon.stop()
-            self._done &= self._ids
+            self._done &= self._kinds.keys()
             self.progress.setRange(0, max(len(self._counted), 1))
             self.progress.setTextVisible(bool(self._counted))
             self._show_progress()

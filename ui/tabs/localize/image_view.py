@@ -5,13 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from qgis.core import QgsSettings
-from qgis.PyQt.QtCore import QRectF, QSize, Qt
+from qgis.PyQt.QtCore import QPointF, QRectF, QSize, Qt
 from qgis.PyQt.QtGui import (
+    QColor,
+    QFont,
     QImage,
     QKeyEvent,
     QMouseEvent,
     QPainter,
     QPaintEvent,
+    QPen,
     QPixmap,
     QResizeEvent,
     QTransform,
@@ -24,15 +27,17 @@ from qgis.PyQt.QtWidgets import (
     QGraphicsView,
     QLabel,
     QSlider,
+    QStyleOptionGraphicsItem,
     QVBoxLayout,
     QWidget,
 )
 
 from ....processing.translation import tr
+from ...canvas.marks import RED, RIM
+from ...canvas.numbers import paint_numbers, paint_ring
 from ...widgets.controls import remember
 from ...widgets.layouts import narrow, row_of
 from ...widgets.tables import paint_placeholder
-from .image_marks import LandmarkDots
 from .picture import ImagePicture
 
 _LANDMARKS_SETTING = "semref/dock/show_landmarks"
@@ -40,6 +45,9 @@ _OPACITY_SETTING = "semref/dock/label_opacity"
 
 _ZOOM_STEP = 1.25
 _MOST_ZOOM = 40.0
+
+_LANDMARK_PX = 7
+_RING_PX = 4.0
 
 
 class ImageView(QWidget):
@@ -93,7 +101,7 @@ class _Canvas(QGraphicsView):
         self.setAccessibleName(tr("Selected image. Press + or - to zoom, and 0 to show the whole image."))
         self._text = ""
         self._labels: QGraphicsItem | None = None
-        self._landmarks: LandmarkDots | None = None
+        self._landmarks: _LandmarkDots | None = None
 
     def show_picture(self, picture: ImagePicture, matched: Sequence[tuple[float, float]]) -> None:
         scene = self.scene()
@@ -102,7 +110,7 @@ class _Canvas(QGraphicsView):
         if picture.photo is not None:
             self._add(picture.photo, picture)
         self._labels = self._add(picture.labels, picture)
-        self._landmarks = LandmarkDots(picture, matched, self.font())
+        self._landmarks = _LandmarkDots(picture, matched, self.font())
         scene.addItem(self._landmarks)
         scene.setSceneRect(QRectF(0, 0, *picture.size_wh))
         self.fit()
@@ -168,3 +176,37 @@ class _Canvas(QGraphicsView):
         super().paintEvent(event)
         if self._text:
             paint_placeholder(self, self._text)
+
+
+class _LandmarkDots(QGraphicsItem):
+    """Dots of constant size in the colors of the classes; hollow for landmarks that the image's edge cuts.
+
+    Matched landmarks have a ring and a number.
+    """
+
+    def __init__(self, picture: ImagePicture, matched: Sequence[tuple[float, float]], font: QFont) -> None:
+        super().__init__()
+        landmarks = picture.seen.landmarks
+        self._rect = QRectF(0, 0, *picture.size_wh)
+        self._dots = [
+            (QPointF(*center), QColor(picture.colors[int(value)]), bool(cut))
+            for center, value, cut in zip(landmarks.centers_xy.tolist(), landmarks.classes, landmarks.touches_edge)
+        ]
+        self.matched = [(number, QPointF(*pixel)) for number, pixel in enumerate(matched, start=1)]
+        self._font = font
+
+    def boundingRect(self) -> QRectF:
+        return self._rect
+
+    def paint(self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: QWidget | None = None) -> None:
+        transform = painter.worldTransform()
+        painter.resetTransform()
+        for center, color, cut in self._dots:
+            painter.setPen(QPen(RIM if not cut else color, 1.5))
+            painter.setBrush(Qt.BrushStyle.NoBrush if cut else color)
+            painter.drawEllipse(transform.map(center), _LANDMARK_PX / 2, _LANDMARK_PX / 2)
+        places = [(number, transform.map(center)) for number, center in self.matched]
+        for _, place in places:
+            paint_ring(painter, place, _RING_PX, RED)
+        paint_numbers(painter, self._font, places)
+        painter.setWorldTransform(transform)

@@ -97,10 +97,6 @@ class ImageBox(InputBox):
         """Return the listed files and folders."""
         return self.list.paths()
 
-    def is_flight(self) -> bool:
-        """Return whether the user marked the images as one flight."""
-        return self.flight.isChecked()
-
     def shut_down(self) -> None:
         """Close the list of models."""
         self._close_models()

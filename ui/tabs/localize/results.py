@@ -67,7 +67,7 @@ class ResultsBox(FoldingBox):
         for number, share in enumerate(_SHARES):
             self.parts.setStretchFactor(number, share)
         self.parts.restoreState(QgsSettings().value(_PARTS_SETTING, QByteArray(), type=QByteArray))
-        self.parts.splitterMoved.connect(self._remember_parts)
+        self.parts.splitterMoved.connect(lambda *_: QgsSettings().setValue(_PARTS_SETTING, self.parts.saveState()))
         layout = narrow(QVBoxLayout(self.content), 0)
         layout.addWidget(self.parts, 1)
         layout.addLayout(row_of(self.before, self.after, self.zoom, self.drape, (self.copy, 1)))
@@ -85,6 +85,3 @@ class ResultsBox(FoldingBox):
         self.drape.setEnabled(has_position and finding.heading is not None)
         for button in (self.before, self.after):
             button.setEnabled(finding is not None)
-
-    def _remember_parts(self, *_moved) -> None:
-        QgsSettings().setValue(_PARTS_SETTING, self.parts.saveState())

@@ -102,7 +102,7 @@ class LocalizeTab(QWidget):
             self.images.paths(),
             self._results_file if self._now_chosen() == self._found_with else "",
             self.prior.circle(),
-            self.images.is_flight(),
+            self.images.flight.isChecked(),
         )
 
     def show_state(self, state: DockState) -> None:
@@ -138,7 +138,7 @@ class LocalizeTab(QWidget):
         if self.images.model_path():
             settings["MODEL"] = self.images.model_path()
         if self.run.start(
-            self._database.path(), self.images.paths(), self.method.method(), settings, self.images.is_flight()
+            self._database.path(), self.images.paths(), self.method.method(), settings, self.images.flight.isChecked()
         ):
             self._set_running(True)
             self.state.show_text(tr("Starting…"))
