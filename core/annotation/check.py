@@ -11,27 +11,12 @@ import shapely
 from ..landmarks.landmarks import minimum_area_px
 from ..steps import Steps
 from .findings import INFORMATION, LOST, MERGED, NOTHING, SMALL, SPLIT, WARNING, Finding
-from .merging import MergeSettings, merge_finding, merge_gaps_and_slivers
+from .merging import merge_finding, merge_gaps_and_slivers
 from .overlaps import NARROWEST_M, classes_of_faces, find_same_class_neighbors
 from .partition import PlanarPartition, dissolve, find_regions, region_owners
 from .polygons import AnnotatedFeature, AnnotatedPolygons, to_wkb
 from .raster_losses import RegionRuns, count_pieces, lost_regions, merged_regions
 from .surface import Surface, overlay_polygons
-
-
-@dataclass(frozen=True)
-class CheckSettings:
-    """Settings of a check.
-
-    Attributes:
-        minimum_area: m²; smaller regions are not landmarks.
-        maximum_gap: m²; enclosed gaps up to this area are reported.
-        landmark_classes: Class values that become landmarks.
-    """
-
-    minimum_area: float
-    maximum_gap: float
-    landmark_classes: Sequence[int]
 
 
 @dataclass(frozen=True)
@@ -52,9 +37,14 @@ class DrawnRegion:
 
 
 def check_features(
-    features: Sequence[AnnotatedFeature], settings: CheckSettings
+    features: Sequence[AnnotatedFeature], minimum_area: float, maximum_gap: float, landmark_classes: Sequence[int]
 ) -> Steps[tuple[list[Finding], list[DrawnRegion]]]:
     """Check features for everything except the effects of pixels on landmarks (``find_raster_losses``).
+
+    Args:
+        minimum_area: m²; smaller regions are not landmarks.
+        maximum_gap: m²; enclosed gaps up to this area are reported.
+        landmark_classes: Class values that become landmarks.
 
     Returns:
         The findings, and the drawn regions of the landmark classes with at least the minimum area.
@@ -64,19 +54,21 @@ def check_features(
         return findings, []
     polygons, partition = surface.polygons, surface.partition
     yield "Looking for gaps and slivers", 0.8
-    findings += find_gaps_and_slivers(polygons, partition, settings.maximum_gap)
+    findings += find_gaps_and_slivers(polygons, partition, maximum_gap)
     yield "Checking neighbors of the same class", 0.85
-    findings += find_same_class_neighbors(polygons, partition, surface.ranks, settings.landmark_classes)
+    findings += find_same_class_neighbors(polygons, partition, surface.ranks, landmark_classes)
     yield "Checking landmarks", 0.9
-    small, landmarks = _find_landmarks(surface, settings)
+    small, landmarks = _find_landmarks(surface, minimum_area, landmark_classes)
     yield "Checking landmarks", 1.0
     return findings + small, landmarks
 
 
-def _find_landmarks(surface: Surface, settings: CheckSettings) -> tuple[list[Finding], list[DrawnRegion]]:
+def _find_landmarks(
+    surface: Surface, minimum_area: float, landmark_classes: Sequence[int]
+) -> tuple[list[Finding], list[DrawnRegion]]:
     """Return findings for the regions of the landmark classes that are too small, and the other regions."""
     polygons, partition = surface.polygons, surface.partition
-    wanted = np.isin(surface.classes, [int(value) for value in settings.landmark_classes])
+    wanted = np.isin(surface.classes, [int(value) for value in landmark_classes])
     regions = find_regions(partition, surface.classes)
     owners = region_owners(regions, surface.top, partition.areas)
     numbers, groups = np.unique(regions.of_face[wanted], return_inverse=True)
@@ -84,7 +76,7 @@ def _find_landmarks(surface: Surface, settings: CheckSettings) -> tuple[list[Fin
     for region, geometry in zip(numbers.tolist(), dissolve(partition.faces[wanted], groups.reshape(-1))):
         value, area = int(regions.classes[region]), float(regions.areas[region])
         feature_id = int(polygons.feature_ids[owners[region]])
-        if area < settings.minimum_area:
+        if area < minimum_area:
             small.append(Finding(SMALL, INFORMATION, to_wkb(geometry), feature_id, None, value, area=area))
         else:
             left, bottom, right, top = shapely.bounds(geometry).tolist()
@@ -104,7 +96,7 @@ def find_gaps_and_slivers(polygons: AnnotatedPolygons, partition: PlanarPartitio
         Warnings, one for each gap or thin piece.
     """
     top = partition.top_polygons(polygons.repair_ranks())
-    _, merges = merge_gaps_and_slivers(partition, classes_of_faces(polygons, top), MergeSettings(maximum_gap))
+    _, merges = merge_gaps_and_slivers(partition, classes_of_faces(polygons, top), maximum_gap)
     found = []
     for merge in merges:
         area, perimeter = partition.areas[merge.faces].sum(), partition.perimeters[merge.faces].sum()

@@ -16,19 +16,6 @@ THIN_M = 0.25
 
 
 @dataclass(frozen=True)
-class MergeSettings:
-    """Limits of merging. Thin gaps and pieces are always merged.
-
-    Attributes:
-        maximum_gap: m²; enclosed gaps up to this area are filled.
-        minimum_area: m²; smaller pieces are merged.
-    """
-
-    maximum_gap: float = 1.0
-    minimum_area: float = 0.0
-
-
-@dataclass(frozen=True)
 class Merge:
     """Faces that get the class of a neighbor.
 
@@ -44,15 +31,17 @@ class Merge:
 
 
 def merge_gaps_and_slivers(
-    partition: PlanarPartition, face_classes: np.ndarray, settings: MergeSettings
+    partition: PlanarPartition, face_classes: np.ndarray, maximum_gap: float, minimum_area: float = 0.0
 ) -> tuple[np.ndarray, list[Merge]]:
     """Give every gap and sliver to the neighbor with the longest shared border.
 
-    Neighbors that are not slivers themselves are preferred.
+    Neighbors that are not slivers themselves are preferred. Thin gaps and pieces are always merged.
 
     Args:
         partition: F faces.
         face_classes: (F,) visible class values.
+        maximum_gap: m²; enclosed gaps up to this area are filled.
+        minimum_area: m²; smaller pieces are merged.
 
     Returns:
         (F,) class values afterwards, and the merges in their order.
@@ -61,7 +50,7 @@ def merge_gaps_and_slivers(
     merges: list[Merge] = []
     while True:
         regions = find_regions(partition, classes)
-        unwanted = _unwanted(regions, settings)
+        unwanted = _unwanted(regions, maximum_gap, minimum_area)
         target = _longest_neighbors(regions, unwanted, taking=~unwanted)
         if (target < 0).all():
             # The remaining ones have only each other as neighbors: start with the smallest.
@@ -101,11 +90,10 @@ def merge_finding(
     )
 
 
-def _unwanted(regions: Regions, settings: MergeSettings) -> np.ndarray:
+def _unwanted(regions: Regions, maximum_gap: float, minimum_area: float) -> np.ndarray:
     """Return (R,) bool: which regions are gaps or slivers."""
-    limits = np.where(regions.classes == NOTHING, settings.maximum_gap, settings.minimum_area)
     # A gap with exactly the limit's area is filled; such a piece remains.
-    too_small = np.where(regions.classes == NOTHING, regions.areas <= limits, regions.areas < limits)
+    too_small = np.where(regions.classes == NOTHING, regions.areas <= maximum_gap, regions.areas < minimum_area)
     return too_small | (regions.mean_widths < THIN_M)
 
 

@@ -10,7 +10,7 @@ import shapely
 
 from ..steps import Steps
 from .findings import DISSOLVED, INFORMATION, NOTHING, Finding
-from .merging import MergeSettings, merge_finding, merge_gaps_and_slivers
+from .merging import merge_finding, merge_gaps_and_slivers
 from .partition import Regions, dissolve, find_regions, region_owners
 from .polygons import AnnotatedFeature, AnnotatedPolygons, to_wkb
 from .surface import Surface, overlay_polygons
@@ -30,18 +30,22 @@ class RepairedPolygon:
 
 
 def repair_features(
-    features: Sequence[AnnotatedFeature], settings: MergeSettings
+    features: Sequence[AnnotatedFeature], maximum_gap: float, minimum_area: float
 ) -> Steps[tuple[list[RepairedPolygon], list[Finding]]]:
     """Repair features; return the polygons and the changes.
 
     On overlaps, the polygon of higher priority remains, then the smaller one, then that of the lower class value. A
     second repair changes nothing, because the polygons of a repaired layer are its faces.
+
+    Args:
+        maximum_gap: m²; enclosed gaps up to this area are filled.
+        minimum_area: m²; smaller pieces are merged.
     """
     changes, surface = yield from overlay_polygons(features, AnnotatedPolygons.repair_ranks)
     if surface is None:
         return [], changes
     yield "Filling gaps and merging slivers", 0.8
-    classes, merges = merge_gaps_and_slivers(surface.partition, surface.classes, settings)
+    classes, merges = merge_gaps_and_slivers(surface.partition, surface.classes, maximum_gap, minimum_area)
     changes += [merge_finding(merge, INFORMATION, surface.polygons, surface.partition, surface.top) for merge in merges]
     yield "Dissolving neighbors", 0.9
     polygons, dissolved = _dissolve(surface, classes)

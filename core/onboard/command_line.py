@@ -31,7 +31,7 @@ from .flight import FlightFinder
 from .format import OnboardDatabase
 from .image_records import ERROR, ImageFinder, label_reader
 from .log import json_line, log_event, start_log
-from .mavlink import MESSAGES, MavlinkOptions, MavlinkSink, split_address
+from .mavlink import MESSAGES, MavlinkSink, split_address
 from .read import read_onboard
 from .sinks import check_sink
 from .state_file import StateFile
@@ -403,5 +403,5 @@ def _mavlink_sink(options: argparse.Namespace, onboard: OnboardDatabase) -> Mavl
     if not options.mavlink or onboard.lon_lat is None:
         return None
     origin = tuple(options.mavlink_origin) if options.mavlink_origin else None
-    sent = MavlinkOptions(options.mavlink, options.mavlink_as, options.mavlink_system, origin, options.camera_yaw)
-    return MavlinkSink(sent, onboard.lon_lat)
+    sent = options.mavlink_as, options.mavlink_system, origin, options.camera_yaw
+    return MavlinkSink(options.mavlink, onboard.lon_lat, *sent)

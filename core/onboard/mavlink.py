@@ -39,25 +39,6 @@ WRAP_S = 200.0
 """Period of a command's time: its 32 bits then resolve 15 µs."""
 
 
-@dataclass(frozen=True)
-class MavlinkOptions:
-    """How to send positions.
-
-    Attributes:
-        where: ``udp:PORT`` of this computer, ``udp:HOST:PORT``, ``serial:DEVICE`` or ``serial:DEVICE:BAUD``.
-        message: One of ``MESSAGES``.
-        system: System number of the aircraft.
-        origin: (latitude, longitude) in degrees of the autopilot's own origin; None to use the center of the map.
-        camera_yaw_deg: Direction of the image's top, clockwise from the aircraft's nose.
-    """
-
-    where: str
-    message: str = MESSAGES[0]
-    system: int = 1
-    origin: tuple[float, float] | None = None
-    camera_yaw_deg: float = 0.0
-
-
 class _Udp:
     def __init__(self, host: str, port: int) -> None:
         self._to = host, port
@@ -76,24 +57,39 @@ class MavlinkSink(Sink):
     So does a record without a heading, unless positions are sent as commands.
     """
 
-    def __init__(self, options: MavlinkOptions, lon_lat: LonLatPolynomial) -> None:
+    def __init__(  # noqa: PLR0913 - how to send positions
+        self,
+        where: str,
+        lon_lat: LonLatPolynomial,
+        message: str = MESSAGES[0],
+        system: int = 1,
+        origin: tuple[float, float] | None = None,
+        camera_yaw_deg: float = 0.0,
+    ) -> None:
         """Open the line.
+
+        Args:
+            where: ``udp:PORT`` of this computer, ``udp:HOST:PORT``, ``serial:DEVICE`` or ``serial:DEVICE:BAUD``.
+            message: One of ``MESSAGES``.
+            system: System number of the aircraft.
+            origin: (latitude, longitude) in degrees of the autopilot's own origin; None for the center of the map.
+            camera_yaw_deg: Direction of the image's top, clockwise from the aircraft's nose.
 
         Raises:
             ParameterError: The address is invalid, can't be opened, or a package is missing.
         """
-        super().__init__(options.where)
-        self._options, self._lon_lat = options, lon_lat
+        super().__init__(where)
+        self._lon_lat, self._message, self._system, self._camera_yaw_deg = lon_lat, message, system, camera_yaw_deg
         self._dialect = _dialect()
-        self._line = _open_line(options.where)
+        self._line = _open_line(where)
         component = self._dialect.MAV_COMP_ID_VISUAL_INERTIAL_ODOMETRY
-        self._mavlink = self._dialect.MAVLink(self._line, srcSystem=options.system, srcComponent=component)
+        self._mavlink = self._dialect.MAVLink(self._line, srcSystem=system, srcComponent=component)
         self._heartbeat_s = -math.inf
-        if options.origin is None:
+        if origin is None:
             longitudes, latitudes = lon_lat(np.array([lon_lat.center]))
             self._origin, self._has_origin = (float(latitudes[0]), float(longitudes[0])), False
         else:
-            self._origin, self._has_origin = options.origin, True
+            self._origin, self._has_origin = origin, True
 
     def close(self) -> None:
         """Close the line."""
@@ -110,20 +106,20 @@ class MavlinkSink(Sink):
         if found.get("status") != Status.FIX:
             # An autopilot never gets a likely position.
             return
-        is_external = self._options.message == "external"
+        is_external = self._message == "external"
         if found.get("longitude") is None or (found.get("heading") is None and not is_external):
             return
         taken = datetime.fromisoformat(found["time"]) if found.get("time") else datetime.now(timezone.utc)
-        place = _vehicle_pose(found, self._lon_lat, self._origin, self._options.camera_yaw_deg)
+        place = _vehicle_pose(found, self._lon_lat, self._origin, self._camera_yaw_deg)
         if is_external:
             self._send_external(place, taken)
             return
         if not self._has_origin:
             latitude, longitude = self._origin
             where = round(latitude * 1e7), round(longitude * 1e7)
-            self._mavlink.set_gps_global_origin_send(self._options.system, *where, 0, _microseconds(taken))
+            self._mavlink.set_gps_global_origin_send(self._system, *where, 0, _microseconds(taken))
             self._has_origin = True
-        (self._send_odometry if self._options.message == "odometry" else self._send_vision)(place, taken)
+        (self._send_odometry if self._message == "odometry" else self._send_vision)(place, taken)
 
     def _send_odometry(self, place: _VehiclePose, taken: datetime) -> None:
         dialect, unknown = self._dialect, math.nan
@@ -155,7 +151,7 @@ class MavlinkSink(Sink):
         age = (now - taken).total_seconds()
         worked = age if 0 <= age < WRAP_S else 0.0
         self._mavlink.command_int_send(
-            self._options.system,
+            self._system,
             dialect.MAV_COMP_ID_AUTOPILOT1,
             dialect.MAV_FRAME_GLOBAL,
             dialect.MAV_CMD_EXTERNAL_POSITION_ESTIMATE,

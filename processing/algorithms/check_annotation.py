@@ -130,14 +130,13 @@ class CheckAnnotation(AnnotationAlgorithm):
         feedback: QgsProcessingFeedback,
     ) -> list[Finding]:
         """Return findings on the features and, if a pixel size is given, on what pixels do to them."""
-        from ...core.annotation.check import CheckSettings, check_features, find_raster_losses
+        from ...core.annotation.check import check_features, find_raster_losses
         from ...storage.rasterize import burn_regions
 
         minimum_area = values.number(self.MINIMUM_AREA)
         landmark_classes = lookup.table.reference_values or tuple(c.value for c in lookup.table)
-        settings = CheckSettings(minimum_area, values.number(self.MAXIMUM_GAP), landmark_classes)
-        steps = interruptible(check_features(features, settings), feedback)
-        findings, landmarks = follow(steps, feedback, READ, CHECKED)
+        steps = check_features(features, minimum_area, values.number(self.MAXIMUM_GAP), landmark_classes)
+        findings, landmarks = follow(interruptible(steps, feedback), feedback, READ, CHECKED)
         pixel_size = values.optional_number(self.PIXEL_SIZE)
         if pixel_size is None or not landmarks:
             return findings

@@ -76,7 +76,6 @@ class RepairAnnotation(AnnotationAlgorithm):
         )
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> None:
-        from ...core.annotation.merging import MergeSettings
         from ...core.annotation.repair import repair_features
         from ..layers.class_styles import repaired_renderer
 
@@ -84,8 +83,8 @@ class RepairAnnotation(AnnotationAlgorithm):
         crs = self.label_map_crs(values, feedback)
         reading = self.read_features(values, lookup, crs, feedback, READ, with_attributes=True)
         self.require_known_classes(reading, lookup)
-        settings = MergeSettings(values.number(self.MAXIMUM_GAP), values.number(self.MINIMUM_AREA))
-        steps = interruptible(repair_features(reading.features, settings), feedback)
+        limits = values.number(self.MAXIMUM_GAP), values.number(self.MINIMUM_AREA)
+        steps = interruptible(repair_features(reading.features, *limits), feedback)
         polygons, repairs = follow(steps, feedback, READ, REPAIRED)
         if not polygons:
             raise ParameterError(

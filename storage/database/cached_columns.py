@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from dataclasses import fields
 
 from ...core.cache import Arrays, digest, load_or_build
 from ...core.database.model import MapLandmarks, Windows
@@ -31,17 +32,18 @@ def cached_columns(connection: Snapshot, read: Callable[[], Columns]) -> Columns
 
     def make() -> Arrays:
         return {
-            f"{table}_{name}": getattr(of_table, name)
-            for (table, columns), of_table in zip(_COLUMNS.items(), read())
-            for name in columns
-            if getattr(of_table, name) is not None
+            f"{table}_{item.name}": column
+            for table, rows in zip(("windows", "landmarks"), read())
+            for item in fields(rows)
+            if (column := getattr(rows, item.name)) is not None
         }
 
     arrays = load_or_build("columns", key, make)
     windows, landmarks = (
-        {name: arrays.get(f"{table}_{name}") for name in columns} for table, columns in _COLUMNS.items()
+        kind(**{item.name: arrays.get(f"{table}_{item.name}") for item in fields(kind)})
+        for table, kind in (("windows", Windows), ("landmarks", MapLandmarks))
     )
-    return Windows(**windows), MapLandmarks(**landmarks)
+    return windows, landmarks
 
 
 def _key(connection: Snapshot) -> str | None:
@@ -56,10 +58,3 @@ def _key(connection: Snapshot) -> str | None:
         connection.execute("SELECT * FROM classes ORDER BY fid").fetchall(),
     ]
     return digest([json.dumps([VERSION, connection.state]).encode(), repr(content).encode("utf-8")])
-
-
-_COLUMNS = {
-    "windows": ("first_pixels", "levels", "sizes", "centers", "counts", "vectors", "described", "distinctiveness"),
-    "landmarks": ("positions", "classes", "areas_m2", "touches_edge"),
-}
-"""Cached columns by table."""

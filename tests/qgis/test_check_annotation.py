@@ -9,7 +9,7 @@ from made_inputs import polygon, read_rows, square, write_layer
 from osgeo import gdal, ogr
 from qgis.core import QgsProcessingException, QgsProcessingFeatureSourceDefinition, QgsProject, QgsVectorLayer
 
-from semref.core.annotation.check import CheckSettings, check_features
+from semref.core.annotation.check import check_features
 from semref.core.annotation.polygons import AnnotatedFeature
 from semref.core.steps import result_of
 from semref.storage.pixel_grid import pixel_grid
@@ -127,7 +127,7 @@ def test_drawn_landmarks_are_the_objects_of_the_label_map(run_algorithm, tmp_pat
         AnnotatedFeature(n, bytes(ogr.CreateGeometryFromWkt(wkt).ExportToWkb()), value, priority)
         for n, (wkt, value, priority) in enumerate(features)
     ]
-    _, landmarks = result_of(check_features(annotated, CheckSettings(0.0, 1.0, (1, 2, 3, 4))))
+    _, landmarks = result_of(check_features(annotated, 0.0, 1.0, (1, 2, 3, 4)))
     right, bottom = transform[0] + labels.shape[1] * 0.7, transform[3] - labels.shape[0] * 0.7
     frame = pixel_grid((transform[0], bottom, right, transform[3]), 0.7, made.GetProjection())
     runs, classes = result_of(burn_regions(landmarks, frame)), [landmark.class_value for landmark in landmarks]

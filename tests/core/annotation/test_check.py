@@ -11,7 +11,7 @@ import shapely
 from made_annotation import KINDS, SOUTH, WEST, feature, numbered, random_features, square
 
 from semref.core.annotation import findings as kinds
-from semref.core.annotation.check import CheckSettings, DrawnRegion, check_features, find_raster_losses
+from semref.core.annotation.check import DrawnRegion, check_features, find_raster_losses
 from semref.core.annotation.findings import ERROR, INFORMATION, NOTHING, WARNING
 from semref.core.annotation.polygons import AnnotatedFeature
 from semref.core.annotation.raster_losses import count_pieces, join_runs, lost_regions, merged_regions, runs_of_strip
@@ -25,7 +25,7 @@ LINE = shapely.from_wkt("POLYGON ((0 0, 4 4, 0 0, 0 0))")
 
 
 def check(features, minimum_area=0.0, maximum_gap=1.0) -> list:
-    return result_of(check_features(features, CheckSettings(minimum_area, maximum_gap, LANDMARKS)))[0]
+    return result_of(check_features(features, minimum_area, maximum_gap, LANDMARKS))[0]
 
 
 def found(features, **settings) -> list:

@@ -11,7 +11,7 @@ import shapely
 from made_annotation import KINDS, feature, moved, numbered, random_features, square
 
 from semref.core.annotation.findings import DISSOLVED, GAP, INVALID, NO_AREA, NOTHING, OVERLAP, SLIVER
-from semref.core.annotation.merging import THIN_M, MergeSettings
+from semref.core.annotation.merging import THIN_M
 from semref.core.annotation.polygons import AnnotatedFeature
 from semref.core.annotation.repair import repair_features
 from semref.core.steps import result_of
@@ -22,7 +22,7 @@ every_seed = pytest.mark.parametrize("seed", SEEDS)
 
 
 def repair(features, maximum_gap=1.0, minimum_area=0.0) -> SimpleNamespace:
-    polygons, changes = result_of(repair_features(features, MergeSettings(maximum_gap, minimum_area)))
+    polygons, changes = result_of(repair_features(features, maximum_gap, minimum_area))
     return SimpleNamespace(polygons=polygons, changes=changes)
 
 

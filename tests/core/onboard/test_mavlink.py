@@ -17,7 +17,7 @@ from onboard_blobs import linear
 from semref.core.errors import ParameterError
 from semref.core.geometry.lon_lat import fit_lon_lat, local_axes, meters_from
 from semref.core.onboard.command_line import ALL_FIXED, REFUSED, WRONG_USAGE, main
-from semref.core.onboard.mavlink import UNKNOWN, MavlinkOptions, MavlinkSink
+from semref.core.onboard.mavlink import UNKNOWN, MavlinkSink
 
 EXTENT = (600000.0, 5199300.0, 600700.0, 5200000.0)
 TAKEN = "2026-05-01T10:00:00.250000+00:00"
@@ -65,7 +65,7 @@ def record(**values):
 
 def sent(autopilot, lon_lat, kind, message, *records, **options):
     where, heard = autopilot
-    sink = MavlinkSink(MavlinkOptions(where, message, **options), lon_lat)
+    sink = MavlinkSink(where, lon_lat, message, **options)
     for one in records:
         sink.send(one)
     sink.close()
@@ -113,7 +113,7 @@ def test_an_autopilot_without_an_origin_gets_the_middle_of_the_map(autopilot, lo
 def test_an_origin_of_the_autopilot_is_used_and_not_sent(autopilot, lon_lat):
     origin = record()["latitude"], record()["longitude"]
     where, heard = autopilot
-    sink = MavlinkSink(MavlinkOptions(where, "vision", origin=origin), lon_lat)
+    sink = MavlinkSink(where, lon_lat, "vision", origin=origin)
     sink.send(record())
     sink.close()
     kinds = [heard(None).get_type() for _ in range(2)]
@@ -175,7 +175,7 @@ def test_a_serial_line_hears_it(mavutil, lon_lat):
     pytest.importorskip("serial", reason="pyserial is not here")
     pty = pytest.importorskip("pty")
     ours, theirs = pty.openpty()
-    sink = MavlinkSink(MavlinkOptions(f"serial:{os.ttyname(theirs)}:57600"), lon_lat)
+    sink = MavlinkSink(f"serial:{os.ttyname(theirs)}:57600", lon_lat)
     sink.send(record())
     data = b""
     while select.select([ours], [], [], 0.5)[0]:
@@ -242,11 +242,11 @@ def test_a_line_that_is_not_there_is_refused_by_name(mavutil, area, tmp_path, ca
 def test_without_pymavlink_the_message_names_the_package(monkeypatch, lon_lat):
     monkeypatch.setitem(__import__("sys").modules, "pymavlink.dialects.v20", None)
     with pytest.raises(ParameterError, match="pip install pymavlink"):
-        MavlinkSink(MavlinkOptions("udp:14550"), lon_lat)
+        MavlinkSink("udp:14550", lon_lat)
 
 
 def test_an_unreachable_host_is_reported_and_counted(mavutil, lon_lat):
-    sink = MavlinkSink(MavlinkOptions("udp:256.1.1.1:14550"), lon_lat)
+    sink = MavlinkSink("udp:256.1.1.1:14550", lon_lat)
     sink.send(record())
     sink.send({"time": None, "x": None})
     sink.close()
