@@ -48,6 +48,13 @@ class _Keyed(str, Enum):
 
     title: Sentence  # type: ignore[assignment] # not the method of str
 
+    def __new__(cls, key: str, title: Sentence) -> _Keyed:
+        """Make a member that equals its key."""
+        member = str.__new__(cls, key)
+        member._value_ = key
+        member.title = title
+        return member
+
     @property
     def key(self) -> str:
         """The text in files."""
@@ -65,13 +72,6 @@ class Status(_Keyed):
     AMBIGUOUS = "ambiguous", Sentence("Ambiguous")
     NO_MATCH = "no_match", Sentence("No match")
     TOO_FEW_REFERENCES = "too_few_references", Sentence("Too few landmarks")
-
-    def __new__(cls, key: str, title: Sentence) -> Status:
-        """Make a member that equals its key."""
-        member = str.__new__(cls, key)
-        member._value_ = key
-        member.title = title
-        return member
 
 
 IMAGE_PARTS = {
@@ -107,29 +107,17 @@ class Method(_Keyed):
     """A localization method; each member equals its key, the text of the column ``method``.
 
     The order is that of the parameter METHOD: ``list(Method)[number]``.
-
-    Attributes:
-        number: Value of the parameter METHOD.
     """
 
-    number: int
+    AUTOMATIC = "automatic", Sentence("Automatic")
+    TOPOLOGY_VECTOR = "topology vector", Sentence("Published method (He & Wu 2025)")
+    CONSTELLATION = "constellation", Sentence("Constellation")
+    MAP_CORRELATION = "map correlation", Sentence("Map correlation")
 
-    AUTOMATIC = "automatic", 0, Sentence("Automatic")
-    TOPOLOGY_VECTOR = "topology vector", 1, Sentence("Published method (He & Wu 2025)")
-    CONSTELLATION = "constellation", 2, Sentence("Constellation")
-    MAP_CORRELATION = "map correlation", 3, Sentence("Map correlation")
-
-    def __new__(cls, key: str, number: int, title: Sentence) -> Method:
-        """Make a member that equals its key."""
-        member = str.__new__(cls, key)
-        member._value_ = key
-        member.number, member.title = number, title
-        return member
-
-    @classmethod
-    def of_number(cls, number: int) -> Method:
-        """Return the method for a value of the parameter METHOD."""
-        return list(cls)[number]
+    @property
+    def number(self) -> int:
+        """Value of the parameter METHOD."""
+        return list(Method).index(self)
 
 
 @dataclass(frozen=True)

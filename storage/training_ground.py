@@ -63,7 +63,8 @@ def prepare_image(image: RasterFile, wanted: WantedGround, folder: Path) -> Rast
     if wanted.crs_wkt or wanted.pixel_size or not is_upright(transform):
         options = {"srcSRS": image.crs_wkt or None, "dstSRS": wanted.crs_wkt or image.crs_wkt or None}
         size = {"xRes": wanted.pixel_size, "yRes": wanted.pixel_size} if wanted.pixel_size else {}
-        method = "average" if _is_coarser(wanted, transform) else "bilinear"
+        is_coarser = wanted.pixel_size and not wanted.crs_wkt and wanted.pixel_size > abs(transform[1])
+        method = "average" if is_coarser else "bilinear"
         options |= {"outputBounds": wanted.bounds, "resampleAlg": method, "dstAlpha": True, **size}
         convert = gdal.Warp
     elif wanted.bounds is not None:
@@ -103,7 +104,3 @@ def frame_of(image: RasterFile) -> MapFrame:
             path=image.path,
         )
     return MapFrame(image.crs_wkt, tuple(transform), (dataset.RasterYSize, dataset.RasterXSize))
-
-
-def _is_coarser(wanted: WantedGround, transform: Sequence[float]) -> bool:
-    return wanted.pixel_size is not None and not wanted.crs_wkt and wanted.pixel_size > abs(transform[1])

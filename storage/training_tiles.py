@@ -291,7 +291,7 @@ class TileExport:
             "labels": Path(labels.path).name,
             "crs": image.crs_wkt if transform is not None else "",
             "geotransform": list(transform) if transform is not None else None,
-            "pixel_size": _pixel_size(transform) if transform is not None and image.is_metric else None,
+            "pixel_size": round(pixel_area(transform) ** 0.5, 6) if transform is not None and image.is_metric else None,
             "tile_size": self._tile_size,
             "stride": self._stride,
             "block_size": self._block,
@@ -310,11 +310,6 @@ class TileExport:
             },
             "tiles": self._tiles,
         }
-
-
-def _pixel_size(transform: tuple) -> float:
-    """Return the edge of a pixel in map units; for other shapes, the edge of a square of the same area."""
-    return round(pixel_area(transform) ** 0.5, 6)
 
 
 def _require_known_values(values: np.ndarray, table: ClassTable) -> None:

@@ -58,10 +58,6 @@ class TileFolder:
         pairs = [TilePair(image, labels / f"{image.stem}.png", bands, stretch) for image in images]
         return pairs if subset == "train" else without_overlap(pairs, self.manifest.get("tile_size", 0))
 
-    def class_pixels(self, subset: str) -> dict[str, int]:
-        """Return the pixels of each class value on the tiles of a subset."""
-        return self.manifest["statistics"]["class_pixels"][subset]
-
 
 def without_overlap(pairs: list[TilePair], size: int) -> list[TilePair]:
     """Return tiles that don't overlap, so that no pixel counts twice in the validation."""

@@ -143,7 +143,7 @@ def read_tiles(job: Job) -> TileData:
     allowed, zeros = partial_labels(len(classes), excluded)
     pixels = np.zeros(len(allowed), np.int64)
     for folder in folders:
-        counts = folder.class_pixels("train")
+        counts = folder.manifest["statistics"]["class_pixels"]["train"]
         pixels[1 : len(values)] += [counts.get(str(v), 0) for v in values[1:]]
         zero = zeros.get(folder.path, 0 if job.learn_unlabeled else None)
         if zero not in (None, tiles.IGNORED):

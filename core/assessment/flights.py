@@ -22,7 +22,7 @@ from ..flight.motion import Link, as_rows
 from ..flight.tracker import FlightTracker
 from ..geometry.pose import turn_of
 from ..labels.sources import ArrayLabels
-from ..localization import Prior
+from ..localization import Place, Prior
 from ..localizer.localizer import Localizer
 from ..simulation.conditions import Conditions
 from ..simulation.label_errors import spoil_labels
@@ -157,7 +157,7 @@ class FlownRoutes:
                     if pose.is_fix:
                         placed[flight, n] = True
                         radii[flight, n] = cast(float, pose.error_95_m)
-                        errors[flight, n] = _error(pose, points.places[n])
+                        errors[flight, n] = math.dist(cast(Place, pose.place).position, points.places[n])
                     lost[flight, n] = had_track and not pose.is_fix
                     had_track = pose.is_fix
                     done += 1
@@ -209,9 +209,3 @@ def link_between(number: int, pair: tuple[View, View], drift: float, bias: compl
     size = float(np.log(abs(ratio)) + rng.normal(0, SCALE))
     known = np.diag([2 * off**2 + 0.25, 2 * off**2 + 0.25, math.radians(TURN_DEG) ** 2, SCALE**2])
     return Link(number, number + 1, (step.real, -step.imag), turn, size, as_rows(known))
-
-
-def _error(pose: FlightPose, place: np.ndarray) -> float:
-    if pose.place is None:
-        return math.nan
-    return float(np.hypot(*np.subtract(pose.place.position, place)))

@@ -60,8 +60,9 @@ class PhotoLabels:
         resolution_m = model.settings.resolution_m
         self.camera_pixel_size_m: float | None = None
         if pixel_size_m is None and camera is not None and resolution_m:
-            size = _plausible(camera.pixel_size(photo.shape_hw), resolution_m)
-            self.camera_pixel_size_m, pixel_size_m = size, None if size is None else (size, size)
+            size = camera.pixel_size(photo.shape_hw)
+            if size is not None and size <= MOST_ENLARGED * resolution_m:
+                self.camera_pixel_size_m, pixel_size_m = size, (size, size)
         self.image = at_resolution(photo, pixel_size_m, resolution_m)
 
     def steps(self) -> Generator[float, None, SeenLabels]:
@@ -134,10 +135,6 @@ class PhotoReader:
         labels = PhotoLabels(self._model, image, self._values, photo.pixel_size_m, camera)
         seen = labels.seen() if self._follow is None else self._follow(path, photo.image, labels)
         return replace(seen, biases=self._biases, pixels=pixels)
-
-
-def _plausible(pixel_size_m: float | None, resolution_m: float) -> float | None:
-    return pixel_size_m if pixel_size_m is not None and pixel_size_m <= MOST_ENLARGED * resolution_m else None
 
 
 FINEST_EDGE = 512

@@ -176,7 +176,7 @@ class LocalizeAlgorithm(SemRefAlgorithm):
         )
 
     def method(self, values: Values) -> Method:
-        return Method.of_number(values.choice(self.METHOD))
+        return list(Method)[values.choice(self.METHOD)]
 
     def read_database(self, values: Values, method: Method, feedback: QgsProcessingFeedback) -> ReferenceDatabase:
         """Return the database with the parts that the method needs."""

@@ -73,7 +73,10 @@ def write_database(  # noqa: PLR0913 - what a file holds; only the plugin has PR
         schema.BOUNDS: _bounds_rows(database.references.bounds_px),
         schema.CLASSES: _class_rows(database.class_table),
         schema.PARAMETERS: ((None, row) for row in schema.parameter_texts(database.parameters).items()),
-        schema.STYLES: _style_rows(styles),
+        schema.STYLES: (
+            (None, ("", "", table, "geom", table, qml, None, 1, "SemRef", "", None, "now"))
+            for table, qml in styles.items()
+        ),
     }
     total = len(database.windows) + 2 * len(database.references) + _OTHER_ROWS
     try:
@@ -138,11 +141,6 @@ def _class_rows(table: ClassTable) -> Iterator[tuple[None, tuple]]:
     for c in table:
         hsv = (None if limit is None else " ".join(map(str, limit)) for limit in (c.hsv_min, c.hsv_max))
         yield None, (c.value, c.name, c.color, c.role, c.draw_order, *hsv)
-
-
-def _style_rows(styles: dict[str, str]) -> Iterator[tuple[None, tuple]]:
-    for table, qml in styles.items():
-        yield None, ("", "", table, "geom", table, qml, None, 1, "SemRef", "", None, "now")
 
 
 def _write_overview(

@@ -99,7 +99,6 @@ def test_a_place_without_heading_or_pixel_size_has_no_orientation():
 
 def test_methods_and_states_are_their_keys_and_methods_keep_their_numbers():
     assert [f"{method}" for method in Method] == ["automatic", "topology vector", "constellation", "map correlation"]
-    assert [Method.of_number(number) for number in range(4)] == list(Method)
     assert [method.number for method in Method] == [0, 1, 2, 3]
     assert Status("no_match") is Status.NO_MATCH == "no_match"
 
