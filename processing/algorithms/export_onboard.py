@@ -135,7 +135,7 @@ class ExportOnboard(SemRefAlgorithm):
             cancelable(write_onboard, temporary, database, lon_lat, precision, key_file, now, feedback=feedback)
             feedback.setProgress(80)
             # Read the file before it gets its name: the aircraft must be able to read it.
-            onboard = cancelable(read_onboard, temporary, True, key_file, feedback=feedback)
+            onboard = cancelable(read_onboard, temporary, key_file, feedback=feedback)
             check_canceled(feedback)
         self._log(onboard, feedback)
         return {self.BYTES: onboard.size_bytes}
