@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Callable
 
 from qgis.core import QgsApplication, QgsProject, QgsSettings
 from qgis.gui import QgisInterface, QgsCustomDropHandler, QgsOptionsWidgetFactory
-from qgis.PyQt.QtCore import Qt, QUrl
-from qgis.PyQt.QtGui import QDesktopServices, QIcon
+from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtGui import QIcon
 from qgis.PyQt.QtWidgets import QAction
 
 from ..core.errors import SemRefError
@@ -16,12 +16,12 @@ from ..processing.inspection.chosen import require_database
 from ..processing.layers.database_layers import add_database_to_map
 from ..processing.packages.components import NEEDED, missing
 from ..processing.translation import tr
-from ..processing.version import guide_url
 from .diagnostics import Diagnostics
 from .dock.dock import SemRefDock
 from .packages.component_installer import ComponentInstaller
 from .running.background import shut_down
 from .running.localization_run import named_results
+from .widgets.messages import open_guide
 
 if TYPE_CHECKING:
     from .packages.components_page import ComponentsPage
@@ -60,7 +60,7 @@ class DockEntry:
         self._diagnostics = Diagnostics()
         self._add_to_menu("SemRefSampleAction", tr("Open the sample project…"), "", self._open_sample)
         self._add_to_menu("SemRefSetUpAction", tr("Set up an area…"), "", self._dock.set_up_area)
-        self._add_to_menu("SemRefHelpAction", tr("User guide"), "/mActionHelpContents.svg", _open_user_guide)
+        self._add_to_menu("SemRefHelpAction", tr("User guide"), "/mActionHelpContents.svg", open_guide)
         copy = "SemRefDiagnosticsAction", tr("Copy diagnostics"), "/mActionEditCopy.svg"
         self._add_to_menu(*copy, self._copy_diagnostics)
         # The page does not own them: an installation continues when the options are closed.
@@ -144,10 +144,6 @@ class OptionsFactory(QgsOptionsWidgetFactory):
         page.setObjectName(PAGE)
         page.removed.connect(self._removed)
         return page
-
-
-def _open_user_guide() -> None:
-    QDesktopServices.openUrl(QUrl(guide_url()))
 
 
 class DatabaseDrop(QgsCustomDropHandler):

@@ -82,7 +82,7 @@ class SetUpAreaDialog(QDialog):
         self.model.lineEdit().setPlaceholderText(tr("the model of SemRef"))
         self.model.setFilePath(model if os.path.isfile(model) else "")
         self.folder = _files(QgsFileWidget.StorageMode.GetDirectory)
-        self.summary = QLabel()
+        self._inputs, self.summary = QWidget(), QLabel()
         self.progress, self.state = RemainingBar(), StatusLine()
         self.start, self.close_button = QPushButton(tr("Run")), QPushButton(tr("Close"))
         self._run, self._reader, self._soon = AlgorithmRun(self), Reader(self), QTimer(self)
@@ -93,7 +93,8 @@ class SetUpAreaDialog(QDialog):
         self._read_soon()
 
     def _lay_out(self) -> None:
-        form = QFormLayout()
+        form = QFormLayout(self._inputs)
+        form.setContentsMargins(0, 0, 0, 0)
         for key, widget in (
             (SetUpArea.PHOTOS, self.photos),
             (SetUpArea.PHOTO_WIDTH, self.width_m),
@@ -117,7 +118,7 @@ class SetUpAreaDialog(QDialog):
         self.progress.setVisible(False)
         self.start.setDefault(True)
         layout = QVBoxLayout(self)
-        layout.addLayout(form)
+        layout.addWidget(self._inputs)
         layout.addWidget(self.summary, 1)
         for widget in (self.progress, self.state):
             layout.addWidget(widget)
@@ -220,10 +221,7 @@ class SetUpAreaDialog(QDialog):
         self.state.show_text("")
         self.start.setText(tr("Cancel") if is_running else tr("Run"))
         self.start.setEnabled(True)
-        for widget in (self.photos, self.add_files, self.width_m, self.map, self.lines, self.imagery):
-            widget.setEnabled(not is_running)
-        for widget in (self.minutes, self.model, self.folder):
-            widget.setEnabled(not is_running)
+        self._inputs.setEnabled(not is_running)
 
     def _finish(self, results: dict, _context: QgsProcessingContext) -> None:
         self._show_running(False)

@@ -225,10 +225,10 @@ def test_circles_in_custom_crs_are_measured_in_meters_and_without_crs_have_the_c
     show_in(QgsCoordinateReferenceSystem())
     tab.prior.set_circle(QgsPointXY(400100, 5399900), QgsPointXY(400160, 5399900))
     assert tab.prior.parameters() == {"PRIOR_POINT": "400100.0,5399900.0 []", "PRIOR_RADIUS": 60}
-    saved = tab.prior.circle()
+    saved = tab.prior.circle
     tab.prior.forget()
     tab.prior.restore(saved)
-    assert tab.prior.circle() == saved
+    assert tab.prior.circle == saved
 
 
 @pytest.mark.slow

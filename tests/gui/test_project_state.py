@@ -63,7 +63,7 @@ def test_the_project_brings_the_dock_back_as_it_was_saved(dock, iface, area, tmp
 
     dock.prepare("", "", [])
     project.clear()
-    assert (results_of(dock), tab.prior.circle()) == ([], None)
+    assert (results_of(dock), tab.prior.circle) == ([], None)
     assert project.read(str(tmp_path / "project.qgs"))
     assert not project.isDirty()
     assert tab.state_now() == before

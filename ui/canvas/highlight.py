@@ -1,7 +1,8 @@
-"""Selected result on the canvas: footprint, heading and 95 % circle."""
+"""Results on the canvas: footprint, heading and 95 % circle of the selected one, and the tracks of flights."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import cos, radians, sin, sqrt
 
 from qgis.core import QgsGeometry, QgsPointXY
@@ -11,12 +12,12 @@ from qgis.PyQt.QtGui import QColor
 
 from ...processing.compat import LINE_GEOMETRY, POLYGON_GEOMETRY
 from ..findings import Finding
-from .marks import ORANGE, POINTS_A_SIDE, RED, RIM, Marks, band, dots
+from .marks import BLUE, ORANGE, POINTS_A_SIDE, RED, RIM, Marks, band, dots, with_opacity
 
 _ZOOM_MARGIN = 2.0
 """Factor by which the visible extent exceeds the footprint."""
 
-_CENTER_PX = 10
+_CENTER_PX, _DOT_PX, _TRACK_PX = 10, 9, 2
 _ARROW_HEAD = 0.12
 """Length of the barbs of the heading arrow, as a share of its shaft."""
 
@@ -55,6 +56,34 @@ class HitHighlight(Marks):
         """Move the canvas to the shown position or places, if any."""
         # An image has a position or possible places, never both.
         self.zoom_to("possible" if self.drawn("outline").isEmpty() else "outline", _ZOOM_MARGIN)
+
+
+class TrackMarks(Marks):
+    """Tracks of flights; nothing for single images."""
+
+    def __init__(self, canvas: QgsMapCanvas, parent: QObject) -> None:
+        super().__init__(
+            canvas,
+            parent,
+            {
+                "track": band(canvas, LINE_GEOMETRY, with_opacity(BLUE, 180), _TRACK_PX),
+                "own": dots(canvas, BLUE, _DOT_PX),
+                "flight": dots(canvas, ORANGE, _DOT_PX),
+                "outvoted": dots(canvas, RED, _DOT_PX),
+            },
+        )
+
+    def show(self, findings: Sequence[Finding]) -> None:
+        """Show the tracks of these findings, in their order."""
+        placed = [finding for finding in findings if finding.track and finding.center is not None]
+        if not placed:
+            self.clear()
+            return
+        tracks = [[f.center for f in placed if f.track == track] for track in sorted({f.track for f in placed})]
+        shapes = {"track": QgsGeometry.fromMultiPolylineXY([points for points in tracks if len(points) > 1])}
+        for kind in ("own", "flight", "outvoted"):
+            shapes[kind] = QgsGeometry.fromMultiPointXY([f.center for f in placed if _kind(f) == kind])
+        self.draw(shapes, placed[0].crs)
 
 
 def _center(canvas: QgsMapCanvas) -> QgsRubberBand:
@@ -97,3 +126,7 @@ def _error_circle(hit: Finding) -> QgsGeometry:
     if hit.error_95 is None:
         return QgsGeometry()
     return QgsGeometry.fromPointXY(hit.center).buffer(hit.error_95, POINTS_A_SIDE)
+
+
+def _kind(finding: Finding) -> str:
+    return "outvoted" if finding.outvoted else str(finding.source)

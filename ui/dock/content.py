@@ -4,22 +4,20 @@ from __future__ import annotations
 
 from qgis.core import QgsProject, QgsSettings
 from qgis.gui import QgsMapCanvas
-from qgis.PyQt.QtCore import QSize, Qt, QUrl
-from qgis.PyQt.QtGui import QDesktopServices
+from qgis.PyQt.QtCore import QSize, Qt
 from qgis.PyQt.QtWidgets import QFrame, QScrollArea, QTabWidget, QVBoxLayout, QWidget
 
 from ...core.errors import DatabaseError
 from ...processing.layers.database_layers import add_database_to_map
 from ...processing.messages.sentences import worded
 from ...processing.translation import tr
-from ...processing.version import guide_url
 from ..tabs.correct.tab import CorrectTab
 from ..tabs.inspect.tab import InspectTab
 from ..tabs.localize.tab import LocalizeTab
 from ..widgets.controls import tool_button
 from ..widgets.database_box import DatabaseBox
 from ..widgets.layouts import narrow
-from ..widgets.messages import Messages
+from ..widgets.messages import Messages, open_guide
 
 LOCALIZE, INSPECT, CORRECT = range(3)
 """Indexes of the tabs."""
@@ -66,7 +64,7 @@ class DockContent(QWidget):
     def _connect(self) -> None:
         self.database.add_to_map.clicked.connect(self._add_database_to_map)
         self.tabs.currentChanged.connect(lambda tab: QgsSettings().setValue(_TAB_SETTING, tab))
-        self.help.clicked.connect(lambda: QDesktopServices.openUrl(QUrl(guide_url())))
+        self.help.clicked.connect(open_guide)
         self.localize.hit.described.connect(self.inspect.compare_with)
 
     def minimumSizeHint(self) -> QSize:

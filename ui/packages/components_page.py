@@ -142,16 +142,16 @@ class ComponentsPage(QgsOptionsPageWidget):
     def _connect(self) -> None:
         for check in self.checks.values():
             check.toggled.connect(self._enable)
-        self.install.clicked.connect(self._install)
+        self.install.clicked.connect(lambda: self._start(""))
         self.install_wheels.clicked.connect(self._choose_wheels)
         self.copy.clicked.connect(self._copy_command)
         self.remove.clicked.connect(self._remove)
         self.cancel.clicked.connect(self._installer.cancel)
         self._installer.began.connect(self.state.setText)
         self._installer.outputRead.connect(self._add_to_log)
-        self._installer.installed.connect(self._show_installed)
+        self._installer.installed.connect(lambda: self._show_end(tr("Installed. You do not need to restart QGIS.")))
         self._installer.failed.connect(self._show_end)
-        self._installer.canceled.connect(self._show_canceled)
+        self._installer.canceled.connect(lambda: self._show_end(tr("Canceled.")))
 
     # --- state ---
 
@@ -181,17 +181,14 @@ class ComponentsPage(QgsOptionsPageWidget):
 
     # --- actions ---
 
-    def _install(self) -> None:
-        self._start(self._chosen_packages(), "")
-
     def _choose_wheels(self) -> None:
         folder = ask_folder(self.window(), tr("Choose a folder with wheels (*.whl)"), WHEELS_SETTING)
         if folder:
-            self._start(self._chosen_packages(), folder)
+            self._start(folder)
 
-    def _start(self, packages: list[Package], wheels: str) -> None:
+    def _start(self, wheels: str) -> None:
         self.log.clear()
-        self._installer.start(installing(packages, wheels))
+        self._installer.start(installing(self._chosen_packages(), wheels))
         self._enable()
 
     def _copy_command(self) -> None:
@@ -214,12 +211,6 @@ class ComponentsPage(QgsOptionsPageWidget):
         self.log.moveCursor(QTextCursor.MoveOperation.End)
         self.log.insertPlainText(text)
         self._enable()
-
-    def _show_installed(self) -> None:
-        self._show_end(tr("Installed. You do not need to restart QGIS."))
-
-    def _show_canceled(self) -> None:
-        self._show_end(tr("Canceled."))
 
     def _show_end(self, sentence: str) -> None:
         self.state.setText(sentence)

@@ -76,7 +76,7 @@ class TrainingGroup(QGroupBox):
         layout.addLayout(row_of((self.progress, 1), self.cancel))
 
     def _connect(self) -> None:
-        self.make.clicked.connect(self._make)
+        self.make.clicked.connect(lambda: self._start(""))
         self.make_from_wheels.clicked.connect(self._choose_wheels)
         self.remove.clicked.connect(self._remove)
         self.cancel.clicked.connect(self._installer.cancel)
@@ -85,9 +85,6 @@ class TrainingGroup(QGroupBox):
         self._installer.installed.connect(self._show_state)
         self._installer.failed.connect(self._show_end)
         self._installer.canceled.connect(self._show_state)
-
-    def _make(self) -> None:
-        self._start("")
 
     def _choose_wheels(self) -> None:
         folder = ask_folder(self.window(), tr("Choose a folder with wheels (*.whl)"), WHEELS_SETTING)

@@ -57,6 +57,12 @@ class Correction:
     class_of_all: str = ""
     places: QgsVectorLayer | None = None
 
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """Layer and classes as parameters of an algorithm."""
+        given = {"INPUT": self.annotation, "CLASS_FIELD": self.class_field, "CLASS": self.class_of_all}
+        return {**given, "PRIORITY_FIELD": self.priority_field} if self.priority_field else given
+
 
 @dataclass(frozen=True)
 class _Known:
@@ -164,14 +170,7 @@ class CorrectionRun(QObject):
         of = database, layer.id(), layer.crs(), wanted.class_field, wanted.priority_field, wanted.class_of_all
         part, changed = self._changed_part(plan, of)
         labels = os.path.join(folder, "labels.tif")
-        self.rasterizing = {
-            "INPUT": layer,
-            "CLASS_FIELD": wanted.class_field,
-            "OUTPUT": labels,
-            "CLASS": wanted.class_of_all,
-            **({"PRIORITY_FIELD": wanted.priority_field} if wanted.priority_field else {}),
-            **plan.grid,
-        }
+        self.rasterizing = {**wanted.parameters, "OUTPUT": labels, **plan.grid}
         title, self._first_percent = tr("Rasterizing the corrected layer"), 0
         parameters = self.rasterizing if part is None else {**self.rasterizing, "EXTENT": part}
         yield partial(self._run.start_algorithm, RASTERIZE, parameters, title)

@@ -1,8 +1,8 @@
-"""Icon buttons, shortcuts, a combo box that may be narrow, and choices that QGIS remembers."""
+"""Icon buttons, shortcuts, combo boxes, dialogs of algorithms, and choices that QGIS remembers."""
 
 from __future__ import annotations
 
-from qgis.core import QgsApplication, QgsSettings
+from qgis.core import QgsApplication, QgsProcessingAlgorithm, QgsSettings
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QKeySequence
 from qgis.PyQt.QtWidgets import QAbstractButton, QComboBox, QFileDialog, QShortcut, QToolButton, QWidget
@@ -47,6 +47,15 @@ def ask_folder(window: QWidget, title: str, setting: str) -> str:
     if folder:
         QgsSettings().setValue(setting, folder)
     return folder
+
+
+def open_algorithm(algorithm: str | QgsProcessingAlgorithm, parameters: dict) -> QWidget:
+    """Open the dialog of an algorithm, which is not modal. The caller keeps it."""
+    from processing import createAlgorithmDialog
+
+    dialog = createAlgorithmDialog(algorithm, parameters)
+    dialog.show()
+    return dialog
 
 
 class ChoiceBox(QComboBox):

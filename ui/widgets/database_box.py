@@ -17,7 +17,7 @@ from ..layer_files import dropped_files
 from ..project_state import DATABASE_SETTING
 from ..proposals import annotation_at_hand
 from ..running.background import Reader
-from .controls import tool_button
+from .controls import open_algorithm, tool_button
 from .layouts import InputBox, narrow, row_of
 
 MAKE_DATABASE = "semref:annotationtodatabase"
@@ -81,11 +81,8 @@ class DatabaseBox(InputBox):
             self.file.setFilePath(path)
 
     def _make_database(self) -> None:
-        """Open a dialog, not modal, that builds a database. The result is opened and chosen here."""
-        from processing import createAlgorithmDialog
-
-        self.making = createAlgorithmDialog(MAKE_DATABASE, annotation_at_hand(QgsProject.instance()))
-        self.making.show()
+        """Open a dialog that builds a database. The result is opened and chosen here."""
+        self.making = open_algorithm(MAKE_DATABASE, annotation_at_hand(QgsProject.instance()))
 
     def _remember(self) -> None:
         path = self.path()

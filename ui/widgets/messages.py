@@ -12,6 +12,7 @@ from qgis.PyQt.QtGui import QDesktopServices
 from qgis.PyQt.QtWidgets import QPushButton
 
 from ...processing.translation import tr
+from ...processing.version import guide_url
 from .texts import plain_tip
 
 TAG = "SemRef"
@@ -70,6 +71,11 @@ def bug_sentence(traceback: str) -> str:
 def open_file(path: str) -> None:
     """Open a file with the program of the operating system."""
     QDesktopServices.openUrl(QUrl.fromLocalFile(path))
+
+
+def open_guide() -> None:
+    """Open the user guide in the browser."""
+    QDesktopServices.openUrl(QUrl(guide_url()))
 
 
 def _escaped(sentence: str) -> str:

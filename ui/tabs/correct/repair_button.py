@@ -39,12 +39,14 @@ class RepairButton(QPushButton):
         self._layer: QgsVectorLayer | None = None
         self.run = AlgorithmRun(self)
         self.run.done.connect(self._apply)
-        self.run.progressed.connect(self._show_percent)
+        working = tr("Repairing: {percent} %")
+        self.run.progressed.connect(lambda percent: self.textChanged.emit(working.format(percent=int(percent))))
         for ended in (self.run.failed, self.run.canceled):
             ended.connect(self._show)
         self.run.failed.connect(messages.error)
         self.run.canceled.connect(lambda: self.textChanged.emit(tr("Canceled.")))
         self.clicked.connect(self._press)
+        self.setToolTip(tr("Repair everything that “Repair land-cover layer” can repair. You can undo this."))
         self.show_kinds(Counter())
 
     def show_kinds(self, kinds: Counter) -> None:
@@ -61,10 +63,6 @@ class RepairButton(QPushButton):
         else:
             self.setText(tr("Repair all…"))
         self.setEnabled(self.run.running or bool(count))
-        self.setToolTip(tr("Repair everything that “Repair land-cover layer” can repair. You can undo this."))
-
-    def _show_percent(self, percent: float) -> None:
-        self.textChanged.emit(tr("Repairing: {percent} %").format(percent=int(percent)))
 
     def _press(self) -> None:
         if self.run.running:
@@ -78,14 +76,7 @@ class RepairButton(QPushButton):
         if QMessageBox.question(self.window(), tr("Repair all"), self._question(wanted)) != _YES:
             return
         self._layer = wanted.annotation
-        parameters = {
-            "INPUT": wanted.annotation,
-            "CLASS_FIELD": wanted.class_field,
-            "CLASS": wanted.class_of_all,
-            **({"PRIORITY_FIELD": wanted.priority_field} if wanted.priority_field else {}),
-            "OUTPUT": "memory:",
-            "CHANGES": "memory:",
-        }
+        parameters = {**wanted.parameters, "OUTPUT": "memory:", "CHANGES": "memory:"}
         self.run.start_algorithm(REPAIR, parameters, tr("Repairing the land-cover layer"))
         self._show()
 

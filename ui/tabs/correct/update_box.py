@@ -17,7 +17,7 @@ from ....storage.database.undo import can_undo, file_before, undo_update
 from ...layer_files import label_maps_of, layer_file
 from ...running.background import Reader
 from ...running.correction_run import RASTERIZE, Correction, CorrectionRun
-from ...widgets.controls import ClassNameBox
+from ...widgets.controls import ClassNameBox, open_algorithm
 from ...widgets.database_box import DatabaseBox
 from ...widgets.layouts import FoldingBox, narrow
 from ...widgets.messages import Messages
@@ -171,11 +171,7 @@ class UpdateBox(FoldingBox):
             self._database.choose(path)
 
     def _rasterize(self, parameters: dict) -> None:
-        """Open the dialog of *Rasterize land-cover layer*. It is not modal."""
-        from processing import createAlgorithmDialog
-
-        self.rasterizing = createAlgorithmDialog(RASTERIZE, parameters)
-        self.rasterizing.show()
+        self.rasterizing = open_algorithm(RASTERIZE, parameters)
 
     def _undo_update(self) -> None:
         self._undone = self._database.path()

@@ -21,7 +21,7 @@ from ...model_list import ModelsDialog
 from ...project_state import MODEL_SETTING
 from ...proposals import training_at_hand
 from ...running.background import Reader
-from ...widgets.controls import ChoiceBox, ask_folder, tool_button
+from ...widgets.controls import ChoiceBox, ask_folder, open_algorithm, tool_button
 from ...widgets.layouts import InputBox, narrow, row_of
 from ...widgets.messages import Messages, open_file
 from .image_list import ImageList
@@ -148,15 +148,12 @@ class ImageBox(InputBox):
             self.choosing = None
 
     def _train_model(self) -> None:
-        """Open the dialog of *Train model*, which is not modal; its model becomes the chosen one."""
-        from processing import createAlgorithmDialog
-
+        """Open the dialog of *Train model*; its model becomes the chosen one."""
         # As a file, the report does not open QGIS's Results Viewer, which takes half of the dock's height.
         configuration = {REPORTS_AS_FILES: True}
         algorithm = QgsApplication.processingRegistry().createAlgorithmById(TRAIN_MODEL, configuration)
-        self.training = createAlgorithmDialog(algorithm, training_at_hand(QgsProject.instance(), self.model_path()))
+        self.training = open_algorithm(algorithm, training_at_hand(QgsProject.instance(), self.model_path()))
         self.training.algorithmFinished.connect(self._take_model)
-        self.training.show()
 
     def _take_model(self, successful: bool, results: dict) -> None:
         if successful and results.get("OUTPUT"):

@@ -18,13 +18,13 @@ from ...widgets.progress import StatusLine
 
 
 class PriorRow(QWidget):
-    """Row with the search area and its buttons."""
+    """Row with the search area and its buttons. circle: None for the whole database."""
 
     def __init__(self, canvas: QgsMapCanvas) -> None:
         super().__init__()
         self.setObjectName("SemRefPrior")
         self._canvas = canvas
-        self._circle: Prior | None = None
+        self.circle: Prior | None = None
         self._radius_m = 0.0
         self._mark = CircleMark(canvas, self)
         self.text = StatusLine()
@@ -40,9 +40,9 @@ class PriorRow(QWidget):
 
     def parameters(self) -> dict:
         """Return PRIOR_POINT and PRIOR_RADIUS of semref:localizeimages; empty without a circle."""
-        if self._circle is None:
+        if self.circle is None:
             return {}
-        x, y, *_edge, crs = self._circle
+        x, y, *_edge, crs = self.circle
         return {"PRIOR_POINT": f"{x!r},{y!r} [{crs}]", "PRIOR_RADIUS": self._radius_m}
 
     def set_circle(self, middle: QgsPointXY, edge: QgsPointXY) -> None:
@@ -59,10 +59,6 @@ class PriorRow(QWidget):
         self.restore((middle.x(), middle.y(), edge.x(), edge.y(), crs.authid()))
         self._tool.shut_down()
 
-    def circle(self) -> Prior | None:
-        """Return the search circle; None without one."""
-        return self._circle
-
     def restore(self, circle: Prior | None) -> None:
         """Search in a circle; in the whole database for None and for a circle in an unknown CRS.
 
@@ -72,7 +68,7 @@ class PriorRow(QWidget):
         if circle is None or (circle[4] and not crs.isValid()):
             self.forget()
             return
-        self._circle = circle
+        self.circle = circle
         middle, edge = QgsPointXY(*circle[:2]), QgsPointXY(*circle[2:4])
         measure = QgsDistanceArea()
         measure.setSourceCrs(crs, QgsProject.instance().transformContext())
@@ -85,7 +81,7 @@ class PriorRow(QWidget):
 
     def forget(self) -> None:
         """Search the whole database."""
-        self._circle = None
+        self.circle = None
         self._mark.clear()
         self.text.show_text(tr("Search area: the whole database"))
         self.clear.setEnabled(False)

@@ -16,9 +16,8 @@ from ....processing.inspection.image import ImageQuery
 from ....processing.messages.sentences import worded
 from ....processing.translation import tr
 from ...canvas.drapes import PlacedImage, add_placed, place_image
-from ...canvas.highlight import HitHighlight
+from ...canvas.highlight import HitHighlight, TrackMarks
 from ...canvas.match_marks import MatchMarks
-from ...canvas.track_marks import TrackMarks
 from ...findings import Finding
 from ...running.background import Reader
 from ...widgets.messages import Messages

@@ -101,7 +101,7 @@ class LocalizeTab(QWidget):
             self.method.method(),
             self.images.paths(),
             self._results_file if self._now_chosen() == self._found_with else "",
-            self.prior.circle(),
+            self.prior.circle,
             self.images.flight.isChecked(),
         )
 
@@ -189,19 +189,23 @@ class LocalizeTab(QWidget):
 
     def _show_found(self) -> None:
         self._set_running(False)
-        run = self.run.record
-        try:
-            self._show_results(run.file, run.model, run.database)
-        except ParameterError as error:
-            # Another program removed the file.
-            self._messages.error(worded(error))
+        if not self._show_run(self.run.record):
             self._show_idle()
             return
         self._reader.read(tr("Removing old results"), forget_old_runs)
-        self._collapse_inputs()
         if self.run.pace:
             self.state.show_text(self.state.text_shown, self.run.pace)
         self.found.emit(self.state.text_shown)
+
+    def _show_run(self, run: RunRecord, *_checked) -> bool:
+        """Show the results of a run. Returns False after an error, as when another program removed the file."""
+        try:
+            self._show_results(run.file, run.model, run.database)
+        except ParameterError as error:
+            self._messages.error(worded(error))
+            return False
+        self._collapse_inputs()
+        return True
 
     def _show_results(
         self, file: str, model: str, database: str = "", chosen: Callable[[], list[str]] | None = None
@@ -279,17 +283,9 @@ class LocalizeTab(QWidget):
     def _list_earlier(self) -> None:
         self.results.earlier.clear()
         for kept in run_records():
-            self.results.earlier.addAction(kept.title).triggered.connect(partial(self._show_earlier, kept))
+            self.results.earlier.addAction(kept.title).triggered.connect(partial(self._show_run, kept))
         if self.results.earlier.isEmpty():
             self.results.earlier.addAction(tr("No results yet")).setEnabled(False)
-
-    def _show_earlier(self, kept: RunRecord, *_checked) -> None:
-        try:
-            self._show_results(kept.file, kept.model, kept.database)
-        except ParameterError as error:
-            self._messages.error(worded(error))
-            return
-        self._collapse_inputs()
 
     def _copy_position(self) -> None:
         """Copy longitude and latitude; without them, as with a local CRS, x and y."""
