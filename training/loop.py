@@ -90,8 +90,9 @@ class Trainer:
         self.job, self.folder, self.report = job, Path(job.folder), report
         self.optimizer = torch.optim.AdamW(self.network.parameters(), job.learning_rate, weight_decay=WEIGHT_DECAY)
         self.steps_an_epoch = max(1, job.pieces // job.batch)
-        self.is_mixed = job.mixed_precision == "on"
-        self.scaler = torch.amp.GradScaler("cuda", enabled=self.is_mixed and self.device.type == "cuda")
+        is_auto, has_gpu = job.mixed_precision == "auto", self.device.type == "cuda"
+        self.is_mixed = job.mixed_precision == "on" or (is_auto and has_gpu)
+        self.scaler = torch.amp.GradScaler("cuda", enabled=self.is_mixed and has_gpu)
         self.epoch, self.step, self.best_score, self.best_epoch = 0, 0, -1.0, 0
         self.history: list[dict] = []
         self.best_confusion = np.zeros(self.allowed.shape, np.int64)
@@ -242,9 +243,13 @@ class Trainer:
             "progress": [self.epoch, self.step, self.best_score, self.best_epoch, self.seconds],
             "history": self.history,
             "best_confusion": self.best_confusion.tolist(),
-            "settings": asdict(self.job),
+            "settings": self._settings(),
         }
         self._write(CHECKPOINT, state)
+
+    def _settings(self) -> dict:
+        """Return the settings as a checkpoint has them: whether the precision is mixed depends on the machine."""
+        return {**asdict(self.job), "mixed_precision": self.is_mixed}
 
     def _write(self, name: str, state: dict) -> None:
         """Write a file and rename it when it is complete, as the process may end at any time. Raises TrainingError."""
@@ -272,7 +277,8 @@ class Trainer:
                 path=path,
                 reason=_first_line(error),
             ) from None
-        differing = [k for k, v in state["settings"].items() if k not in FREE and getattr(self.job, k, None) != v]
+        settings = self._settings()
+        differing = [k for k, v in state["settings"].items() if k not in FREE and settings.get(k) != v]
         if differing:
             raise TrainingError(
                 "The run in {folder} had other settings ({settings}). Use the same settings, or start a new training.",

@@ -176,14 +176,12 @@ def read_tiles(job: Job) -> TileData:
 
 
 def with_defaults(job: Job, ground: TileData) -> Job:
-    """Return the job with its pieces, their size and the precision chosen."""
+    """Return the job with the number of pieces and their size chosen."""
     piece_size = min(job.piece_size, ground.tile_size)
     covering = len(ground.training) * max(1, (ground.tile_size // piece_size) ** 2)
     if job.minutes:
         covering = min(max(covering, FEWEST_PIECES), MOST_PIECES)
-    is_mixed = job.mixed_precision == "on" or (job.mixed_precision == "auto" and torch.cuda.is_available())
-    precision = "on" if is_mixed else "off"
-    return replace(job, pieces=job.pieces or covering, piece_size=piece_size, mixed_precision=precision)
+    return replace(job, pieces=job.pieces or covering, piece_size=piece_size)
 
 
 def validation_tiles(job: Job, trainer: loop.Trainer, reader: tiles.TileReader) -> ValidationTiles:
