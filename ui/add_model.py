@@ -47,6 +47,7 @@ from .layer_files import photo_layer
 from .running.algorithm_run import AlgorithmRun
 from .running.background import Reader, shut_down
 from .sample_project import ORTHOPHOTO_FILE, SAMPLE
+from .widgets.controls import message_label
 from .widgets.layouts import row_of
 
 if TYPE_CHECKING:
@@ -83,7 +84,7 @@ class AddModelDialog(QDialog):
         self.picture = QgsProcessingMapLayerComboBox(self._segmenting.parameterDefinition(SegmentImage.INPUT))
         self.test, self.add, self.close_button = map(QPushButton, (tr("Test"), tr("Add"), tr("Close")))
         self.image, self.labels, self.legend = _empty_picture(), _empty_picture(), QListWidget()
-        self.state = QLabel()
+        self.state = message_label()
         self._run, self._looking, self._labeling = AlgorithmRun(self), Reader(self), Reader(self)
         self._folder = tempfile.TemporaryDirectory(prefix="semref")
         self._target = ""
@@ -126,13 +127,7 @@ class AddModelDialog(QDialog):
             title = tr("Number of outputs") if definition is None else definition.description()
             widget.setToolTip("" if definition is None else definition.help())
             widget.setAccessibleName(title)
-            label = QLabel(title)
-            label.setBuddy(widget)
-            self.form.addRow(label, widget)
-        self.state.setWordWrap(True)
-        # Names of files may look like HTML.
-        self.state.setTextFormat(Qt.TextFormat.PlainText)
-        self.state.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+            self.form.addRow(title, widget)
         self.state.setMinimumHeight(3 * self.fontMetrics().height())
         self.legend.setMaximumHeight(_LEGEND_ROWS * (self.fontMetrics().height() + 4))
         beside = QVBoxLayout()

@@ -14,7 +14,6 @@ from qgis.PyQt.QtWidgets import (
     QDialogButtonBox,
     QFileDialog,
     QHeaderView,
-    QLabel,
     QMenu,
     QMessageBox,
     QPushButton,
@@ -38,7 +37,7 @@ from ..processing.inspection.class_tables import (
 )
 from ..processing.messages.sentences import worded
 from ..processing.translation import tr
-from .widgets.controls import tool_button
+from .widgets.controls import message_label, tool_button
 from .widgets.layouts import row_of
 
 VALUE, NAME, COLOR, ROLE, ORDER, HSV_MIN, HSV_MAX = range(7)
@@ -53,7 +52,7 @@ class ClassTableEditor(QDialog):
         self.setWindowTitle(tr("Class table"))
         self.resize(620, 460)
         self.rows = QTableWidget(0, HSV_MAX + 1, self)
-        self.fault = QLabel(self)
+        self.fault = message_label()
         self.add_button, self.remove_button = QPushButton(tr("Add class")), QPushButton(tr("Remove class"))
         self.preset_button = QPushButton(tr("Fill from nomenclature"))
         save = QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel
@@ -76,8 +75,6 @@ class ClassTableEditor(QDialog):
         # Other languages have longer words.
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
-        self.fault.setWordWrap(True)
-        self.fault.setTextFormat(Qt.TextFormat.PlainText)
         self.fault.setVisible(False)
         menu = QMenu(self.preset_button)
         for title, path in PRESETS.items():

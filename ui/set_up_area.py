@@ -19,7 +19,6 @@ from qgis.PyQt.QtWidgets import (
     QDoubleSpinBox,
     QFileDialog,
     QFormLayout,
-    QLabel,
     QPushButton,
     QVBoxLayout,
     QWidget,
@@ -36,6 +35,7 @@ from .proposals import annotation_at_hand
 from .running.algorithm_run import AlgorithmRun
 from .running.background import Reader, shut_down
 from .running.localization_run import named_results
+from .widgets.controls import message_label
 from .widgets.layouts import row_of
 from .widgets.progress import RemainingBar, StatusLine
 
@@ -82,7 +82,7 @@ class SetUpAreaDialog(QDialog):
         self.model.lineEdit().setPlaceholderText(tr("the model of SemRef"))
         self.model.setFilePath(model if os.path.isfile(model) else "")
         self.folder = _files(QgsFileWidget.StorageMode.GetDirectory)
-        self._inputs, self.summary = QWidget(), QLabel()
+        self._inputs, self.summary = QWidget(), message_label()
         self.progress, self.state = RemainingBar(), StatusLine()
         self.start, self.close_button = QPushButton(tr("Run")), QPushButton(tr("Close"))
         self._run, self._reader, self._soon = AlgorithmRun(self), Reader(self), QTimer(self)
@@ -110,9 +110,6 @@ class SetUpAreaDialog(QDialog):
             widget.setAccessibleName(definition.description())
             row = row_of((widget, 1), self.add_files) if widget is self.photos else widget
             form.addRow(definition.description(), row)
-        self.summary.setWordWrap(True)
-        # Names of layers may look like HTML.
-        self.summary.setTextFormat(Qt.TextFormat.PlainText)
         self.summary.setMinimumHeight(5 * self.fontMetrics().height())
         self.summary.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.progress.setVisible(False)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from qgis.core import QgsApplication
 from qgis.gui import QgsOptionsPageWidget
-from qgis.PyQt.QtCore import Qt, pyqtSignal
+from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtGui import QFontDatabase, QTextCursor
 from qgis.PyQt.QtWidgets import (
     QCheckBox,
@@ -37,7 +37,7 @@ from ...processing.packages.components import (
 )
 from ...processing.packages.install import installing
 from ...processing.translation import tr
-from ..widgets.controls import ask_folder
+from ..widgets.controls import ask_folder, message_label
 from ..widgets.layouts import row_of
 from .component_installer import ComponentInstaller
 from .device_group import DeviceGroup
@@ -64,7 +64,7 @@ class ComponentsPage(QgsOptionsPageWidget):
         self.remove = QPushButton(tr("Remove SemRef’s packages"))
         self.cancel = QPushButton(tr("Cancel"))
         self.progress = QProgressBar()
-        self.state = QLabel()
+        self.state = message_label()
         self.log = QPlainTextEdit()
         self._lay_out()
         self._connect()
@@ -84,8 +84,6 @@ class ComponentsPage(QgsOptionsPageWidget):
             )
         )
         explanation.setWordWrap(True)
-        self.state.setWordWrap(True)
-        self.state.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         # Busy indicator: pip reports no progress.
         self.progress.setRange(0, 0)
         self.log.setReadOnly(True)

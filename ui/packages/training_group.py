@@ -6,7 +6,6 @@ import sys
 
 from qgis.core import QgsApplication, QgsSettings
 from qgis.gui import QgsFileWidget
-from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtWidgets import QCheckBox, QGroupBox, QLabel, QProgressBar, QPushButton, QVBoxLayout
 
 from ...core.errors import ComponentError
@@ -19,7 +18,7 @@ from ...processing.packages.training_environment import (
     remove_environment,
 )
 from ...processing.translation import tr
-from ..widgets.controls import ask_folder
+from ..widgets.controls import ask_folder, message_label
 from ..widgets.layouts import row_of
 from .component_installer import ComponentInstaller
 
@@ -41,7 +40,7 @@ class TrainingGroup(QGroupBox):
         self.small = QCheckBox(tr("Without GPU support (about one fifth of the size)"))
         self.cancel = QPushButton(tr("Cancel"))
         self.progress = QProgressBar()
-        self.state = QLabel()
+        self.state = message_label()
         self._lay_out()
         self._connect()
         self._show_state()
@@ -58,9 +57,7 @@ class TrainingGroup(QGroupBox):
                 "can also choose another Python that has torch."
             )
         )
-        for label in (explanation, self.state):
-            label.setWordWrap(True)
-        self.state.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        explanation.setWordWrap(True)
         # Busy indicator: pip reports no progress.
         self.progress.setRange(0, 0)
         # On other systems the package index has builds without GPU support only.

@@ -1,11 +1,11 @@
-"""Icon buttons, shortcuts, combo boxes, dialogs of algorithms, and choices that QGIS remembers."""
+"""Icon buttons, shortcuts, labels, combo boxes, dialogs of algorithms, and choices that QGIS remembers."""
 
 from __future__ import annotations
 
 from qgis.core import QgsApplication, QgsProcessingAlgorithm, QgsSettings
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QKeySequence
-from qgis.PyQt.QtWidgets import QAbstractButton, QComboBox, QFileDialog, QShortcut, QToolButton, QWidget
+from qgis.PyQt.QtWidgets import QAbstractButton, QComboBox, QFileDialog, QLabel, QShortcut, QToolButton, QWidget
 
 from ...processing.layers.guess_fields import BUILDING
 from ...processing.translation import tr
@@ -39,6 +39,15 @@ def shortcut(keys: str, parent: QWidget) -> QShortcut:
     made = QShortcut(QKeySequence(keys), parent)
     made.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
     return made
+
+
+def message_label() -> QLabel:
+    """Return a label for messages: it wraps them, shows names that look like HTML as they are, and lets users copy."""
+    label = QLabel()
+    label.setWordWrap(True)
+    label.setTextFormat(Qt.TextFormat.PlainText)
+    label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+    return label
 
 
 def ask_folder(window: QWidget, title: str, setting: str) -> str:

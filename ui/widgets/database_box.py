@@ -7,9 +7,9 @@ from pathlib import Path
 
 from qgis.core import QgsProject, QgsSettings
 from qgis.gui import QgsFileWidget
-from qgis.PyQt.QtCore import QSize, Qt, pyqtSignal
+from qgis.PyQt.QtCore import QSize, pyqtSignal
 from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent
-from qgis.PyQt.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
+from qgis.PyQt.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
 from ...processing.inspection.chosen import require_database
 from ...processing.translation import tr
@@ -17,7 +17,7 @@ from ..layer_files import dropped_files
 from ..project_state import DATABASE_SETTING
 from ..proposals import annotation_at_hand
 from ..running.background import Reader
-from .controls import open_algorithm, tool_button
+from .controls import message_label, open_algorithm, tool_button
 from .layouts import InputBox, narrow, row_of
 
 MAKE_DATABASE = "semref:annotationtodatabase"
@@ -50,11 +50,8 @@ class DatabaseBox(InputBox):
         self.set_up.setToolTip(tr("Go from a map and a folder of photos to their positions"))
         self.making: QWidget | None = None
         self.fault = ""
-        self.fault_label = QLabel()
-        self.fault_label.setWordWrap(True)
+        self.fault_label = message_label()
         self.fault_label.setMinimumWidth(1)
-        # A file name may look like HTML.
-        self.fault_label.setTextFormat(Qt.TextFormat.PlainText)
         self.fault_label.setVisible(False)
         layout = narrow(QVBoxLayout(self.content), 0)
         layout.addLayout(row_of((self.file, 1), self.add_to_map, self.make))

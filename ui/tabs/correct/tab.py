@@ -9,14 +9,14 @@ from collections.abc import Iterator
 
 from qgis.core import QgsFeature, QgsMapLayerProxyModel, QgsProject, QgsVectorLayer
 from qgis.gui import QgsMapCanvas, QgsMapLayerComboBox
-from qgis.PyQt.QtCore import Qt, QTimer
-from qgis.PyQt.QtWidgets import QCheckBox, QLabel, QProgressBar, QPushButton, QVBoxLayout, QWidget
+from qgis.PyQt.QtCore import QTimer
+from qgis.PyQt.QtWidgets import QCheckBox, QProgressBar, QPushButton, QVBoxLayout, QWidget
 
 from ....core.annotation.findings import INFORMATION
 from ....processing.inspection.repair import REPAIRABLE
 from ....processing.translation import tr
 from ...canvas.marks import PlaceMark
-from ...widgets.controls import ChoiceBox, remember, shortcut, tool_button
+from ...widgets.controls import ChoiceBox, message_label, remember, shortcut, tool_button
 from ...widgets.database_box import DatabaseBox
 from ...widgets.layouts import narrow, row_of
 from ...widgets.messages import Messages
@@ -76,11 +76,7 @@ class CorrectTab(QWidget):
         self.kind.setToolTip(tr("Show places of one kind only"))
         self.repair = RepairButton(messages, self.updating.correction)
         self.repair.setMinimumWidth(1)
-        self.text = QLabel()
-        self.text.setWordWrap(True)
-        # The text comes from a file and may look like HTML.
-        self.text.setTextFormat(Qt.TextFormat.PlainText)
-        self.text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.text = message_label()
         self.before = tool_button("/mActionArrowLeft.svg", tr("Previous place"))
         self.after = tool_button("/mActionArrowRight.svg", tr("Next place"))
         self.done = QPushButton(tr("Done, next"))
