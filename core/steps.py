@@ -8,6 +8,8 @@ from typing import Any, TypeVar
 Result = TypeVar("Result")
 
 Steps = Generator[tuple[str, float], None, Result]
+Shares = Generator[float, None, Result]
+"""Of a part of a computation: yields the share done only."""
 
 
 def advance(steps: Generator[Any, None, Result]) -> tuple[Any, Any]:
@@ -23,4 +25,13 @@ def result_of(steps: Generator[Any, None, Result]) -> Result:
     step, found = advance(steps)
     while step is not None:
         step, found = advance(steps)
+    return found
+
+
+def part(what: str, shares: Shares[Result], first: float, last: float) -> Steps[Result]:
+    """Yield the shares of a part as steps from ``first`` to ``last`` of the computation; return its result."""
+    share, found = advance(shares)
+    while share is not None:
+        yield what, first + (last - first) * share
+        share, found = advance(shares)
     return found

@@ -5,13 +5,13 @@ from __future__ import annotations
 import os
 import tempfile
 from collections.abc import Iterator
-from typing import Callable
 
 import numpy as np
 from osgeo import gdal
 
 from ..core.annotation.outlines import areas_and_wkb, outline_regions, to_map
 from ..core.errors import LabelMapError, UnwritableError
+from ..core.steps import Steps, part
 from .gdal_errors import gdal_failure, require_written
 from .label_maps import GdalLabels
 from .polygonize import rows_of
@@ -138,11 +138,8 @@ class DisagreementMap:
         with require_written(self._path):
             self._raster.GetRasterBand(1).WriteArray(codes_hw, 0, first_row)
 
-    def polygons(self, minimum_area: float, proceed: Callable[[], bool]) -> list[tuple[int, float, bytes]]:
+    def polygons(self, minimum_area: float) -> Steps[list[tuple[int, float, bytes]]]:
         """Return (code, area in square map units, WKB) of the polygons, largest first, equal areas from the top down.
-
-        Args:
-            proceed: Returns whether to continue; otherwise the result is empty.
 
         Raises:
             LabelMapError: The codes can't be read.
@@ -150,7 +147,9 @@ class DisagreementMap:
         """
         with require_written(self._path):
             self._raster.FlushCache()
-        codes, outlines = outline_regions(rows_of(self._raster.GetRasterBand(1)), self._pair.shape_hw, proceed)
+        yield "Making polygons of the disagreements", 0.0
+        outlining = outline_regions(rows_of(self._raster.GetRasterBand(1)), self._pair.shape_hw)
+        codes, outlines = yield from part("Making polygons of the disagreements", outlining, 0.0, 1.0)
         transform = self._pair.geotransform
         areas, wkb = areas_and_wkb(to_map(outlines, transform))
         # In pixels, areas have no rounding errors.

@@ -11,7 +11,7 @@ from osgeo import gdal
 
 from ..core.annotation.outlines import can_simplify, outline_regions, simplify, to_map
 from ..core.errors import LabelMapError
-from ..core.steps import Steps
+from ..core.steps import Steps, part
 from .gdal_errors import gdal_failures
 from .rasters import open_raster, pixel_area, transform_of
 
@@ -27,7 +27,7 @@ def polygonize(
         minimum_area: Square map units; smaller regions become part of their largest neighbor. 0 keeps all.
         tolerance: Map units; see ``shapely.coverage_simplify``, which removes a vertex if its triangle is smaller than
             one with this edge and height. 0 keeps the pixel edges.
-        proceed: Called repeatedly; False ends the work, with a LabelMapError or without polygons.
+        proceed: Called repeatedly while small regions are merged; False ends the work with a LabelMapError.
 
     Raises:
         LabelMapError: GDAL can't read the map, or ``proceed`` returned False.
@@ -37,8 +37,8 @@ def polygonize(
         raster = _sieve(path, os.path.join(folder, "sieved.tif"), minimum_area, proceed)
         transform = transform_of(raster)
         yield "Outlining regions", 0.3
-        shape_hw = raster.RasterYSize, raster.RasterXSize
-        values, outlines = outline_regions(rows_of(raster.GetRasterBand(1)), shape_hw, proceed)
+        outlining = outline_regions(rows_of(raster.GetRasterBand(1)), (raster.RasterYSize, raster.RasterXSize))
+        values, outlines = yield from part("Outlining regions", outlining, 0.3, 0.6)
         yield "Simplifying borders", 0.6
         if tolerance > 0 and can_simplify() and len(outlines):
             outlines = simplify(outlines, tolerance / np.sqrt(pixel_area(transform)))

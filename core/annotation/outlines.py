@@ -19,6 +19,7 @@ import numpy as np
 import shapely
 
 from ..labels.class_table import UNLABELED
+from ..steps import Shares
 from .polygons import to_wkb
 
 RIGHT, DOWN, LEFT, UP = range(4)
@@ -33,37 +34,27 @@ Rows = Callable[[int, int], np.ndarray]
 """(first, last + 1) row of a label map → (rows, W) uint8 or uint16."""
 
 
-def outline_regions(
-    rows: Rows, shape_hw: tuple[int, int], proceed: Callable[[], bool] = lambda: True
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return the 4-connected labeled regions of a label map as polygons.
+def outline_regions(rows: Rows, shape_hw: tuple[int, int]) -> Shares[tuple[np.ndarray, np.ndarray]]:
+    """Return the 4-connected labeled regions of a label map as polygons; yield the share done (0…1).
 
     Args:
         shape_hw: (height, width) of the label map in pixels.
-        proceed: Called now and then; if it returns False, the result is empty.
 
     Returns:
         (n,) uint16 labels and (n,) valid shapely polygons in pixels (column, row). On shared borders both sides have
         the same vertices. Each ring starts at its topmost vertex, of several at the leftmost.
     """
-    nothing = np.empty(0, np.uint16), np.empty(0, object)
-    try:
-        corners = _Corners.of(rows, shape_hw, proceed)
-        return _polygons(corners, rows, proceed) if len(corners.places) else nothing
-    except _StoppedError:
-        return nothing
-
-
-def _polygons(corners: _Corners, rows: Rows, proceed: Callable[[], bool]) -> tuple[np.ndarray, np.ndarray]:
-    """Return the result of ``outline_regions`` for at least one region. Raises _StoppedError."""
-    order, ends = corners.rings(proceed)
+    corners = yield from _Corners.of(rows, shape_hw)
+    if not len(corners.places):
+        return np.empty(0, np.uint16), np.empty(0, object)
+    order, ends = yield from corners.rings()
     sizes = np.diff(ends, prepend=0)
     begins = ends - sizes
     x, y = corners.columns[order], corners.rows[order]
     after = np.arange(1, len(order) + 1)
     after[ends - 1] = begins
     is_hole = np.add.reduceat(x * y[after] - x[after] * y, begins) < 0
-    outer = _outer(corners, order, begins, is_hole, rows, proceed)
+    outer = yield from _outer(corners, order, begins, is_hole, rows)
     by_polygon = np.lexsort((is_hole, outer))
     topmost = _smallest(corners.places[order], begins) - begins
     begins, sizes, topmost = (some[by_polygon] for some in (begins, sizes, topmost))
@@ -79,14 +70,9 @@ def _polygons(corners: _Corners, rows: Rows, proceed: Callable[[], bool]) -> tup
     return corners.labels[order[begins[polygon_begins]]], np.asarray(polygons, object)
 
 
-def _outer(  # noqa: PLR0913 - the data of the rings
-    corners: _Corners,
-    order: np.ndarray,
-    begins: np.ndarray,
-    is_hole: np.ndarray,
-    rows: Rows,
-    proceed: Callable[[], bool],
-) -> np.ndarray:
+def _outer(
+    corners: _Corners, order: np.ndarray, begins: np.ndarray, is_hole: np.ndarray, rows: Rows
+) -> Shares[np.ndarray]:
     """Return (rings,) index of the outer ring of each hole; for other rings their own index."""
     outer, holes = np.arange(len(begins)), np.flatnonzero(is_hole)
     if not len(holes):
@@ -94,7 +80,8 @@ def _outer(  # noqa: PLR0913 - the data of the rings
     # Of a hole's leftmost edges: the region around the hole is left of them.
     columns = np.where(corners.leaving[order] == DOWN, corners.columns[order], corners.shape_hw[1] + 1)
     leftmost = order[_smallest(columns, begins)[holes]]
-    outer[holes] = _spread(order, begins)[corners.left_of(leftmost, rows, proceed)]
+    left_of = yield from corners.left_of(leftmost, rows)
+    outer[holes] = _spread(order, begins)[left_of]
     # The ring that bounds the region there may be another hole, but that one extends farther left.
     while is_hole[outer].any():
         outer = outer[outer]
@@ -136,11 +123,10 @@ class _Corners:
         return self.places // (self.shape_hw[1] + 1)
 
     @staticmethod
-    def of(rows: Rows, shape_hw: tuple[int, int], proceed: Callable[[], bool]) -> _Corners:
+    def of(rows: Rows, shape_hw: tuple[int, int]) -> Shares[_Corners]:
         found: list[list[tuple[np.ndarray, ...]]] = [[], [], [], []]
         for first, labels in _framed(rows, shape_hw):
-            if not proceed():
-                raise _StoppedError
+            yield 0.5 * first / shape_hw[0]
             a, b, c, d = labels[:-1, :-1], labels[:-1, 1:], labels[1:, :-1], labels[1:, 1:]
             # On the right and on the left, before the vertex and after it.
             seen = ((c, a, d, b), (a, b, c, d), (b, d, a, c), (d, c, b, a))
@@ -160,10 +146,10 @@ class _Corners:
         )
         return _Corners(shape_hw, places, coming, leaving, labels, touches)
 
-    def rings(self, proceed: Callable[[], bool]) -> tuple[np.ndarray, np.ndarray]:
+    def rings(self) -> Shares[tuple[np.ndarray, np.ndarray]]:
         """Return (N,) indices of vertices ring by ring, and (rings,) end of each; no ring touches itself."""
         following = self._following()
-        order, ends = _rings(following, proceed)
+        order, ends = yield from _rings(following)
         ring_of = _spread(order, np.append(0, ends[:-1]))
         opposite = [
             [np.flatnonzero(self.touches & (self.coming == direction)) for direction in pair]
@@ -177,7 +163,7 @@ class _Corners:
         one, other = one[both], other[both]
         for some in (following, self.leaving):
             some[one], some[other] = some[other], some[one]
-        return _rings(following, proceed)
+        return (yield from _rings(following))
 
     def _following(self) -> np.ndarray:
         """Return (N,) int64 index of the next vertex of each."""
@@ -192,20 +178,18 @@ class _Corners:
         """Return (N,) int64 sort key of vertices along a line."""
         return self.places if direction in (RIGHT, LEFT) else self.columns * (self.shape_hw[0] + 1) + self.rows
 
-    def left_of(self, leftmost: np.ndarray, rows: Rows, proceed: Callable[[], bool]) -> np.ndarray:
+    def left_of(self, leftmost: np.ndarray, rows: Rows) -> Shares[np.ndarray]:
         """Return (m,) indices of the vertices at the end of the edges that bound the regions on the left.
 
         Args:
             leftmost: (m,) indices of vertices that rings leave downwards.
-            proceed: Called now and then.
         """
         places, width = self.places[leftmost], self.shape_hw[1] + 1
         changes = places.copy()
         for first, labels in _framed(rows, self.shape_hw):
             # Row n of the frame is row first + n - 1 of the map.
             here = np.flatnonzero((places >= first * width) & (places < (first + len(labels) - 1) * width))
-            if not proceed():
-                raise _StoppedError
+            yield 0.8 + 0.2 * first / self.shape_hw[0]
             if len(here):
                 changed = first * width + np.flatnonzero(labels[1:, 1:] != labels[1:, :-1])
                 changes[here] = changed[np.searchsorted(changed, places[here]) - 1]
@@ -227,18 +211,14 @@ def _framed(rows: Rows, shape_hw: tuple[int, int]) -> Iterator[tuple[int, np.nda
         yield first, labels
 
 
-class _StoppedError(Exception):
-    """The caller stopped the work."""
-
-
-def _rings(following: np.ndarray, proceed: Callable[[], bool]) -> tuple[np.ndarray, np.ndarray]:
-    """Return (N,) indices of vertices ring by ring, and (rings,) end of each. Raises _StoppedError."""
+def _rings(following: np.ndarray) -> Shares[tuple[np.ndarray, np.ndarray]]:
+    """Return (N,) indices of vertices ring by ring, and (rings,) end of each."""
     # One by one with plain integers: numpy would need many passes of pointer doubling over all of them.
     after, order, ends = array("q", following.tobytes()), array("q"), array("q")
     add = order.append
     for first in range(len(after)):
-        if first % _STARTS_AT_ONCE == 0 and not proceed():
-            raise _StoppedError
+        if first % _STARTS_AT_ONCE == 0:
+            yield 0.5 + 0.3 * first / len(after)
         if after[first] < 0:
             continue
         place = first

@@ -5,7 +5,7 @@ The network's scores become shares of classes on a coarse grid, row by row, so t
 
 from __future__ import annotations
 
-from collections.abc import Generator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Callable
 
@@ -17,7 +17,7 @@ from ..labels.class_shares import FULL, ClassShares, SeenLabels
 from ..labels.class_table import UNLABELED, ClassTable
 from ..labels.image_files import read_photo
 from ..labels.image_source import ArrayImage, ImageSource, Photo
-from ..steps import result_of
+from ..steps import Shares, result_of
 from .certainty import NO_DATA, Certainty
 from .class_bias import known_biases
 from .model import SegmentationModel
@@ -65,7 +65,7 @@ class PhotoLabels:
                 self.camera_pixel_size_m, pixel_size_m = size, (size, size)
         self.image = at_resolution(photo, pixel_size_m, resolution_m)
 
-    def steps(self) -> Generator[float, None, SeenLabels]:
+    def steps(self) -> Shares[SeenLabels]:
         """Yield the share done (0…1) tile by tile; raise what ``tiling.segment`` raises.
 
         Returns:

@@ -15,7 +15,7 @@ from qgis.core import (
 
 from ...core.errors import ParameterError
 from ..base import parameters
-from ..base.algorithm import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
+from ..base.algorithm import ANNOTATION, Declared, SemRefAlgorithm, check_canceled, follow
 from ..base.annotation import geometry_of
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
@@ -144,10 +144,7 @@ class CompareLabels(SemRefAlgorithm):
         with DisagreementMap(pair) as disagreements:
             feedback.setProgressText(tr("Comparing"))
             comparison = LabelComparison(self._count(pair, match, disagreements, feedback))
-            feedback.setProgressText(tr("Making polygons of the disagreements"))
-            polygons = disagreements.polygons(values.number(self.MINIMUM_AREA), lambda: not feedback.isCanceled())
-            check_canceled(feedback)
-            feedback.setProgress(96)
+            polygons = follow(disagreements.polygons(values.number(self.MINIMUM_AREA)), feedback, 40, 96)
         feedback.setProgressText(tr("Comparing landmarks"))
         shifts = measure_shifts(pair, match, comparison, self._layers[0].crs, feedback)
         if outputs.wants(self.REPORT):

@@ -14,6 +14,7 @@ from semref.core.errors import SemRefError
 from semref.core.segmentation.onnx_file import read_header
 from semref.core.simulation.displacement import displace
 from semref.core.simulation.noise import LabelNoise
+from semref.core.steps import result_of
 from semref.storage import label_comparison
 from semref.storage.label_comparison import DisagreementMap, LabelMapPair
 
@@ -133,7 +134,7 @@ def test_a_full_disk_for_polygons_is_reported(tmp_path):
             try:
                 with files_of_at_most(size):
                     disagreements.write_rows(0, noise.astype(np.uint16))
-                    outcomes.append(len(disagreements.polygons(0, lambda: True)))
+                    outcomes.append(len(result_of(disagreements.polygons(0))))
             except SemRefError:
                 outcomes.append("told")
     whole = outcomes[-1]
