@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -10,89 +10,74 @@ from ..labels.block_hashes import HASHED_BLOCK, blocks_shape
 from ..labels.sources import LabelSource
 from ..landmarks.landmarks import minimum_area_px, objects_from_rows, rows_array
 from ..landmarks.regions import Bounds, ReachingRegions
-from ..landmarks.tiles import Region, measure_region
+from ..landmarks.tiles import measure_region
+from ..steps import Shares, advance
 from .build import map_references
 from .model import MapLandmarks, ReferenceDatabase
 
 
-class ChangedLandmarks:
-    """Finds removed and added landmarks: iterate ``steps()`` to the end, then read ``removed`` and ``added``.
+def changed_landmarks(
+    source: LabelSource, database: ReferenceDatabase, places: Sequence[Bounds]
+) -> Shares[tuple[np.ndarray, MapLandmarks]]:
+    """Find removed and added landmarks.
 
     Landmarks without a changed pixel remain; the others are searched in the new map only.
+
+    Args:
+        source: The new map.
+        database: Database of the old map, with the landmarks' bounds.
+        places: Result of ``changed_places``.
+
+    Returns:
+        (K,) int64 indices of the removed landmarks of the database, in order, and the new or changed landmarks.
     """
+    values, removed, added = database.class_table.reference_values, list[int](), list[tuple]()
+    for n, value in enumerate(values):
+        shares = _compare(source, database, places, value)
+        share, found = advance(shares)
+        while share is not None:
+            yield (n + share) / len(values)
+            share, found = advance(shares)
+        removed += found[0]
+        added += found[1]
+    return np.array(sorted(removed), np.int64), _landmarks(added, source, database)
 
-    def __init__(self, source: LabelSource, database: ReferenceDatabase, places: Sequence[Bounds]) -> None:
-        """Prepare the comparison.
 
-        Args:
-            database: Database of the old map, with the landmarks' bounds.
-            places: Result of ``changed_places``.
-        """
-        self._source = source
-        self._database = database
-        self._places = places
-        self._frame = database.parameters.frame
-        self._minimum_area_px = minimum_area_px(database.parameters.minimum_area, self._frame.pixel_size)
-        self._removed: list[int] = []
-        self._rows: list[tuple] = []
+def _landmarks(rows: list[tuple], source: LabelSource, database: ReferenceDatabase) -> MapLandmarks:
+    return map_references(objects_from_rows(rows_array(rows), source.shape_hw), database.parameters.frame)
 
-    @property
-    def removed(self) -> np.ndarray:
-        """(K,) int64 indices of the removed landmarks of the database, in order."""
-        return np.array(sorted(self._removed), np.int64)
 
-    @property
-    def added(self) -> MapLandmarks:
-        """The new or changed landmarks."""
-        return self._landmarks(self._rows)
-
-    def steps(self) -> Iterator[float]:
-        """Compare; yield the share done 0…1."""
-        values = self._database.class_table.reference_values
-        for n, value in enumerate(values):
-            for share in self._compare(value):
-                yield (n + share) / len(values)
-
-    def _landmarks(self, rows: list[tuple]) -> MapLandmarks:
-        return map_references(objects_from_rows(rows_array(rows), self._source.shape_hw), self._frame)
-
-    def _compare(self, value: int) -> Iterator[float]:
-        """Compare the landmarks of one class; yield the share done."""
-        reaching = ReachingRegions(self._source, value, self._places, self._minimum_area_px)
-        for _ in reaching.steps():
-            yield 0.3
-        rows = list(map(tuple, reaching.rows.tolist()))
-        for n, region in enumerate(reaching.regions, start=1):
-            row = measure_region(self._source, value, region, self._minimum_area_px)
-            rows += [] if row is None else [row]
-            yield 0.3 + 0.6 * n / len(reaching.regions)
-        new = {_key(self._landmarks([row]), 0): row for row in rows}
-        references = self._database.references
-        meeting = (references.classes == value) & _meets_any(references.required_bounds, self._places)
-        # Unchanged landmarks inside a changed place remain.
-        gone = [k for k in np.flatnonzero(meeting).tolist() if new.pop(_key(references, k), None) is None]
-        remaining: set[Bounds] = set()
-        for _ in self._find_remaining([_bounds_of(references, k) for k in gone], reaching.regions, value, remaining):
-            yield 0.9
-        self._removed += [k for k in gone if _bounds_of(references, k) not in remaining]
-        self._rows += new.values()
-
-    def _find_remaining(
-        self, gone: Sequence[Bounds], reaching: set[Region], value: int, remaining: set[Bounds]
-    ) -> Iterator[None]:
-        """Add to ``remaining`` the bounds of old landmarks that meet a changed place without having a pixel in it.
-
-        Their pixels outside the places, and on the outermost lines of the places, are unchanged. So a landmark with
-        pixels inside and outside shares some with a new region that crosses the border of a place.
-        """
-        outside = [bounds for bounds in gone if not any(_holds(place, bounds) for place in self._places)]
-        doubtful = [bounds for bounds in outside if any(_meet(bounds, region.bounds) for region in reaching)]
-        # A region has a pixel in the first row of its bounds.
-        tops = _joined([(left, top, right, top + 1) for left, top, right, _ in doubtful])
-        others = ReachingRegions(self._source, value, tops, self._minimum_area_px)
-        yield from others.steps()
-        # Two regions of one class can't have the same bounds: they would cross and be one region.
-        remaining |= {region.bounds for region in others.regions - reaching} | set(outside) - set(doubtful)
+def _compare(
+    source: LabelSource, database: ReferenceDatabase, places: Sequence[Bounds], value: int
+) -> Shares[tuple[list[int], list[tuple]]]:
+    """Return the indices of the removed landmarks of one class, and the rows of the added ones."""
+    parameters, references = database.parameters, database.references
+    minimum_area = minimum_area_px(parameters.minimum_area, parameters.frame.pixel_size)
+    reaching = ReachingRegions(source, value, places, minimum_area)
+    for _ in reaching.steps():
+        yield 0.3
+    rows = list(map(tuple, reaching.rows.tolist()))
+    for n, region in enumerate(reaching.regions, start=1):
+        row = measure_region(source, value, region, minimum_area)
+        rows += [] if row is None else [row]
+        yield 0.3 + 0.6 * n / len(reaching.regions)
+    new = {_key(_landmarks([row], source, database), 0): row for row in rows}
+    meeting = (references.classes == value) & _meets_any(references.required_bounds, places)
+    # Unchanged landmarks inside a changed place remain.
+    gone = [k for k in np.flatnonzero(meeting).tolist() if new.pop(_key(references, k), None) is None]
+    # Of the others, those remain that meet a changed place without having a pixel in it. Their pixels outside the
+    # places, and on the outermost lines of the places, are unchanged. So a landmark with pixels inside and outside
+    # shares some with a new region that crosses the border of a place.
+    outside = [b for b in (_bounds_of(references, k) for k in gone) if not any(_holds(place, b) for place in places)]
+    doubtful = [bounds for bounds in outside if any(_meet(bounds, region.bounds) for region in reaching.regions)]
+    # A region has a pixel in the first row of its bounds.
+    tops = _joined([(left, top, right, top + 1) for left, top, right, _ in doubtful])
+    others = ReachingRegions(source, value, tops, minimum_area)
+    for _ in others.steps():
+        yield 0.9
+    # Two regions of one class can't have the same bounds: they would cross and be one region.
+    remaining = {region.bounds for region in others.regions - reaching.regions} | set(outside) - set(doubtful)
+    return [k for k in gone if _bounds_of(references, k) not in remaining], list(new.values())
 
 
 def _bounds_of(landmarks: MapLandmarks, k: int) -> Bounds:

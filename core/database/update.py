@@ -15,12 +15,12 @@ from ..labels.class_table import ClassTable
 from ..labels.overview import most_frequent_labels
 from ..labels.sources import LabelSource, count_labels
 from ..landmarks.landmarks import minimum_area_px
-from ..steps import Steps
+from ..steps import Steps, part
 from ..windows.distinctiveness import nearest_distances
 from ..windows.grid import WindowGrid
 from ..windows.topology_vector import MINIMUM_REFERENCES
 from .build import window_boxes
-from .changed_regions import Bounds, ChangedLandmarks, block_bounds, blocks_of, changed_places
+from .changed_regions import Bounds, block_bounds, blocks_of, changed_landmarks, changed_places
 from .model import MapLandmarks, ReferenceDatabase, Windows
 from .parameters import BuildParameters
 from .tasks import Runner
@@ -78,10 +78,7 @@ def update_by_tasks(  # noqa: PLR0913 - the map, the database, and how to run
     hashes = yield from _hash(source, parameters.block_hashes, areas)
     places = changed_places(parameters.block_hashes, hashes, source.shape_hw)
     _check_values(source, places, database.class_table)
-    landmarks = ChangedLandmarks(source, database, places)
-    for share in landmarks.steps():
-        yield "Finding landmarks", 0.5 + 0.1 * share
-    removed, added = landmarks.removed, landmarks.added
+    removed, added = yield from part("Finding landmarks", changed_landmarks(source, database, places), 0.5, 0.6)
     if len(database.references) - len(removed) + len(added) == 0:
         raise LabelMapError("The corrected map has no landmark left; choose another label map.")
     windows = _copied(old)
