@@ -46,6 +46,9 @@ from .signature import read_key, signature
 _UNREADABLE = (zipfile.BadZipFile, zlib.error, EOFError, OSError, RuntimeError, ValueError, struct.error)
 """Errors of a damaged or malicious zip."""
 
+_ODD = (ClassTableError, KeyError, TypeError, ValueError, OverflowError, RecursionError, AttributeError)
+"""Errors of a header or arrays with unexpected content."""
+
 _DEFLATE_RATIO = 1032
 """Largest compression ratio of deflate; a member with a larger one is damaged or malicious."""
 
@@ -87,9 +90,7 @@ def read_onboard(path: str, key_file: str | None = None) -> OnboardDatabase:
         _check_version(header, path)
         found = _onboard(members, header, path)
         return found if key is None else replace(found, signature=SignatureStatus.VERIFIED)
-    except ClassTableError as error:
-        raise _damaged(path, error) from None
-    except (KeyError, TypeError, ValueError, OverflowError, RecursionError, AttributeError) as error:
+    except _ODD as error:
         raise _damaged(path, error) from None
 
 

@@ -153,23 +153,16 @@ def read_classes(texts: Mapping[str, str], channels: int, source: str, given: Cl
     if len(names) == channels - 1 and (channels == 2 or not is_named):
         names = [BACKGROUND_NAMES[0], *names]
     if len(names) != channels:
-        listed = names[:12]
-        if is_named:
-            raise ModelError(
-                "{source} outputs {channels} classes, but its metadata (class_names) have {count} class names: "
-                "{names}. Use the names from its training.",
-                source=source,
-                channels=channels,
-                count=len(names),
-                names=listed,
-            )
         raise ModelError(
-            "{source} outputs {channels} classes, but the class table has {count} class names: {names}. Use the names "
-            "from its training.",
+            "{source} outputs {channels} classes, but its metadata (class_names) have {count} class names: {names}. "
+            "Use the names from its training."
+            if is_named
+            else "{source} outputs {channels} classes, but the class table has {count} class names: {names}. Use the "
+            "names from its training.",
             source=source,
             channels=channels,
             count=len(names),
-            names=listed,
+            names=names[:12],
         )
     values, table = _classes(texts, names, source, given)
     return ModelClasses(tuple(names), values, table)
@@ -259,20 +252,15 @@ def _number(texts: Mapping[str, str], key: str, source: str, least: float, most:
 def _three(texts: Mapping[str, str], key: str, source: str, default: float) -> tuple[float, ...]:
     if key not in texts:
         return (default,) * 3
-    found = _literal(texts[key])
+    found, is_positive = _literal(texts[key]), key == "standardization_std"
     if isinstance(found, (list, tuple)) and len(found) == 3:
         numbers = all(isinstance(v, (int, float)) and abs(v) < limits.STANDARDIZATION for v in found)
-        if numbers and (key != "standardization_std" or min(found) > 0):
+        if numbers and (not is_positive or min(found) > 0):
             return tuple(float(v) for v in found)
-    if key == "standardization_std":
-        raise ModelError(
-            "{source} has “{text}” as {key}; it must be a list of three numbers, for red, green and blue, above 0.",
-            source=source,
-            text=texts[key][: limits.NAME_CHARACTERS],
-            key=key,
-        )
     raise ModelError(
-        "{source} has “{text}” as {key}; it must be a list of three numbers, for red, green and blue.",
+        "{source} has “{text}” as {key}; it must be a list of three numbers, for red, green and blue, above 0."
+        if is_positive
+        else "{source} has “{text}” as {key}; it must be a list of three numbers, for red, green and blue.",
         source=source,
         text=texts[key][: limits.NAME_CHARACTERS],
         key=key,
