@@ -87,7 +87,6 @@ class AddModelDialog(QDialog):
         self.state = message_label()
         self._run, self._looking, self._labeling = AlgorithmRun(self), Reader(self), Reader(self)
         self._folder = tempfile.TemporaryDirectory(prefix="semref")
-        self._target = ""
         self._lay_out()
         self._connect()
         self._fill(NetworkFacts(("",), 0.0))
@@ -263,7 +262,6 @@ class AddModelDialog(QDialog):
 
     def _start(self, target: str, title: str) -> None:
         self._labeling.forget()
-        self._target = target
         self._show_running(self._run.start_algorithm(ALGORITHM, self.parameters(target), title))
 
     def _take_model(self, results: dict, _context: QgsProcessingContext) -> None:

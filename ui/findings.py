@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import NamedTuple
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry, QgsPointXY, QgsVectorLayer
 
 from ..core.localization import Method, Status
 from ..processing.base.localized_image import ERROR, LABELS_SUFFIX, error_probability, unique_names
 from ..processing.compat import is_null
+from ..processing.layers.results_file import open_results
 from ..processing.translation import tr
 
 Point = tuple[float, float]
@@ -127,30 +127,21 @@ _COLUMNS = tuple(
 )
 
 
-class ResultLayers(NamedTuple):
-    """Layers of a run; None for a missing one. Flights have ``track`` and lack ``places`` (ALTERNATIVES)."""
-
-    positions: QgsVectorLayer | None = None
-    footprints: QgsVectorLayer | None = None
-    places: QgsVectorLayer | None = None
-    matches: QgsVectorLayer | None = None
-    track: QgsVectorLayer | None = None
-
-
-def read_findings(layers: ResultLayers, labels: str = "") -> list[Finding]:
-    """Return the findings in the order of the images; an empty list without positions.
+def read_findings(file: str, labels: str = "") -> list[Finding]:
+    """Return the findings of a results file in the order of the images.
 
     Args:
         labels: Folder LABELS of the run; empty without one.
+
+    Raises:
+        ParameterError: The file has no results.
     """
-    positions, footprints, places, *_ = layers
-    if positions is None:
-        return []
+    positions, footprints, places, match_points, _track = open_results(file)
     outlines = {f["image"]: f.geometry() for f in footprints.getFeatures()} if footprints is not None else {}
     possible: dict[str, list[QgsGeometry]] = {}
     for feature in places.getFeatures() if places is not None else ():
         possible.setdefault(feature["image"], []).append(feature.geometry())
-    matches = _read_matches(layers.matches)
+    matches = _read_matches(match_points)
     indexes = [positions.fields().lookupField(name) for name in _COLUMNS]
     rows = [feature.attributes() for feature in positions.getFeatures()]
     files = unique_names([row[indexes[0]] for row in rows], LABELS_SUFFIX) if labels else {}
@@ -159,7 +150,7 @@ def read_findings(layers: ResultLayers, labels: str = "") -> list[Finding]:
         # Results of an older version lack the newest columns.
         cells = [None if index < 0 or is_null(values[index]) else values[index] for index in indexes]
         image = cells[0]
-        file = os.path.join(labels, files[image]) if files else ""
+        label_image = os.path.join(labels, files[image]) if files else ""
         findings.append(
             Finding(
                 *cells,
@@ -167,7 +158,7 @@ def read_findings(layers: ResultLayers, labels: str = "") -> list[Finding]:
                 outlines.get(image),
                 tuple(possible.get(image, ())),
                 matches.get(image),
-                file if os.path.exists(file) else "",
+                label_image if os.path.exists(label_image) else "",
             )
         )
     return findings

@@ -9,7 +9,7 @@ from qgis.core import QgsProject, QgsRuleBasedRenderer
 from qgis.PyQt.QtWidgets import QFileDialog
 
 from semref.processing.layers.results_file import open_results
-from semref.ui.findings import ResultLayers, read_findings
+from semref.ui.findings import read_findings
 
 SIZE, STEP, COUNT = 200, 60, 7
 BLANK = 5
@@ -70,6 +70,6 @@ def test_its_layers_are_saved_with_their_style_and_bring_the_track_back(flown, t
     layers = list(QgsProject.instance().mapLayers().values())
     positions = next(layer for layer in layers if layer.geometryType() == 0)
     assert len(layers) == 2 and isinstance(positions.renderer(), QgsRuleBasedRenderer)
-    saved = ResultLayers(*open_results(path))
-    assert saved.track is not None and saved.track.featureCount() == 1
-    assert [finding.source for finding in read_findings(saved)][BLANK] == "flight"
+    *_others, track = open_results(path)
+    assert track is not None and track.featureCount() == 1
+    assert [finding.source for finding in read_findings(path)][BLANK] == "flight"

@@ -38,11 +38,10 @@ _FILL_S = 0.03
 
 
 class CorrectTab(QWidget):
-    """Tab *Correct*."""
+    """Goes through the places of a layer, repairs them, and updates the database."""
 
     def __init__(self, canvas: QgsMapCanvas, database: DatabaseBox, messages: Messages) -> None:
         super().__init__()
-        self._canvas = canvas
         self._done: set[int] = set()
         self._kinds: dict[int, tuple[str, str]] = {}
         self._report = ""
@@ -52,18 +51,16 @@ class CorrectTab(QWidget):
         self._soon = QTimer(self)
         self._soon.setSingleShot(True)
         self._soon.timeout.connect(self._fill_on)
-        self._listing = QTimer(self)
-        self._listing.setSingleShot(True)
-        self._listing.timeout.connect(self._list_layers)
         self._layer: QgsVectorLayer | None = None
         self._mark = PlaceMark(canvas, self)
         self.updating = UpdateBox(database, messages, lambda: self._layer)
-        self._lay_out(messages)
+        self.repair = RepairButton(messages, self.updating.correction)
+        self._lay_out()
         self._connect()
         self._list_layers()
         self._use_layer()
 
-    def _lay_out(self, messages: Messages) -> None:
+    def _lay_out(self) -> None:
         self.layer = QgsMapLayerComboBox()
         self.layer.setFilters(QgsMapLayerProxyModel.Filter.PolygonLayer)
         self.layer.setAllowEmptyLayer(True, tr("Choose a layer of issues or disagreements"))
@@ -74,7 +71,6 @@ class CorrectTab(QWidget):
         self.kind = ChoiceBox()
         self.kind.setAccessibleName(tr("Kind"))
         self.kind.setToolTip(tr("Show places of one kind only"))
-        self.repair = RepairButton(messages, self.updating.correction)
         self.repair.setMinimumWidth(1)
         self.text = message_label()
         self.before = tool_button("/mActionArrowLeft.svg", tr("Previous place"))
@@ -132,7 +128,7 @@ class CorrectTab(QWidget):
 
     def _take_added(self, layers: list) -> None:
         """List new layers as soon as they are complete, and choose new places if no layer is chosen."""
-        self._listing.start(0)
+        QTimer.singleShot(0, self._list_layers)
         found = [layer for layer in layers if is_places(layer)]
         if found and self._layer is None:
             self.layer.setLayer(found[-1])

@@ -14,10 +14,10 @@ from qgis.PyQt.QtWidgets import QFileDialog, QPushButton, QVBoxLayout, QWidget
 from ....core.errors import ParameterError
 from ....core.named_files import named_file
 from ....processing.base.localized_image import count_sentence
-from ....processing.layers.results_file import open_results, save_results
+from ....processing.layers.results_file import save_results
 from ....processing.messages.sentences import worded
 from ....processing.translation import tr
-from ...findings import Finding, ResultLayers, lon_lat_text, read_findings, x_y_text
+from ...findings import Finding, lon_lat_text, read_findings, x_y_text
 from ...project_state import DockState
 from ...running.background import Reader
 from ...running.localization_run import LocalizationRun, named_results
@@ -221,12 +221,12 @@ class LocalizeTab(QWidget):
         Raises:
             ParameterError: The file has no results.
         """
-        layers = ResultLayers(*open_results(file)) if file else ResultLayers()
+        findings = read_findings(file, labels_of(file)) if file else []
         self._results_file = file
         self._found_with = database or self._database.path(), model
         self._chosen = self._now_chosen()
         self.hit.use(*self._found_with, chosen)
-        self._findings = findings = read_findings(layers, labels_of(file))
+        self._findings = findings
         if findings:
             self.state.show_text(count_sentence([finding.status for finding in findings]))
         self._show_findings(findings)
