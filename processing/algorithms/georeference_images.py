@@ -21,7 +21,7 @@ from ...core.localization import Status
 from ...core.named_files import named_file
 from ...core.sentences import legible
 from ..base.algorithm import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
-from ..base.localized_image import unique_names
+from ..base.image_results import unique_names
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.values import Values

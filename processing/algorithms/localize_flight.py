@@ -18,13 +18,14 @@ from ...core.errors import ParameterError
 from ...core.localization import Method
 from ..base import parameters, priors
 from ..base.algorithm import Declared, cancelable, check_canceled, follow, interruptible
-from ..base.localized_image import LabelImages, LocalizedImage, log_result, with_far_photos, with_jumps
+from ..base.image_results import LabelImages, log_result, with_far_photos, with_jumps
 from ..base.localizing import LocalizeAlgorithm, require_images
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.photo_labels import pace_results
 from ..base.values import Values
 from ..compat import SOURCE_LINE, SOURCE_POINT
+from ..layers.localized_image import LocalizedImage
 from ..messages.sentences import worded
 from ..translation import tr
 

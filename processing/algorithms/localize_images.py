@@ -20,15 +20,7 @@ from ...core.errors import ParameterError
 from ...core.localization import Localization, Status
 from ..base import parameters, priors
 from ..base.algorithm import Declared, cancelable, check_canceled
-from ..base.localized_image import (
-    ERROR,
-    LabelImages,
-    LocalizedImage,
-    count_sentence,
-    log_result,
-    with_far_photos,
-    with_jumps,
-)
+from ..base.image_results import LabelImages, count_sentence, log_result, with_far_photos, with_jumps
 from ..base.localizing import LocalizeAlgorithm, found_within_reach, localize_image, localize_scheduled, require_images
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
@@ -37,6 +29,7 @@ from ..base.photo_source import PhotoSource
 from ..base.scheduler import SCHEDULER, require_scheduler, scheduler
 from ..base.values import Values
 from ..compat import SOURCE_POINT, SOURCE_POLYGON
+from ..layers.localized_image import ERROR, LocalizedImage
 from ..translation import tr
 
 if TYPE_CHECKING:

@@ -23,10 +23,11 @@ from ...core.localization import Localization
 from ...core.localizer.reach import Reach
 from ...core.pipeline import ImageResult, Pipeline, localize_again
 from ...core.tables import stem_of
+from ..layers.localized_image import LocalizedImage
 from ..messages.camera_messages import camera_remark
 from ..messages.sentences import worded
 from ..translation import tr
-from .localized_image import LabelImages, LocalizedImage
+from .image_results import LabelImages
 from .localizing import found_within_reach
 
 _SOURCES = {"pixels": "pixels", "table": "odometry", "log": "log"}

@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from datetime import datetime, timezone
 from math import isnan
 from typing import Any
 
 import numpy as np
 from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsGeometry, QgsPointXY
-from qgis.PyQt.QtCore import QDateTime, Qt
 
 from ...core.database.model import ReferenceDatabase
 from ...core.geometry.footprint import image_corners
 from ...core.localizer.record import record
 from ..compat import LINE, POINT, POLYGON
+from ..layers.localized_image import ERROR, LocalizedImage, moment
 from ..layers.reference_systems import longitudes_latitudes
 from ..messages.sentences import worded
-from .localized_image import ERROR, LocalizedImage
 from .outputs import Outputs
 
 FIELDS = (
@@ -93,20 +91,6 @@ TRACK_FIELDS = (
     ("start", "datetime"),
     ("end", "datetime"),
 )
-
-
-def moment(time_s: float | None) -> QDateTime | None:
-    """Return a time in UTC for layers. Seconds that are not a date count from 1970, so that they can be played."""
-    if time_s is None:
-        return None
-    try:
-        text = datetime.fromtimestamp(time_s, timezone.utc).strftime("%Y-%m-%dT%H:%M:%S.%f")[:-3]
-    except (OverflowError, OSError, ValueError):
-        # Years outside the calendar.
-        return None
-    found = QDateTime.fromString(text, Qt.DateFormat.ISODateWithMs)
-    found.setTimeSpec(Qt.TimeSpec.UTC)
-    return found
 
 
 def write_positions(

@@ -23,12 +23,13 @@ from ...core.errors import DatabaseError, ParameterError, SemRefError
 from ...core.labels.class_table import ClassTable
 from ...core.localization import LEAST_RISK, RISK, Localization, Method
 from ..compat import DOUBLE, SOURCE_FILE, SOURCE_POINT, SOURCE_POLYGON
+from ..layers.localized_image import LocalizedImage
 from ..messages.camera_messages import camera_read, camera_remark
 from ..messages.sentences import worded
 from ..translation import tr
 from . import parameters, priors
 from .algorithm import LOCALIZATION, SemRefAlgorithm, cancelable, check_canceled
-from .localized_image import LocalizedImage, has_photos
+from .image_results import has_photos
 from .parameters import with_help
 from .photo_labels import PhotoLabelReader
 from .scheduler import with_progress, workers

@@ -16,3 +16,10 @@ def worded(said: SemRefError | Sentence) -> str:
     """
     sentence = said.sentence if isinstance(said, SemRefError) else said
     return filled(sentence, lambda template: LocalTemplate(tr(template)))
+
+
+def error_probability(confidence: float) -> str:
+    """Return the error probability in the user's language: "1 in 1,200", or "below 1 in 10,000"."""
+    from ...core.localizer import record
+
+    return worded(record.error_probability(confidence))

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import groupby
 
-from ..base.localized_image import LocalizedImage, error_probability
-from ..base.localized_layers import moment
+from ..layers.localized_image import LocalizedImage, moment
 from ..messages.numbers import shown
+from ..messages.sentences import error_probability
 from ..translation import tr
 from . import page, parts
 from .maps import flight_legend, flight_map

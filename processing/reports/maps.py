@@ -9,8 +9,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from ...core.assessment.route import RoutePoints, stretch
-from ..base.localized_image import LocalizedImage
 from ..layers import palette
+from ..layers.localized_image import LocalizedImage
 from ..translation import tr
 from . import page
 from .charts import Element, drawing, lettering, polyline, shape, stroke

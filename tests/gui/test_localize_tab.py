@@ -35,7 +35,7 @@ from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QFileDialog
 
 from semref.core.localization import Status
-from semref.processing.base.localized_image import ERROR
+from semref.processing.layers.localized_image import ERROR
 from semref.ui.canvas.marks import ORANGE, RED, RIM
 from semref.ui.findings import Finding, error_text, status_text
 from semref.ui.running import localization_run

@@ -21,7 +21,7 @@ from made_tiff import image_tiff, tiff
 from osgeo import osr
 
 from semref.core.flight.cameras import read_cameras
-from semref.processing.base.localized_image import far_sentence
+from semref.processing.layers.localized_image import far_sentence
 from semref.processing.messages.camera_messages import camera_read, camera_remark
 from semref.storage.photo_position import photo_lon_lat
 

@@ -10,7 +10,8 @@ from qgis.core import QgsProcessingException
 
 from semref.core.labels.class_table import class_table_from_names
 from semref.core.localization import Localization, Method, Place, Status
-from semref.processing.base.localized_image import LocalizedImage, with_jumps
+from semref.processing.base.image_results import with_jumps
+from semref.processing.layers.localized_image import LocalizedImage
 
 LOCALIZE = "semref:localizeimages"
 SIZE, STRIDE = 120, 40

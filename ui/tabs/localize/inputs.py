@@ -12,7 +12,7 @@ from qgis.PyQt.QtWidgets import QCheckBox, QFileDialog, QLabel, QPushButton, QVB
 
 from ....core.localization import Method
 from ....processing.base.algorithm import REPORTS_AS_FILES
-from ....processing.base.localized_image import is_photo
+from ....processing.base.image_results import is_photo
 from ....processing.inspection.chosen import ChosenImages, count_images
 from ....processing.inspection.models import PHOTO_MODEL
 from ....processing.messages.sentences import worded

@@ -11,7 +11,7 @@ from qgis.PyQt.QtWidgets import QListWidget, QListWidgetItem, QStyledItemDelegat
 
 from ....core.annotation import findings as annotation
 from ....core.localization import Status
-from ....processing.base.localized_image import ERROR as UNREAD
+from ....processing.layers.localized_image import ERROR as UNREAD
 from ....processing.layers.palette import WARNING
 from ....processing.translation import tr
 from ...findings import Finding, error_text, lon_lat_text, status_text

@@ -1,19 +1,19 @@
-"""An image with its localization: the checks of its position, its labels, and its log messages."""
+"""The results of images: checks of their positions, their labels, and log messages."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsProcessingFeedback
 
 from ...core.labels.class_table import ClassTable
-from ...core.localization import Localization, Status
+from ...core.localization import Status
 from ...core.sentences import Sentence
-from ..messages.numbers import shown
-from ..messages.sentences import worded
+from ..layers.localized_image import LocalizedImage, far_sentence
+from ..messages.sentences import error_probability, worded
 from ..translation import tr
 from .algorithm import check_canceled
 
@@ -21,11 +21,6 @@ if TYPE_CHECKING:
     import numpy as np
 
     from ...core.database.model import ReferenceDatabase, Windows
-    from ...core.flight.model import FlightPose
-    from ...core.geometry.pose import Ellipse
-
-ERROR = "error"
-"""Status of an image that cannot be read; the localizer gives the others."""
 
 FAR_M = 1000.0
 """Distance from the border of the ground; nearer, a tilted camera may see it."""
@@ -35,73 +30,6 @@ LABELS_SUFFIX = ".tif"
 
 LOOKED_AT = 5
 """Largest number of images whose colors are counted, if their names are not those of photos."""
-
-
-@dataclass(frozen=True)
-class LocalizedImage:
-    """One image and its result, or ``error`` if it cannot be read.
-
-    Attributes:
-        result: Of a flight, its result for this image.
-        remark: Sentence about its leveling.
-        jump: Whether it could not have been reached in time; None if this was not checked.
-        camera: Camera data that were read.
-        gps_distance_m: Distance from the database's ground by the GPS position of the photo, if it is far.
-        time_s: When it was taken, in seconds since 1970 (UTC) or since any moment; None if unknown.
-        pose: Pose that the flight gives it; None for a single image, and for an image that cannot be read.
-    """
-
-    path: str
-    result: Localization | None = None
-    error: str = ""
-    shape_hw: tuple[int, int] = (0, 0)
-    remark: str = ""
-    jump: bool | None = None
-    camera: str = ""
-    gps_distance_m: float | None = None
-    time_s: float | None = None
-    pose: FlightPose | None = None
-
-    @property
-    def name(self) -> str:
-        """File name."""
-        return os.path.basename(self.path)
-
-    @property
-    def position(self) -> tuple[float, float] | None:
-        """Map (x, y); None without a position."""
-        return self.result and self.result.position
-
-    @property
-    def ellipse(self) -> Ellipse | None:
-        """95 % ellipse of the position; None if it is unknown."""
-        known = self.result and self.result.covariance
-        return known and known.ellipse_95
-
-    @property
-    def is_placed(self) -> bool:
-        """Whether the flight places it."""
-        return self.pose is not None and self.pose.is_fix
-
-    @property
-    def source(self) -> str | None:
-        """Key of the source of its position in the flight; None without one."""
-        return str(self.pose.source) if self.is_placed else None
-
-    @property
-    def is_outvoted(self) -> bool:
-        """Whether its own position contradicts the flight."""
-        return self.pose is not None and self.pose.is_outvoted
-
-    @property
-    def reason(self) -> str:
-        """Why it has no position, or for what a position is not valid, and its error budget."""
-        from ...core.localizer.record import record
-
-        if self.result is None:
-            return self.error
-        far = "" if self.gps_distance_m is None else far_sentence(self.gps_distance_m)
-        return " ".join(filter(None, (far, record(self.result, worded)["reason"])))
 
 
 def is_photo(path: str) -> bool:
@@ -214,24 +142,6 @@ def with_far_photos(
             feedback.pushWarning(f"{item.name}: {far_sentence(away)}")
         checked.append(item)
     return checked
-
-
-def far_sentence(meters: float) -> str:
-    """Return a sentence about a photo that was taken far from the database's ground.
-
-    Args:
-        meters: Distance from the border of the ground.
-    """
-    kilometers = shown(meters / 1000, ".1f" if meters < 10_000 else ",.0f")
-    text = tr("The GPS position of this photo is {distance} km from the ground of the database.")
-    return text.format(distance=kilometers)
-
-
-def error_probability(confidence: float) -> str:
-    """Return the error probability in the user's language: "1 in 1,200", or "below 1 in 10,000"."""
-    from ...core.localizer import record
-
-    return worded(record.error_probability(confidence))
 
 
 def count_sentence(statuses: Sequence[str]) -> str:
