@@ -18,6 +18,7 @@ from ..core.labels.class_table import UNLABELED, ClassTable
 from ..core.labels.image_source import PixelMask
 from ..core.labels.sources import count_labels
 from ..core.labels.training_tiles import SUBSETS, TRAIN, VALIDATION, Tile, block_size, plan_tiles, validation_blocks
+from ..core.steps import Steps
 from .gdal_errors import gdal_failures, read_by_gdal
 from .images import GdalImage
 from .label_maps import GdalLabels, RasterFile, class_table_of_map, class_table_of_values
@@ -148,7 +149,7 @@ def _size(shape_hw: tuple[int, int]) -> str:
 
 
 class TileExport:
-    """Writer of the tiles of an image. Iterate ``steps()`` to the end; ``counts`` then has the tiles per subset."""
+    """Writer of the tiles of an image."""
 
     def __init__(  # noqa: PLR0913 - what is cut, how, and what of it
         self,
@@ -180,13 +181,13 @@ class TileExport:
         self._files = image, labels
         self._tile_size, self._stride, self._fraction = tile_size, stride, fraction
         self._block = block_size(self._image.shape_hw, tile_size)
-        self.counts: dict[str, int] = dict.fromkeys(SUBSETS, 0)
+        self._counts: dict[str, int] = dict.fromkeys(SUBSETS, 0)
         self._tiles: list[dict] = []
         self._class_pixels = {subset: np.zeros(256, np.int64) for subset in SUBSETS}
         self._sums, self._squares, self._pixels = np.zeros(3), np.zeros(3), 0
 
-    def steps(self, folder: Path, table: ClassTable | None) -> Iterator[tuple[str, float]]:
-        """Count labels, divide the ground, and write tiles, class table and manifest.
+    def write(self, folder: Path, table: ClassTable | None) -> Steps[dict[str, int]]:
+        """Count labels, divide the ground, and write tiles, class table and manifest; return the tiles per subset.
 
         Args:
             table: The classes; None for the classes of the label map.
@@ -217,10 +218,11 @@ class TileExport:
                 (folder / subset / kind).mkdir(parents=True)
         for number, tile in enumerate(tiles):
             yield "Writing tiles", COUNTING_SHARE + (1 - COUNTING_SHARE) * number / len(tiles)
-            self._write(folder, tile)
+            self._write_tile(folder, tile)
         self._require_tiles(labeled)
         (folder / CLASSES_FILE).write_text(table.to_csv(), encoding="utf-8")
         (folder / MANIFEST).write_text(json.dumps(self._manifest(), indent=1) + "\n", encoding="utf-8")
+        return self._counts
 
     def _block_counts(self, first_row: int, first_column: int) -> Iterator[np.ndarray]:
         """Yield (256,) pixels per value of the parts of a block."""
@@ -234,7 +236,7 @@ class TileExport:
                     labels = np.where(self._mask.read(column, row, *size), labels, UNLABELED).astype(np.uint8)
                 yield count_labels(labels)
 
-    def _write(self, folder: Path, tile: Tile) -> None:
+    def _write_tile(self, folder: Path, tile: Tile) -> None:
         """Write a tile and its labels, unless it is unlabeled."""
         size = self._tile_size
         seen, has_data = self._image.read_as_seen(tile.column, tile.row, size)
@@ -254,7 +256,7 @@ class TileExport:
         else:
             write_tiff(images / f"{tile.name}.tif", pixels, self._image.kind)
         write_png(folder / tile.subset / "labels" / f"{tile.name}.png", labels[None])
-        self.counts[tile.subset] += 1
+        self._counts[tile.subset] += 1
         counted[self._unseen] = counted[self._unseen] if self._unseen == UNLABELED else 0
         self._class_pixels[tile.subset] += counted
         place = {"name": tile.name, "subset": tile.subset, "column": tile.column, "row": tile.row}
@@ -271,13 +273,13 @@ class TileExport:
     def _require_tiles(self, labeled: np.ndarray) -> None:
         if not labeled.any():
             raise ParameterError("No pixel of the image is labeled; check that image and labels show the same ground.")
-        if not self.counts[TRAIN] or (self._fraction and not self.counts[VALIDATION]):
+        if not self._counts[TRAIN] or (self._fraction and not self._counts[VALIDATION]):
             raise ParameterError(
                 "The labeled ground gives {training} tiles of {tile_size} pixels for training and {validation} for "
                 "validation. Label more ground, or choose a finer resolution, smaller tiles or another validation "
                 "fraction.",
-                training=self.counts[TRAIN],
-                validation=self.counts[VALIDATION],
+                training=self._counts[TRAIN],
+                validation=self._counts[VALIDATION],
                 tile_size=self._tile_size,
             )
 

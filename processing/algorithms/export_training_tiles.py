@@ -84,7 +84,7 @@ class ExportTrainingTiles(SemRefAlgorithm):
         self._image, self._labels = (values.label_map(key) for key in (self.IMAGE, self.LABELS))
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
-        from ...core.labels.training_tiles import SUBSETS, TRAIN, VALIDATION
+        from ...core.labels.training_tiles import TRAIN, VALIDATION
         from ...storage.training_tiles import TileExport
 
         table = values.class_table(self.CLASS_TABLE)
@@ -96,10 +96,10 @@ class ExportTrainingTiles(SemRefAlgorithm):
             values.number(self.VALIDATION_FRACTION),
         )
         with outputs.folder(self.OUTPUT) as folder:
-            follow(export.steps(Path(folder), table), feedback)
+            counts = follow(export.write(Path(folder), table), feedback)
         feedback.pushInfo(
             tr("{training} training tiles, {validation} validation tiles").format(
-                training=export.counts[TRAIN], validation=export.counts[VALIDATION]
+                training=counts[TRAIN], validation=counts[VALIDATION]
             )
         )
-        return {self.TILE_COUNT: sum(export.counts[subset] for subset in SUBSETS)}
+        return {self.TILE_COUNT: sum(counts.values())}

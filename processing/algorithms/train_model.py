@@ -423,6 +423,6 @@ class TrainModel(AnnotationAlgorithm):
         require = require_two_classes if is_unknown else None
         export = TileExport(image, labels, size, stride, fraction, ground.mask(image), not is_unknown, require)
         with run.new_tiles() as folder:
-            follow(export.steps(folder, table), feedback, CUT / 2, CUT)
+            counts = follow(export.write(folder, table), feedback, CUT / 2, CUT)
         text = tr("{training} training tiles, {validation} validation tiles")
-        feedback.pushInfo(text.format(training=export.counts[TRAIN], validation=export.counts[VALIDATION]))
+        feedback.pushInfo(text.format(training=counts[TRAIN], validation=counts[VALIDATION]))

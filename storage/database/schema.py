@@ -15,15 +15,8 @@ from ...core.errors import DatabaseError
 from ...core.labels.class_table import ClassTable
 from ..gdal_errors import gdal_failure
 
-WINDOWS, REFERENCES, BOUNDS, OVERVIEW, CLASSES, PARAMETERS, STYLES = (
-    "windows",
-    "references",
-    "reference_bounds",
-    "overview",
-    "classes",
-    "parameters",
-    "layer_styles",
-)
+WINDOWS, REFERENCES, BOUNDS, OVERVIEW = "windows", "references", "reference_bounds", "overview"
+CLASSES, PARAMETERS, STYLES = "classes", "parameters", "layer_styles"
 
 CLASS_COLUMNS = ("value", "name", "color", "role", "draw_order", "hsv_min", "hsv_max")
 

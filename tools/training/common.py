@@ -13,6 +13,7 @@ from plugin_package import ROOT, load_plugin_package
 
 load_plugin_package()
 from semref.core.errors import ParameterError  # noqa: E402
+from semref.core.steps import result_of  # noqa: E402
 from semref.storage.label_maps import RasterFile  # noqa: E402
 from semref.storage.text_tables import read_class_table  # noqa: E402
 from semref.storage.training_tiles import TileExport  # noqa: E402
@@ -58,8 +59,7 @@ def cut(image: Path, labels: Path, classes: Path, tiles: Path, grid: tuple[int, 
         made.mkdir(parents=True)
         try:
             export = TileExport(RasterFile(str(image)), RasterFile(str(labels)), *grid, fraction)
-            for _ in export.steps(made, read_class_table(str(classes))):
-                pass
+            result_of(export.write(made, read_class_table(str(classes))))
         except ParameterError:
             continue
         made.rename(tiles)
