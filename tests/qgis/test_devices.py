@@ -94,7 +94,7 @@ def test_the_home_folder_is_left_out(qgis_app, home, line, left):
 def test_diagnostics_have_versions_packages_settings_and_messages(qgis_app):
     text = diagnostics([f"SemRef: {os.path.expanduser('~')}/x.gpkg can't be read."])
     versions = f"SemRef {plugin_version()}", f"QGIS {Qgis.QGIS_VERSION}", f"numpy {numpy.__version__}"
-    assert [told for told in (*versions, "OpenCV: ", "ONNX Runtime: ") if told not in text] == []
+    assert [part for part in (*versions, "OpenCV: ", "ONNX Runtime: ") if part not in text] == []
     assert "Device: auto chosen" in text and "Training: " in text
     assert text.endswith("Last messages:\nSemRef: ~/x.gpkg can't be read.\n")
     assert diagnostics().endswith("Last messages:\n(none)\n")

@@ -112,9 +112,9 @@ def test_over_landmarks_a_flight_soon_has_a_position_and_it_is_right(result):
 def test_over_nothing_the_radius_grows_until_the_position_is_given_up(result):
     east = result.points.along >= 490
     placed, radius = result.placed[east], result.radius[east]
-    told = radius[np.isfinite(radius)]
-    assert len(told) > 1 and told[-1] > 1.5 * np.nanmin(result.radius)
-    assert (np.diff(told) > 0).all() or placed[-1] < 1
+    stated = radius[np.isfinite(radius)]
+    assert len(stated) > 1 and stated[-1] > 1.5 * np.nanmin(result.radius)
+    assert (np.diff(stated) > 0).all() or placed[-1] < 1
 
 
 def test_many_flights_are_summarized():

@@ -149,8 +149,8 @@ def test_a_full_disk_under_one_sink_stops_neither_the_other_nor_the_watching(
     arguments = [full, "/dev/full", other, str(tmp_path / "lines")]
     assert main(["watch", str(folder), "--database", area, "--once", *arguments]) == REFUSED
     assert len((tmp_path / "lines").read_bytes().splitlines()) == 2
-    told = json.loads(capsys.readouterr().err)
-    assert (told["level"], told["event"], told["where"]) == ("error", "sink_fails", "/dev/full")
+    event = json.loads(capsys.readouterr().err)
+    assert (event["level"], event["event"], event["where"]) == ("error", "sink_fails", "/dev/full")
 
 
 def test_a_closed_stdout_ends_neither_the_sentences_nor_the_watching(watching, folder, tmp_path):
@@ -238,9 +238,9 @@ def test_a_disk_that_fills_within_a_line_keeps_only_whole_lines(tmp_path, capsys
     sink.close()
     assert (tmp_path / "lines").read_text() == "first\nfourth\n"
     assert sink.lost == 2
-    told = [json.loads(line) for line in capsys.readouterr().err.splitlines()]
-    assert [line["event"] for line in told] == ["sink_fails", "sink_works_again"]
-    assert told[0]["reason"] == "No space left on device" and told[1]["lost"] == 2
+    events = [json.loads(line) for line in capsys.readouterr().err.splitlines()]
+    assert [line["event"] for line in events] == ["sink_fails", "sink_works_again"]
+    assert events[0]["reason"] == "No space left on device" and events[1]["lost"] == 2
 
 
 @pytest.mark.parametrize("where", ["udp:0", "udp:65536", "udp:", "udp:-1", "udp:" + "9" * 5000])

@@ -60,8 +60,8 @@ def test_what_is_kept_of_a_log_does_not_grow_and_spans_all_of_it(monkeypatch):
     found = entries.telemetry()
     assert 100 <= len(found.times_s) <= 202
     for column in (0, 3):
-        told = np.isfinite(found.values[:, column])
-        assert 50 <= told.sum() <= 101 and found.times_s[told][0] == 0.0 and found.times_s[told][-1] > 98.0
+        is_known = np.isfinite(found.values[:, column])
+        assert 50 <= is_known.sum() <= 101 and found.times_s[is_known][0] == 0.0 and found.times_s[is_known][-1] > 98.0
         assert np.isfinite(found.at([50.0])[0, column])
 
 
