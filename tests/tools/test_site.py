@@ -104,3 +104,9 @@ def test_the_search_has_every_page_and_works_without_a_server(site, pages):
 def test_every_algorithm_has_a_page_that_leads_to_its_section(site, pages):
     sections = {name for name in pages[site / "reference" / "algorithms.html"].ids if name.startswith("semref")}
     assert {f"semref{path.stem}" for path in (site / "algorithms").iterdir()} == sections
+
+
+def test_formulas_are_mathml(site):
+    page = (site / "explanation" / "method.html").read_text(encoding="utf-8")
+    assert '<math xmlns="http://www.w3.org/1998/Math/MathML" display="block">' in page
+    assert not re.findall(r"arithmatex|\\frac|\\ln", page)

@@ -81,6 +81,7 @@ def stage(root: Path, work: Path) -> None:
     for name, folder in (("extra.css", "stylesheets"), ("iframe-worker.js", "javascripts")):
         (work / "docs" / folder).mkdir()
         shutil.copy(SITE / name, work / "docs" / folder)
+    shutil.copy(SITE / "formulas.py", work)
     settings = (SITE / "mkdocs.yml").read_text(encoding="utf-8")
     (work / "mkdocs.yml").write_text(settings.replace("nav: []", navigation(root)), encoding="utf-8")
 
