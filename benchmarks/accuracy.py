@@ -246,7 +246,10 @@ class Source:
     def _tried(self, image: Image, rng: np.random.Generator) -> Trial:
         prior, within = self.prior(image.view, rng), self.row.right_m or None
         if self.row.level_error_deg < 0:
-            return self.known.try_image(image, self.method, prior, within)
+            trial = self.known.try_image(image, self.method, prior, within)
+            if image.look_again is None or trial.is_fix:
+                return trial
+            return self.known.try_image(image.look_again(), self.method, prior, within)
         view, localizer = image.view, self.known.localizer
         focal = focal_length_from_view(view.field_of_view_deg, view.shape_hw)
         way = leveling(attitude_of(view, rng.normal(0, self.row.level_error_deg, 2)), focal, view.shape_hw)

@@ -6,6 +6,7 @@ import math
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Callable
 
 import numpy as np
 
@@ -62,7 +63,8 @@ class Wanted:
 class Image:
     """A simulated image: true view, (H, W) labels, and number of whole landmarks before noise.
 
-    ``shares`` are the class probabilities of a photo, ``biases`` the known class offsets of the labels.
+    ``shares`` are the class probabilities of a photo, ``biases`` the known class offsets of the labels, and
+    ``look_again`` labels a photo again, more thoroughly.
     """
 
     query: Query
@@ -70,6 +72,7 @@ class Image:
     landmarks: int = 0
     shares: ClassShares | None = None
     biases: KnownBiases = UNBIASED
+    look_again: Callable[[], Image] | None = None
 
     @property
     def view(self) -> View:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import TYPE_CHECKING
 
 import cv2
@@ -71,12 +71,16 @@ class Photos:
         if self.model is None:
             return image
         picture = shown(self.ground, self.picture, image.view)
-        found = self.seen(np.ascontiguousarray(picture[:, ::-1]) if image.view.is_mirrored else picture)
-        return replace(image, labels_hw=found.labels_hw, shares=found.shares, biases=self._biases)
+        return self.labeled(image, np.ascontiguousarray(picture[:, ::-1]) if image.view.is_mirrored else picture)
 
-    def seen(self, photo_hw3: np.ndarray) -> SeenLabels:
-        """Label a photo in the same way as *Localize images*."""
-        found = PhotoLabels(self.model, ArrayImage(photo_hw3), self._values).seen()
+    def labeled(self, image: Image, photo_hw3: np.ndarray, is_thorough: bool = False) -> Image:
+        """Label the photo of an image in the same way as *Localize images*, which looks again without a position."""
+        found = self._seen(photo_hw3, is_thorough)
+        again = None if is_thorough else partial(self.labeled, image, photo_hw3, True)
+        return replace(image, labels_hw=found.labels_hw, shares=found.shares, biases=self._biases, look_again=again)
+
+    def _seen(self, photo_hw3: np.ndarray, is_thorough: bool) -> SeenLabels:
+        found = PhotoLabels(self.model, ArrayImage(photo_hw3), self._values, is_thorough=is_thorough).seen()
         if not self.only_buildings:
             return found
         labels = np.where(found.labels_hw == BUILDING, BUILDING, OTHER).astype(np.uint8)
@@ -177,8 +181,8 @@ class SamplePhotos(Photos):
         picture = next(iter(pictures.plan_photos(self.ground.labels_hw.shape, seed, 1)))
         taken = photo.shoot(self.picture, picture, seed)
         jpeg = cv2.imencode(".jpg", taken[:, :, ::-1], [cv2.IMWRITE_JPEG_QUALITY, 85])[1]
-        found = self.seen(np.ascontiguousarray(cv2.imdecode(jpeg, cv2.IMREAD_COLOR)[:, :, ::-1]))
-        return Image(Query(picture.view(len(taken))), found.labels_hw, shares=found.shares, biases=self._biases)
+        read = np.ascontiguousarray(cv2.imdecode(jpeg, cv2.IMREAD_COLOR)[:, :, ::-1])
+        return self.labeled(Image(Query(picture.view(len(taken))), taken), read)
 
 
 @lru_cache(maxsize=1)

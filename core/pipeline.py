@@ -10,7 +10,7 @@ import numpy as np
 from .geometry.camera import Camera
 from .geometry.leveling import Leveling
 from .labels.class_shares import SeenLabels
-from .localization import Localization, Prior
+from .localization import Localization, Method, Prior
 from .localizer.leveled import as_taken, level_labels, of_leveled
 from .localizer.localizer import Localizer
 from .localizer.network_reason import name_network
@@ -91,6 +91,9 @@ class Pipeline:
 def localize_labels(localizer: Localizer, search: Search, seen: SeenLabels, camera: Camera) -> ImageResult:
     """Localize an image from its labels; level it first if the camera's attitude is known.
 
+    A photo without a position is labeled again, more thoroughly, if that is possible. The published method is not
+    changed by this: it takes the first labels.
+
     Args:
         search: Method and prior of all images.
         seen: Labels of the image as taken, with their class offsets.
@@ -99,8 +102,12 @@ def localize_labels(localizer: Localizer, search: Search, seen: SeenLabels, came
         SemRefError: The labels or the data of the camera can't be used.
     """
     height, width = seen.labels_hw.shape
-    prior = search.prior_of(localizer, camera, (height, width))
-    return localize_with(localizer, search, seen, prior, camera.leveling((height, width)))
+    prior, leveling = search.prior_of(localizer, camera, (height, width)), camera.leveling((height, width))
+    look_again, seen = seen.look_again, replace(seen, look_again=None)
+    result = localize_with(localizer, search, seen, prior, leveling)
+    if look_again is None or result.level.is_fix or search.method is Method.TOPOLOGY_VECTOR:
+        return result
+    return localize_with(localizer, search, look_again(), prior, leveling)
 
 
 def localize_with(

@@ -6416,6 +6416,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>{image}: Die eigene Position widerspricht dem Flug und wurde überstimmt.</translation>
   </message>
   <message>
+   <source>{image}: no position. The network segments it again, turned and mirrored.</source>
+   <translation>{image}: keine Position. Das Netz segmentiert es noch einmal, gedreht und gespiegelt.</translation>
+  </message>
+  <message>
    <source>{image}: the ground sampling distance is {size:.3g} cm, from the height and the lens of the camera. The network uses the photo at {resolution:.3g} cm, as in its training.</source>
    <translation>{image}: Die Bodenauflösung ist {size:.3g} cm, berechnet aus Höhe und Objektiv der Kamera. Das Netz verwendet das Foto mit {resolution:.3g} cm wie in seinem Training.</translation>
   </message>

@@ -6416,6 +6416,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>{image}: su propia posición contradice el vuelo y se descartó.</translation>
   </message>
   <message>
+   <source>{image}: no position. The network segments it again, turned and mirrored.</source>
+   <translation>{image}: sin posición. La red la segmenta de nuevo, girada y reflejada.</translation>
+  </message>
+  <message>
    <source>{image}: the ground sampling distance is {size:.3g} cm, from the height and the lens of the camera. The network uses the photo at {resolution:.3g} cm, as in its training.</source>
    <translation>{image}: la distancia de muestreo del terreno es de {size:.3g} cm, según la altura y el objetivo de la cámara. La red usa la foto a {resolution:.3g} cm, como en su entrenamiento.</translation>
   </message>

@@ -6416,6 +6416,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>{image} : sa position propre contredit le vol et a été mise en minorité.</translation>
   </message>
   <message>
+   <source>{image}: no position. The network segments it again, turned and mirrored.</source>
+   <translation>{image} : pas de position. Le réseau la segmente à nouveau, tournée et en miroir.</translation>
+  </message>
+  <message>
    <source>{image}: the ground sampling distance is {size:.3g} cm, from the height and the lens of the camera. The network uses the photo at {resolution:.3g} cm, as in its training.</source>
    <translation>{image} : la résolution au sol est de {size:.3g} cm, d’après la hauteur et l’objectif de la caméra. Le réseau utilise la photo à {resolution:.3g} cm, comme lors de son entraînement.</translation>
   </message>

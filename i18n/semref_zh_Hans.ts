@@ -6416,6 +6416,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>{image}：其自身位置与航次矛盾，已被否决。</translation>
   </message>
   <message>
+   <source>{image}: no position. The network segments it again, turned and mirrored.</source>
+   <translation>{image}：没有位置。网络将其旋转和镜像后重新分割。</translation>
+  </message>
+  <message>
    <source>{image}: the ground sampling distance is {size:.3g} cm, from the height and the lens of the camera. The network uses the photo at {resolution:.3g} cm, as in its training.</source>
    <translation>{image}：根据高度和相机镜头，地面采样距离为 {size:.3g} cm。网络以 {resolution:.3g} cm 使用该照片，与训练时相同。</translation>
   </message>

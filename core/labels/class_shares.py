@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Callable
 
 import numpy as np
 
@@ -56,3 +57,4 @@ class SeenLabels:
     trained_on: tuple[str, ...] | None = None
     biases: KnownBiases = UNBIASED
     pixels: tuple[np.ndarray, np.ndarray | None] | None = None
+    look_again: Callable[[], SeenLabels] | None = None

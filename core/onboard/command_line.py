@@ -290,7 +290,8 @@ def _date(onboard: OnboardDatabase) -> str:
 
 
 def _localize(options: argparse.Namespace) -> int:
-    find = _image_finder(options, read_onboard(options.database, key_file=options.require_signature))
+    onboard = read_onboard(options.database, key_file=options.require_signature)
+    find = _image_finder(options, onboard, looks_again=True)
     statuses = set()
     for path in image_files(options.images):
         found = find(path)
@@ -306,8 +307,12 @@ def exit_code(statuses: set[str]) -> int:
     return ALL_FIXED if statuses <= {Status.FIX.key} else SOME_WITHOUT_FIX
 
 
-def _image_finder(options: argparse.Namespace, onboard: OnboardDatabase) -> ImageFinder:
-    """Return how to localize according to the options; everything that can be refused is refused here."""
+def _image_finder(options: argparse.Namespace, onboard: OnboardDatabase, looks_again: bool) -> ImageFinder:
+    """Return how to localize according to the options; everything that can be refused is refused here.
+
+    Args:
+        looks_again: As for ``PhotoReader``.
+    """
     cv2.setNumThreads(options.threads)
     method = next(method for method in Method if _option(method) == options.method)
     localizer = Localizer(onboard.database, replace(LOCALIZER, allowed_risk=options.risk), options.sun)
@@ -318,7 +323,8 @@ def _image_finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Imag
             database=options.database,
         )
     prior = Prior(tuple(options.near[:2]), options.near[2]) if options.near else Prior()
-    read_labels = label_reader(options.model, options.threads, onboard.database.class_table, options.device)
+    table = onboard.database.class_table
+    read_labels = label_reader(options.model, options.threads, table, options.device, looks_again)
     log_event(
         logging.INFO,
         "ready",
@@ -370,7 +376,8 @@ def _watch(options: argparse.Namespace) -> int:
         )
     onboard = read_onboard(options.database, key_file=options.require_signature)
     is_restart = _is_restart(options)
-    find: ImageFinder = _image_finder(options, onboard)
+    # In flight the next image comes before a second look would end.
+    find: ImageFinder = _image_finder(options, onboard, looks_again=False)
     after, writer = None, ThreadPoolExecutor(1)
     if options.flight:
         if not find.pipeline.localizer.has_overview:

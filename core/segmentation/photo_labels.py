@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Callable
 
 import cv2
@@ -22,10 +23,14 @@ from .certainty import NO_DATA, Certainty
 from .class_bias import known_biases
 from .model import SegmentationModel
 from .resampling import at_resolution
-from .tiling import SegmentedRows, nearest_labels, segment
+from .tiling import SegmentedRows, nearest_labels, segment, tiles_of
 
 MOST_ENLARGED = 4.0
 """Largest enlargement of a photo by camera height: a larger one would gain nothing and take hours."""
+
+MOST_TILES_AGAIN = 16
+"""Largest number of tiles of a photo that is labeled again if it has no position: a second look takes 8 times as long,
+and large photos show so much ground that they need it less. Set by hand, for the time."""
 
 
 class PhotoLabels:
@@ -34,15 +39,17 @@ class PhotoLabels:
     Attributes:
         image: The photo at the network's resolution.
         camera_pixel_size_m: Ground meters per pixel from height and lens, if they set the resolution.
+        is_thorough: Whether all orientations of a tile are averaged.
     """
 
-    def __init__(
+    def __init__(  # noqa: PLR0913 - a network, a photo, and what is known of its scale
         self,
         model: SegmentationModel,
         photo: ImageSource,
         values: Sequence[int],
         pixel_size_m: tuple[float, float] | None = None,
         camera: Camera | None = None,
+        is_thorough: bool = False,
     ) -> None:
         """Read nothing yet.
 
@@ -50,6 +57,7 @@ class PhotoLabels:
             values: (C,) class value of each of the model's channels.
             pixel_size_m: Ground meters along a row and along a column of a pixel; None if the photo does not state it.
             camera: Of the photo; its height and lens give the pixel size if the photo does not state it.
+            is_thorough: Whether to average all orientations of a tile, which takes 8 times as long.
 
         Raises:
             ImageError: The photo has no pixel left at the model's resolution.
@@ -57,6 +65,7 @@ class PhotoLabels:
         self._model = model
         self._shape_hw = photo.shape_hw
         self._values = values
+        self.is_thorough = is_thorough
         resolution_m = model.settings.resolution_m
         self.camera_pixel_size_m: float | None = None
         if pixel_size_m is None and camera is not None and resolution_m:
@@ -64,6 +73,12 @@ class PhotoLabels:
             if size is not None and size <= MOST_ENLARGED * resolution_m:
                 self.camera_pixel_size_m, pixel_size_m = size, (size, size)
         self.image = at_resolution(photo, pixel_size_m, resolution_m)
+
+    @property
+    def tile_count(self) -> int:
+        """Number of tiles of the photo. Raises ImageError if it has only a few pixels."""
+        tiles = tiles_of(self._model, self.image.shape_hw, self._model.settings.overlap)
+        return len(tiles.columns) * len(tiles.rows)
 
     def steps(self) -> Shares[SeenLabels]:
         """Yield the share done (0…1) tile by tile; raise what ``tiling.segment`` raises.
@@ -75,8 +90,9 @@ class PhotoLabels:
         shape_hw = self.image.shape_hw
         has_shares = self._model.temperature is not None
         found, sums = [], ScoreShares(self._values, shape_hw, grid_of(shape_hw)) if has_shares else None
-        wanted = Certainty(of_each=sums is not None)
-        for share, rows in segment(self._model, self.image, self._values, self._model.settings.overlap, wanted):
+        wanted, overlap = Certainty(of_each=sums is not None), self._model.settings.overlap
+        steps = segment(self._model, self.image, self._values, overlap, wanted, is_thorough=self.is_thorough)
+        for share, rows in steps:
             if rows is not None:
                 found.append(rows.labels_hw)
                 if sums is not None:
@@ -103,16 +119,18 @@ class PhotoReader:
         table: ClassTable,
         open_photo: Callable[[str], Photo] = read_photo,
         follow: Callable[[str, ImageSource, PhotoLabels], SeenLabels] | None = None,
+        looks_again: bool = True,
     ) -> None:
         """Match the network's classes with the database's.
 
         Args:
             follow: Returns the result of a photo's steps; None for callers that do not need the steps.
+            looks_again: Whether small photos without a position may be labeled again, more thoroughly.
 
         Raises:
             ModelError: The network lacks a landmark class of the database.
         """
-        self._model, self._open, self._follow = model, open_photo, follow
+        self._model, self._open, self._follow, self._looks_again = model, open_photo, follow, looks_again
         self._values = model.classes.values_in(table, model.path)
         self._biases = known_biases(model.class_bias, table)
 
@@ -132,9 +150,15 @@ class PhotoReader:
             height, width = image.shape_hw
             pixels = image.read(0, 0, width, height)
             image = ArrayImage(*pixels)
-        labels = PhotoLabels(self._model, image, self._values, photo.pixel_size_m, camera)
-        seen = labels.seen() if self._follow is None else self._follow(path, photo.image, labels)
-        return replace(seen, biases=self._biases, pixels=pixels)
+
+        def look(is_thorough: bool) -> SeenLabels:
+            labels = PhotoLabels(self._model, image, self._values, photo.pixel_size_m, camera, is_thorough)
+            seen = labels.seen() if self._follow is None else self._follow(path, photo.image, labels)
+            may_again = self._looks_again and not is_thorough and labels.tile_count <= MOST_TILES_AGAIN
+            look_again = partial(look, True) if may_again else None
+            return replace(seen, biases=self._biases, pixels=pixels, look_again=look_again)
+
+        return look(is_thorough=False)
 
 
 FINEST_EDGE = 512

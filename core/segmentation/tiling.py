@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
+from functools import partial
 
 import cv2
 import numpy as np
@@ -14,6 +15,7 @@ from ..labels.class_table import UNLABELED
 from ..labels.image_source import ImageSource
 from .certainty import LABELS_ALONE, NO_DATA, SAMPLED_PX, Certainty, Sureness, percents
 from .model import SegmentationModel
+from .orientations import averaged_scores
 
 MINIMUM_EDGE_PX = 8
 """Smallest edge of an image that a network can segment."""
@@ -109,6 +111,7 @@ def segment(  # noqa: PLR0913 - a network, an image, and what is wanted of it
     overlap: float,
     wanted: Certainty = LABELS_ALONE,
     tiles: Tiles | None = None,
+    is_thorough: bool = False,
 ) -> Iterator[tuple[float, SegmentedRows | None]]:
     """Yield, tile by tile, the share done (0…1) and the rows that it completes, or None.
 
@@ -124,6 +127,7 @@ def segment(  # noqa: PLR0913 - a network, an image, and what is wanted of it
         wanted: Outputs in addition to labels.
         tiles: A block of the image's tiles; rows have the columns of its box, and are numbered as in the image. None
             for all tiles.
+        is_thorough: Whether to average all orientations of a tile, which takes 8 times as long.
 
     Raises:
         ImageError: The image has only a few pixels.
@@ -138,7 +142,8 @@ def segment(  # noqa: PLR0913 - a network, an image, and what is wanted of it
     with ThreadPoolExecutor(1) as reader, ThreadPoolExecutor(model.runs_at_once) as network:
 
         def look_at(places: Sequence[tuple[int, int]]) -> Future:
-            return network.submit(_look, model, reader.submit(_read_tiles, source, places, model.tile_hw))
+            reading = reader.submit(_read_tiles, source, places, model.tile_hw)
+            return network.submit(_look, model, reading, is_thorough)
 
         waiting = model.runs_at_once + 1
         ahead = [look_at(group) for group in groups[:waiting]]
@@ -157,11 +162,12 @@ def segment(  # noqa: PLR0913 - a network, an image, and what is wanted of it
                 future.cancel()
 
 
-def _look(model: SegmentationModel, reading: Future) -> list[tuple[_Tile, np.ndarray | None]]:
+def _look(model: SegmentationModel, reading: Future, is_thorough: bool) -> list[tuple[_Tile, np.ndarray | None]]:
     """Return tiles with their (C, H, W) scores, None for tiles without data."""
     tiles = reading.result()
     with_data = [tile.image for tile in tiles if not tile.is_empty]
-    scores = iter(model.scores(with_data) if with_data else ())
+    of_tiles = partial(averaged_scores, model) if is_thorough else model.scores
+    scores = iter(of_tiles(with_data) if with_data else ())
     return [(tile, None if tile.is_empty else next(scores)) for tile in tiles]
 
 

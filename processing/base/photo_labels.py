@@ -95,6 +95,9 @@ class PhotoLabelReader:
             describe(self._model, photo, self._feedback)
             self._is_described = True
             self._log_pixel_size(path, labels)
+        if labels.is_thorough:
+            text = tr("{image}: no position. The network segments it again, turned and mirrored.")
+            self._feedback.pushInfo(text.format(image=os.path.basename(path)))
         begun = time.perf_counter()
         steps = labels.steps()
         share, found = advance(steps)

@@ -125,3 +125,42 @@ def test_an_inaccurate_candidate_is_no_likely_position() -> None:
     flawed = Localization(Status.AMBIGUOUS, Method.CONSTELLATION, best=Place((1.0, 2.0)), risk=0.01)
 
     assert show_likely(flawed) == flawed
+
+
+class Photographed:
+    """Reader of a photo that is found only from its second labels, and of one that is found at once."""
+
+    def __init__(self):
+        self.looks = 0
+
+    def __call__(self, path, camera, with_pixels):
+        return SeenLabels(LABELS + (path == "found.jpg"), look_again=self.again)
+
+    def again(self):
+        self.looks += 1
+        return SeenLabels(LABELS + 1)
+
+
+class Finder(Localizer):
+    """Localizer that finds labels of 1."""
+
+    def localize(self, labels_hw, method, *known):
+        return FIX if labels_hw.all() else super().localize(labels_hw, method, *known)
+
+
+@pytest.mark.parametrize(
+    ("name", "method", "looks"),
+    [
+        ("found.jpg", Method.AUTOMATIC, 0),
+        ("other.jpg", Method.AUTOMATIC, 1),
+        # The published method takes the network's labels as they are.
+        ("other.jpg", Method.TOPOLOGY_VECTOR, 0),
+    ],
+)
+def test_a_photo_without_a_position_is_labeled_again(name, method, looks):
+    reader = Photographed()
+    result = Pipeline(Finder(), Search(method), reader).run(name, Camera())
+    assert reader.looks == looks
+    assert result.localization.is_fix == bool(result.labels_hw.all()) == (method is Method.AUTOMATIC)
+    # The photo itself is not kept.
+    assert result.seen.look_again is None

@@ -71,6 +71,15 @@ def test_a_photo_is_found_where_it_was_taken(localize, tmp_path, heading):
     assert found["heading"] == pytest.approx(heading, abs=0.5)
 
 
+def test_a_photo_without_a_position_is_labeled_again_and_the_log_says_so(localize, tmp_path, feedback):
+    views = turned_view(LABELS, SIZE, 311.4, 207.8, 137), turned_view(LABELS, SIZE, 311.4, 207.8, 137)[:, ::-1]
+    paths = [tmp_path / "right.png", tmp_path / "mirrored.png"]
+    found = localize([write_raster(path, photo_of(view), transform=None) for path, view in zip(paths, views)])
+    assert [row["status"] == "fix" for row in found] == [True, False]
+    words = "mirrored.png: no position. The network segments it again, turned and mirrored."
+    assert words in feedback.textLog() and "right.png: no position" not in feedback.textLog()
+
+
 @pytest.mark.parametrize("algorithm", [LOCALIZE, "semref:localizeflight"])
 def test_height_and_lens_of_a_photo_set_its_scale_for_the_network(run_algorithm, folder, tmp_path, feedback, algorithm):
     model = write_model(tmp_path / "m.onnx", ground_and_colors(), metadata=metadata(class_names=CLASSES, resolution=50))

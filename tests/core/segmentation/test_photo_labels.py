@@ -7,9 +7,10 @@ import pytest
 from made_models import metadata, painted, write_model
 
 from semref.core.geometry.camera import Camera, Lens, above_takeoff
-from semref.core.labels.image_source import ArrayImage
+from semref.core.labels.class_table import class_table_from_csv
+from semref.core.labels.image_source import ArrayImage, Photo
 from semref.core.segmentation.model import SegmentationModel
-from semref.core.segmentation.photo_labels import PhotoLabels
+from semref.core.segmentation.photo_labels import PhotoLabels, PhotoReader
 
 LABELS = np.kron(np.random.default_rng(1).integers(1, 4, (5, 7)), np.ones((20, 20), int)).astype(np.uint8)
 PHOTO = ArrayImage(painted(LABELS))
@@ -73,3 +74,27 @@ def test_a_network_that_states_no_resolution_sees_photos_as_they_are(tmp_path):
     path = write_model(tmp_path / "m.onnx", metadata=metadata())
     labels = PhotoLabels(SegmentationModel(str(path), 1), PHOTO, (1, 2, 3), camera=camera(25.0))
     assert labels.image is PHOTO
+
+
+TABLE = class_table_from_csv(
+    "value,name,color,role\n1,building,#ff0000,reference\n2,water,#0000ff,reference\n3,bare_land,#00ff00,reference\n"
+)
+
+
+def reader_of(model, shape_hw, **options) -> PhotoReader:
+    photo = ArrayImage(np.zeros((*shape_hw, 3), np.uint8))
+    return PhotoReader(model, TABLE, lambda path: Photo(photo, None), **options)
+
+
+def test_a_small_photo_can_be_labeled_again(model):
+    seen = reader_of(model, (100, 140))("a.jpg")
+    again = seen.look_again()
+    np.testing.assert_array_equal(again.labels_hw, seen.labels_hw)
+    assert again.look_again is None and again.biases == seen.biases
+
+
+def test_a_large_photo_and_one_in_flight_are_labeled_once(model):
+    tile = model.tile_hw[0]
+    assert reader_of(model, (2 * tile, 2 * tile))("a.jpg").look_again is not None
+    assert reader_of(model, (8 * tile, 8 * tile))("a.jpg").look_again is None
+    assert reader_of(model, (100, 140), looks_again=False)("a.jpg").look_again is None
