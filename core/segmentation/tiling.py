@@ -6,6 +6,8 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
 from functools import partial
+from threading import Event
+from typing import Callable
 
 import cv2
 import numpy as np
@@ -137,13 +139,14 @@ def segment(  # noqa: PLR0913 - a network, an image, and what is wanted of it
     places = [(column, row) for row in tiles.rows for column in tiles.columns]
     blending = _Blending(model, tiles, np.asarray(values, np.uint8), overlap, wanted)
     groups = [places[n : n + model.tiles_at_once] for n in range(0, len(places), model.tiles_at_once)]
-    done = 0
+    done, stop = 0, Event()
+    scores_of = partial(averaged_scores, model, stop=stop) if is_thorough else model.scores
     # While these tiles are blended here, the network processes the next ones, and those after them are read.
     with ThreadPoolExecutor(1) as reader, ThreadPoolExecutor(model.runs_at_once) as network:
 
         def look_at(places: Sequence[tuple[int, int]]) -> Future:
             reading = reader.submit(_read_tiles, source, places, model.tile_hw)
-            return network.submit(_look, model, reading, is_thorough)
+            return network.submit(_look, scores_of, reading)
 
         waiting = model.runs_at_once + 1
         ahead = [look_at(group) for group in groups[:waiting]]
@@ -158,17 +161,17 @@ def segment(  # noqa: PLR0913 - a network, an image, and what is wanted of it
                     yield done / len(places), finished
         finally:
             # A caller that stops must not wait for tiles that are not started.
+            stop.set()
             for future in ahead:
                 future.cancel()
 
 
-def _look(model: SegmentationModel, reading: Future, is_thorough: bool) -> list[tuple[_Tile, np.ndarray | None]]:
+def _look(scores_of: Callable[[list], np.ndarray], reading: Future) -> list[tuple[_Tile, np.ndarray | None]]:
     """Return tiles with their (C, H, W) scores, None for tiles without data."""
     tiles = reading.result()
     with_data = [tile.image for tile in tiles if not tile.is_empty]
-    of_tiles = partial(averaged_scores, model) if is_thorough else model.scores
-    scores = iter(of_tiles(with_data) if with_data else ())
-    return [(tile, None if tile.is_empty else next(scores)) for tile in tiles]
+    found = iter(scores_of(with_data) if with_data else ())
+    return [(tile, None if tile.is_empty else next(found)) for tile in tiles]
 
 
 def tile_starts(length: int, tile: int, overlap: float) -> list[int]:
