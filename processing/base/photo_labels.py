@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import time
+from contextlib import closing
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import QgsProcessingFeedback, QgsProcessingOutputNumber, QgsProcessingOutputString
@@ -99,11 +100,11 @@ class PhotoLabelReader:
             text = tr("{image}: no position. The network segments it again, turned and mirrored.")
             self._feedback.pushInfo(text.format(image=os.path.basename(path)))
         begun = time.perf_counter()
-        steps = labels.steps()
-        share, found = advance(steps)
-        while share is not None:
-            check_canceled(self._feedback)
+        with closing(labels.steps()) as steps:
             share, found = advance(steps)
+            while share is not None:
+                check_canceled(self._feedback)
+                share, found = advance(steps)
         self._seconds += time.perf_counter() - begun
         return found
 
