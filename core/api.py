@@ -202,6 +202,7 @@ def localize_flight(  # noqa: PLR0913 - as of ``localize``
     """
     search = Search(Method.AUTOMATIC, prior or Prior())
     pipeline, known = _prepared(images, database, model, search, cameras, risk)
+    pipeline = replace(pipeline, looks_again=False)
     results, flown, links = [], [], []
     before: Features | None = None
     for number, (name, camera) in enumerate(known):

@@ -69,11 +69,14 @@ class Pipeline:
 
     Attributes:
         search: Method and prior of all images.
+        looks_again: Whether a photo without a position is labeled again, more thoroughly. Images of a flight need it
+            less than they need the time.
     """
 
     localizer: Localizer
     search: Search
     read: LabelReader
+    looks_again: bool = True
 
     def run(self, path: str, camera: Camera, with_pixels: bool = False) -> ImageResult:
         """Read an image and localize it.
@@ -85,7 +88,9 @@ class Pipeline:
         Raises:
             SemRefError: The image or the data of its camera can't be used.
         """
-        return localize_labels(self.localizer, self.search, self.read(path, camera, with_pixels), camera)
+        seen = self.read(path, camera, with_pixels)
+        seen = seen if self.looks_again else replace(seen, look_again=None)
+        return localize_labels(self.localizer, self.search, seen, camera)
 
 
 def localize_labels(localizer: Localizer, search: Search, seen: SeenLabels, camera: Camera) -> ImageResult:

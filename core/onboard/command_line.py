@@ -311,7 +311,7 @@ def _image_finder(options: argparse.Namespace, onboard: OnboardDatabase, looks_a
     """Return how to localize according to the options; everything that can be refused is refused here.
 
     Args:
-        looks_again: As for ``PhotoReader``.
+        looks_again: As for ``Pipeline``.
     """
     cv2.setNumThreads(options.threads)
     method = next(method for method in Method if _option(method) == options.method)
@@ -323,8 +323,7 @@ def _image_finder(options: argparse.Namespace, onboard: OnboardDatabase, looks_a
             database=options.database,
         )
     prior = Prior(tuple(options.near[:2]), options.near[2]) if options.near else Prior()
-    table = onboard.database.class_table
-    read_labels = label_reader(options.model, options.threads, table, options.device, looks_again)
+    read_labels = label_reader(options.model, options.threads, onboard.database.class_table, options.device)
     log_event(
         logging.INFO,
         "ready",
@@ -336,7 +335,7 @@ def _image_finder(options: argparse.Namespace, onboard: OnboardDatabase, looks_a
     # During a watch, tables may still grow; a restart during the flight must not fail because of a table.
     is_ended = getattr(options, "once", True)
     cameras = open_cameras(options.cameras, options.flight_log, is_ended, not _is_restart(options))
-    return ImageFinder(onboard, Pipeline(localizer, Search(method, prior), read_labels), cameras)
+    return ImageFinder(onboard, Pipeline(localizer, Search(method, prior), read_labels, looks_again), cameras)
 
 
 def _is_restart(options: argparse.Namespace) -> bool:

@@ -31,14 +31,11 @@ ERROR = "error"
 """Status of an image that can't be read, as in the plugin."""
 
 
-def label_reader(
-    model_path: str | None, threads: int, table: ClassTable, device: str = AUTO, looks_again: bool = False
-) -> LabelReader:
+def label_reader(model_path: str | None, threads: int, table: ClassTable, device: str = AUTO) -> LabelReader:
     """Return a reader of label images, or of photos with a network.
 
     Args:
         model_path: Of the network; None for label images.
-        looks_again: As for ``PhotoReader``.
 
     Raises:
         SemRefError: The network can't be used.
@@ -53,7 +50,7 @@ def label_reader(
     for fallback in model.fallbacks:
         log_event(logging.WARNING, "device", reason=english(fallback))
     log_event(logging.INFO, "model", model=model_path, device=model.device.title)
-    return PhotoReader(model, table, looks_again=looks_again)
+    return PhotoReader(model, table)
 
 
 @dataclass

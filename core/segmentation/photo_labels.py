@@ -119,18 +119,16 @@ class PhotoReader:
         table: ClassTable,
         open_photo: Callable[[str], Photo] = read_photo,
         follow: Callable[[str, ImageSource, PhotoLabels], SeenLabels] | None = None,
-        looks_again: bool = True,
     ) -> None:
         """Match the network's classes with the database's.
 
         Args:
             follow: Returns the result of a photo's steps; None for callers that do not need the steps.
-            looks_again: Whether small photos without a position may be labeled again, more thoroughly.
 
         Raises:
             ModelError: The network lacks a landmark class of the database.
         """
-        self._model, self._open, self._follow, self._looks_again = model, open_photo, follow, looks_again
+        self._model, self._open, self._follow = model, open_photo, follow
         self._values = model.classes.values_in(table, model.path)
         self._biases = known_biases(model.class_bias, table)
 
@@ -154,8 +152,8 @@ class PhotoReader:
         def look(is_thorough: bool) -> SeenLabels:
             labels = PhotoLabels(self._model, image, self._values, photo.pixel_size_m, camera, is_thorough)
             seen = labels.seen() if self._follow is None else self._follow(path, photo.image, labels)
-            may_again = self._looks_again and not is_thorough and labels.tile_count <= MOST_TILES_AGAIN
-            look_again = partial(look, True) if may_again else None
+            is_worth_it = not is_thorough and labels.tile_count <= MOST_TILES_AGAIN
+            look_again = partial(look, True) if is_worth_it else None
             return replace(seen, biases=self._biases, pixels=pixels, look_again=look_again)
 
         return look(is_thorough=False)

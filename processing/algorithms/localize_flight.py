@@ -154,7 +154,7 @@ class LocalizeFlight(LocalizeAlgorithm):
         with outputs.folder(self.LABELS) as folder:
             keep = LabelImages(folder, paths, database.class_table, read_labels.stated_biases)
             search = self.search(values, method, crs, values.has(self.MATCHES))
-            reader = FlightReader(Pipeline(localizer, search, read_labels), keep)
+            reader = FlightReader(Pipeline(localizer, search, read_labels, looks_again=False), keep)
             for n, (path, camera) in enumerate(zip(paths, cameras)):
                 check_canceled(feedback)
                 feedback.setProgressText(os.path.basename(path))

@@ -164,3 +164,9 @@ def test_a_photo_without_a_position_is_labeled_again(name, method, looks):
     assert result.localization.is_fix == bool(result.labels_hw.all()) == (method is Method.AUTOMATIC)
     # The photo itself is not kept.
     assert result.seen.look_again is None
+
+
+def test_images_of_a_flight_are_labeled_once():
+    reader = Photographed()
+    result = Pipeline(Finder(), Search(Method.AUTOMATIC), reader, looks_again=False).run("other.jpg", Camera())
+    assert (reader.looks, result.localization.is_fix, result.seen.look_again) == (0, False, None)

@@ -81,9 +81,9 @@ TABLE = class_table_from_csv(
 )
 
 
-def reader_of(model, shape_hw, **options) -> PhotoReader:
+def reader_of(model, shape_hw) -> PhotoReader:
     photo = ArrayImage(np.zeros((*shape_hw, 3), np.uint8))
-    return PhotoReader(model, TABLE, lambda path: Photo(photo, None), **options)
+    return PhotoReader(model, TABLE, lambda path: Photo(photo, None))
 
 
 def test_a_small_photo_can_be_labeled_again(model):
@@ -93,8 +93,7 @@ def test_a_small_photo_can_be_labeled_again(model):
     assert again.look_again is None and again.biases == seen.biases
 
 
-def test_a_large_photo_and_one_in_flight_are_labeled_once(model):
+def test_a_large_photo_is_labeled_once(model):
     tile = model.tile_hw[0]
     assert reader_of(model, (2 * tile, 2 * tile))("a.jpg").look_again is not None
     assert reader_of(model, (8 * tile, 8 * tile))("a.jpg").look_again is None
-    assert reader_of(model, (100, 140), looks_again=False)("a.jpg").look_again is None
