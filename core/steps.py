@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Generator
-from typing import Any, TypeVar
+from typing import Any, Callable, TypeVar
 
 Result = TypeVar("Result")
+Step = TypeVar("Step")
+Shown = TypeVar("Shown")
 
 Steps = Generator[tuple[str, float], None, Result]
 Shares = Generator[float, None, Result]
@@ -28,10 +30,20 @@ def result_of(steps: Generator[Any, None, Result]) -> Result:
     return found
 
 
+def mapped(steps: Generator[Step, None, Result], shown: Callable[[Step], Shown]) -> Generator[Shown, None, Result]:
+    """Yield ``shown`` of each step of a part, which is never None; return its result."""
+    step, found = advance(steps)
+    while step is not None:
+        yield shown(step)
+        step, found = advance(steps)
+    return found
+
+
+def scaled(shares: Shares[Result], first: float, last: float) -> Shares[Result]:
+    """Yield the shares of a part as shares from ``first`` to ``last``; return its result."""
+    return mapped(shares, lambda share: first + (last - first) * share)
+
+
 def part(what: str, shares: Shares[Result], first: float, last: float) -> Steps[Result]:
     """Yield the shares of a part as steps from ``first`` to ``last`` of the computation; return its result."""
-    share, found = advance(shares)
-    while share is not None:
-        yield what, first + (last - first) * share
-        share, found = advance(shares)
-    return found
+    return mapped(scaled(shares, first, last), lambda share: (what, share))

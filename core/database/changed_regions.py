@@ -11,7 +11,7 @@ from ..labels.sources import LabelSource
 from ..landmarks.landmarks import minimum_area_px, objects_from_rows, rows_array
 from ..landmarks.regions import Bounds, ReachingRegions
 from ..landmarks.tiles import measure_region
-from ..steps import Shares, advance
+from ..steps import Shares, mapped, scaled
 from .build import map_references
 from .model import MapLandmarks, ReferenceDatabase
 
@@ -33,11 +33,7 @@ def changed_landmarks(
     """
     values, removed, added = database.class_table.reference_values, list[int](), list[tuple]()
     for n, value in enumerate(values):
-        shares = _compare(source, database, places, value)
-        share, found = advance(shares)
-        while share is not None:
-            yield (n + share) / len(values)
-            share, found = advance(shares)
+        found = yield from scaled(_compare(source, database, places, value), n / len(values), (n + 1) / len(values))
         removed += found[0]
         added += found[1]
     return np.array(sorted(removed), np.int64), _landmarks(added, source, database)
@@ -53,14 +49,12 @@ def _compare(
     """Return the indices of the removed landmarks of one class, and the rows of the added ones."""
     parameters, references = database.parameters, database.references
     minimum_area = minimum_area_px(parameters.minimum_area, parameters.frame.pixel_size)
-    reaching = ReachingRegions(source, value, places, minimum_area)
-    for _ in reaching.steps():
-        yield 0.3
-    rows = list(map(tuple, reaching.rows.tolist()))
-    for n, region in enumerate(reaching.regions, start=1):
+    inside, regions = yield from mapped(ReachingRegions(source, value, places, minimum_area).steps(), lambda _: 0.3)
+    rows = list(map(tuple, inside.tolist()))
+    for n, region in enumerate(regions, start=1):
         row = measure_region(source, value, region, minimum_area)
         rows += [] if row is None else [row]
-        yield 0.3 + 0.6 * n / len(reaching.regions)
+        yield 0.3 + 0.6 * n / len(regions)
     new = {_key(_landmarks([row], source, database), 0): row for row in rows}
     meeting = (references.classes == value) & _meets_any(references.required_bounds, places)
     # Unchanged landmarks inside a changed place remain.
@@ -69,14 +63,12 @@ def _compare(
     # places, and on the outermost lines of the places, are unchanged. So a landmark with pixels inside and outside
     # shares some with a new region that crosses the border of a place.
     outside = [b for b in (_bounds_of(references, k) for k in gone) if not any(_holds(place, b) for place in places)]
-    doubtful = [bounds for bounds in outside if any(_meet(bounds, region.bounds) for region in reaching.regions)]
+    doubtful = [bounds for bounds in outside if any(_meet(bounds, region.bounds) for region in regions)]
     # A region has a pixel in the first row of its bounds.
     tops = _joined([(left, top, right, top + 1) for left, top, right, _ in doubtful])
-    others = ReachingRegions(source, value, tops, minimum_area)
-    for _ in others.steps():
-        yield 0.9
+    _, others = yield from mapped(ReachingRegions(source, value, tops, minimum_area).steps(), lambda _: 0.9)
     # Two regions of one class can't have the same bounds: they would cross and be one region.
-    remaining = {region.bounds for region in others.regions - reaching.regions} | set(outside) - set(doubtful)
+    remaining = {region.bounds for region in others - regions} | set(outside) - set(doubtful)
     return [k for k in gone if _bounds_of(references, k) not in remaining], list(new.values())
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Sequence
 
 import numpy as np
 
@@ -19,14 +19,10 @@ Bounds = tuple[int, int, int, int]
 
 
 class ReachingRegions:
-    """Finds the regions of one class with a pixel in some places: iterate ``steps()`` to the end.
+    """Finds the regions of one class with a pixel in some places.
 
     Each place is a tile of its own, so that the pieces in it are the wanted ones. Neighboring tiles, without the places
     in them, are read until no wanted region continues.
-
-    Attributes:
-        rows: (N, 8) rows of the landmarks that are completely inside a place.
-        regions: Regions of any size that continue outside of their place.
     """
 
     def __init__(
@@ -43,15 +39,18 @@ class ReachingRegions:
         self._places, self._size = list(places), tile_px
         self._boxes: list[Bounds] = []
         self._tiles: list[TileLandmarks] = []
-        self.rows = NO_ROWS
-        self.regions: set[Region] = set()
 
-    def steps(self) -> Iterator[None]:
-        """Read the map; yield after each piece."""
+    def steps(self) -> Generator[int, None, tuple[np.ndarray, set[Region]]]:
+        """Read the map; yield the number of pieces read after each of them.
+
+        Returns:
+            (N, 8) rows of the landmarks that are completely inside a place, and the regions of any size that continue
+            outside of their place.
+        """
         for place in self._places:
             self._read(place)
-            yield
-        self.rows = np.concatenate([NO_ROWS, *(tile.rows for tile in self._tiles)])
+            yield len(self._tiles)
+        rows = np.concatenate([NO_ROWS, *(tile.rows for tile in self._tiles)])
         seeds, read = sum(len(tile.pieces) for tile in self._tiles), set[tuple[int, int]]()
         while True:
             pieces, runs, components = join_tiles(self._tiles)
@@ -63,8 +62,8 @@ class ReachingRegions:
             for cell in sorted(onward):
                 for box in _without(self._bounds(cell), self._places):
                     self._read(box)
-                    yield
-        self.regions = {region for _, region in joined_regions(pieces[wanted], components[wanted])}
+                    yield len(self._tiles)
+        return rows, {region for _, region in joined_regions(pieces[wanted], components[wanted])}
 
     def _read(self, box: Bounds) -> None:
         left, top, right, bottom = box

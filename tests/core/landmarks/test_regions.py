@@ -9,6 +9,7 @@ from semref.core.labels.sources import ArrayLabels
 from semref.core.landmarks.landmarks import extract_landmarks, rows_from_objects
 from semref.core.landmarks.regions import ReachingRegions
 from semref.core.landmarks.tiles import measure_region
+from semref.core.steps import result_of
 
 PLACES = [(20, 10, 55, 41), (90, 50, 121, 75), (0, 100, 30, 120), (140, 0, 150, 1)]
 
@@ -34,20 +35,17 @@ MAPS = {
 
 
 def found_in(labels, places, tile, source=None):
-    reaching = ReachingRegions(source or ArrayLabels(labels), 5, places, 1.0, tile)
-    for _ in reaching.steps():
-        pass
-    return reaching
+    return result_of(ReachingRegions(source or ArrayLabels(labels), 5, places, 1.0, tile).steps())
 
 
 @pytest.mark.parametrize("tile", [7, 12, 16, 30, 1000])
 @pytest.mark.parametrize("name", MAPS)
 def test_what_has_a_pixel_in_a_place_is_found_whole(name, tile):
     labels = MAPS[name]
-    reaching = found_in(labels, PLACES, tile)
+    rows, regions = found_in(labels, PLACES, tile)
     source = ArrayLabels(labels)
-    measured = [measure_region(source, 5, region, 1.0) for region in reaching.regions]
-    found = {tuple(row) for row in reaching.rows.tolist()} | {row for row in measured if row}
+    measured = [measure_region(source, 5, region, 1.0) for region in regions]
+    found = {tuple(row) for row in rows.tolist()} | {row for row in measured if row}
     _, parts = cv2.connectedComponents((labels == 5).astype(np.uint8), connectivity=8)
     touched = {n for left, top, right, bottom in PLACES for n in np.unique(parts[top:bottom, left:right]).tolist()}
     kept = np.where(np.isin(parts, list(touched - {0})), 5, 0).astype(np.uint8)
