@@ -220,6 +220,9 @@ def session():
         seen["help"] = asked_for_help(browser)
         _, seconds["sample"] = timed(made_sample)
         seen["rows"], seconds["localize"] = timed(localized)
+    else:
+        # QGIS's own browser still reads folders in threads; QGIS 3.40 crashes on a busy machine if it ends meanwhile.
+        settle(3.0)
     return {**seen, "seconds": seconds, "errors": python_errors(logged)}
 
 
