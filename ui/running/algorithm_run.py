@@ -20,9 +20,8 @@ from qgis.PyQt.QtCore import QObject, QTimer, pyqtSignal
 from ...processing.translation import tr
 from ..widgets.messages import bug_sentence
 
-UNLOAD_WAIT_MS = 10_000
-"""Longest wait when the plugin is unloaded. A cancel takes effect within a second, on a busy machine later, and QGIS
-crashes if a thread still runs when it ends."""
+UNLOAD_WAIT_MS = 2000
+"""Longest wait when the plugin is unloaded. A cancel takes effect within a second."""
 
 BEGINS_WITHIN_MS = 3000
 """QGIS never starts a task that is still queued after this time while no task runs."""
