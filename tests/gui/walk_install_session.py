@@ -220,10 +220,6 @@ def session():
         seen["help"] = asked_for_help(browser)
         _, seconds["sample"] = timed(made_sample)
         seen["rows"], seconds["localize"] = timed(localized)
-    else:
-        # QGIS 3.40 died on signal 11 in two of four runs that quit at once here, both on a busy machine. Its cause is
-        # not known; the dock has no content and reads nothing.
-        settle(3.0)
     return {**seen, "seconds": seconds, "errors": python_errors(logged)}
 
 
