@@ -19,7 +19,7 @@ from ..processing.translation import tr
 from .diagnostics import Diagnostics
 from .dock.dock import SemRefDock
 from .packages.component_installer import ComponentInstaller
-from .running.background import shut_down
+from .running.background import end_idle_threads, shut_down
 from .running.localization_run import named_results
 from .widgets.messages import open_guide
 
@@ -121,6 +121,7 @@ class DockEntry:
         for action in reversed(self._menu):
             self._iface.removePluginMenu(MENU, action)
             action.deleteLater()
+        end_idle_threads()
 
     def _show_options(self) -> None:
         self._iface.showOptionsDialog(self._iface.mainWindow(), PAGE)

@@ -45,6 +45,8 @@ def run_desktop(
         "DISPLAY": display,
         "HOME": str(home),
         "XDG_RUNTIME_DIR": str(runtime),
+        # Freed memory is overwritten, so that a use of it fails in every run.
+        "MALLOC_PERTURB_": "165",
         # OpenCV of a virtual environment, if there is one: QGIS runs the system's Python; and shared modules.
         "PYTHONPATH": os.pathsep.join([sysconfig.get_path("purelib"), str(Path(__file__).parent)]),
         "SEMREF_DESKTOP_RESULT": str(result),
