@@ -10,6 +10,7 @@ import hashlib
 import json
 import math
 import sys
+import time
 import zlib
 from collections import Counter
 from collections.abc import Iterator, Sequence
@@ -29,7 +30,6 @@ from semref.core.evaluation.summary import percentile
 from semref.core.evaluation.trial import RIGHT_SHARE, Trial, judge
 from semref.core.geometry.error_settings import NETWORK_SPREAD, UNBIASED, ClassBias, KnownBiases
 from semref.core.geometry.leveling import Attitude, focal_length_from_view, leveling
-from semref.core.labels.class_shares import SeenLabels
 from semref.core.localization import Method, Prior
 from semref.core.localizer.search import Search
 from semref.core.pipeline import localize_with
@@ -217,7 +217,8 @@ class Source:
         before = ground.spoiled_values
         ground.spoiled_values = BUILDINGS if row.noise in OF_NETWORKS else before
         try:
-            return replace(ground.spoiled(image, noise, rng), biases=biases)
+            image = ground.spoiled(image, noise, rng)
+            return replace(image, seen=replace(image.seen, biases=biases))
         finally:
             ground.spoiled_values = before
 
@@ -244,20 +245,18 @@ class Source:
         return replace(noise, **{name: getattr(shared, name) for name in names}), biases
 
     def _tried(self, image: Image, rng: np.random.Generator) -> Trial:
-        prior, within = self.prior(image.view, rng), self.row.right_m or None
-        if self.row.level_error_deg < 0:
-            trial = self.known.try_image(image, self.method, prior, within)
-            if image.look_again is None or trial.is_fix:
-                return trial
-            return self.known.try_image(image.look_again(), self.method, prior, within)
         view, localizer = image.view, self.known.localizer
-        focal = focal_length_from_view(view.field_of_view_deg, view.shape_hw)
-        way = leveling(attitude_of(view, rng.normal(0, self.row.level_error_deg, 2)), focal, view.shape_hw)
-        scales = localizer.settings.constellation.limits.scales
-        prior = prior or Prior(pixel_size_range=localizer.pixel_sizes(view.shape_hw, scales))
-        seen = SeenLabels(image.labels_hw, image.shares, biases=image.biases)
-        found = localize_with(localizer, Search(self.method), seen, prior, way).localization
-        return judge(image.query, self.method, found, within, image.landmarks)
+        prior, level = self.prior(view, rng), None
+        if self.row.level_error_deg >= 0:
+            focal = focal_length_from_view(view.field_of_view_deg, view.shape_hw)
+            attitude = attitude_of(view, rng.normal(0, self.row.level_error_deg, 2))
+            level = leveling(attitude, focal, view.shape_hw)
+            scales = localizer.settings.constellation.limits.scales
+            prior = prior or Prior(pixel_size_range=localizer.pixel_sizes(view.shape_hw, scales))
+        begun = time.process_time()
+        found = localize_with(localizer, Search(self.method), image.seen, prior or Prior(), level).localization
+        seconds = time.process_time() - begun
+        return judge(image.query, self.method, found, self.row.right_m or None, image.landmarks, seconds)
 
     def prior(self, view: View, rng: np.random.Generator) -> Prior | None:
         """Return the prior of an image from camera and user."""

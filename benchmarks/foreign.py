@@ -10,6 +10,7 @@ import numpy as np
 from benchmarks.ground import Image, Wanted, random_view
 from benchmarks.maps import NoDataError, read
 from semref.core.evaluation.trial import Query
+from semref.core.labels.class_shares import SeenLabels
 from semref.core.simulation.views import PIXELS, View, cut
 
 if TYPE_CHECKING:
@@ -58,7 +59,7 @@ def _view_of(labels_hw: np.ndarray, rng: np.random.Generator) -> Image:
     edge = min(EDGE_PX, int(0.6 * min(height, width) / SCALES[0]))
     extent = (0.3 * width, -0.7 * height, 0.7 * width, -0.3 * height)
     view = random_view(rng, extent, (edge, edge), SCALES)
-    return Image(Query(view, is_of_map=False), cut(labels_hw, PIXELS, view))
+    return Image(Query(view, is_of_map=False), SeenLabels(cut(labels_hw, PIXELS, view)))
 
 
 def lattice(source: Source, rng: np.random.Generator, number: int) -> Image:
@@ -85,7 +86,7 @@ def lattice(source: Source, rng: np.random.Generator, number: int) -> Image:
     for point, half, value in zip(points[kept] + EDGE_PX / 2 * (1 + 1j), halves[kept], 1 + is_second[kept]):
         left, top = max(round(point.real - half), 0), max(round(point.imag - half), 0)
         labels[top : max(round(point.imag + half), 0), left : max(round(point.real + half), 0)] = value
-    return Image(Query(View(0.0, 0.0, 0.0, 1.0, EDGE_PX, EDGE_PX), is_of_map=False), labels)
+    return Image(Query(View(0.0, 0.0, 0.0, 1.0, EDGE_PX, EDGE_PX), is_of_map=False), SeenLabels(labels))
 
 
 def two_places(source: Source, rng: np.random.Generator, number: int) -> Image:
@@ -99,7 +100,7 @@ def two_places(source: Source, rng: np.random.Generator, number: int) -> Image:
         both[:, where:] = other.labels_hw[:, where:]
     else:
         both[where:] = other.labels_hw[where:]
-    image = Image(Query(one.view, is_of_map=False), both, one.landmarks)
+    image = Image(Query(one.view, is_of_map=False), SeenLabels(both), one.landmarks)
     return ground.spoiled(image, source.noise(one.view, rng)[0], rng)
 
 

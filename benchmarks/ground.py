@@ -6,7 +6,6 @@ import math
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Callable
 
 import numpy as np
 
@@ -15,11 +14,10 @@ from semref.core.assessment.cells import ground_cells
 from semref.core.constellation.hypotheses import SMALLEST_OBJECT_PX
 from semref.core.database.model import MapLandmarks, ReferenceDatabase
 from semref.core.evaluation.trial import Query, Trial, judge
-from semref.core.geometry.error_settings import UNBIASED, KnownBiases
 from semref.core.geometry.frame import MapFrame
-from semref.core.labels.class_shares import ClassShares
+from semref.core.labels.class_shares import SeenLabels
 from semref.core.landmarks.landmarks import Landmarks, extract_landmarks
-from semref.core.localization import Localization, Method, Prior
+from semref.core.localization import Method, Prior
 from semref.core.localizer.localizer import Localizer
 from semref.core.simulation.views import View, cut, lies_on
 
@@ -61,18 +59,15 @@ class Wanted:
 
 @dataclass(frozen=True)
 class Image:
-    """A simulated image: true view, (H, W) labels, and number of whole landmarks before noise.
-
-    ``shares`` are the class probabilities of a photo, ``biases`` the known class offsets of the labels, and
-    ``look_again`` labels a photo again, more thoroughly.
-    """
+    """A simulated image: true view, labels, and number of whole landmarks before noise."""
 
     query: Query
-    labels_hw: np.ndarray
+    seen: SeenLabels
     landmarks: int = 0
-    shares: ClassShares | None = None
-    biases: KnownBiases = UNBIASED
-    look_again: Callable[[], Image] | None = None
+
+    @property
+    def labels_hw(self) -> np.ndarray:
+        return self.seen.labels_hw
 
     @property
     def view(self) -> View:
@@ -142,7 +137,7 @@ class Ground:
                 continue
             count = int((~self.landmarks_in(labels, view.pixel_size).touches_edge).sum())
             if wanted.landmarks[0] <= count <= wanted.landmarks[1]:
-                return Image(Query(view, is_of_map=is_of_map), labels, count)
+                return Image(Query(view, is_of_map=is_of_map), SeenLabels(labels), count)
         raise ValueError(f"{LARGEST_TRIES} places of the map have no view with {wanted.landmarks[0]} landmarks.")
 
     def _view(self, wanted: Wanted, rng: np.random.Generator) -> View:
@@ -194,15 +189,15 @@ class Ground:
         smallest = max(self.database.parameters.minimum_area / pixel**2, 1.0)
         donated = None if donor is None else donor.labels_hw
         labels = spoil(image.labels_hw, noise, rng, self.spoiled_values, donated, smallest)
-        return replace(image, labels_hw=labels)
+        return replace(image, seen=SeenLabels(labels))
 
     def try_image(
         self, image: Image, method: Method, prior: Prior | None = None, right_within: float | None = None
     ) -> Trial:
         """Localize a label image and return the result."""
         started = time.process_time()
-        known = {"shares": image.shares, "biases": image.biases}
-        found: Localization = self.localizer.localize(image.labels_hw, method, prior, **known)
+        seen = image.seen
+        found = self.localizer.localize(seen.labels_hw, method, prior, shares=seen.shares, biases=seen.biases)
         seconds = time.process_time() - started
         return judge(image.query, method, found, right_within, image.landmarks, seconds)
 

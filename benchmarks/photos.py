@@ -71,13 +71,13 @@ class Photos:
         if self.model is None:
             return image
         picture = shown(self.ground, self.picture, image.view)
-        return self.labeled(image, np.ascontiguousarray(picture[:, ::-1]) if image.view.is_mirrored else picture)
+        photo = np.ascontiguousarray(picture[:, ::-1]) if image.view.is_mirrored else picture
+        return replace(image, seen=self.labeled(photo))
 
-    def labeled(self, image: Image, photo_hw3: np.ndarray, is_thorough: bool = False) -> Image:
-        """Label the photo of an image in the same way as *Localize images*, which looks again without a position."""
-        found = self._seen(photo_hw3, is_thorough)
-        again = None if is_thorough else partial(self.labeled, image, photo_hw3, True)
-        return replace(image, labels_hw=found.labels_hw, shares=found.shares, biases=self._biases, look_again=again)
+    def labeled(self, photo_hw3: np.ndarray, is_thorough: bool = False) -> SeenLabels:
+        """Label a photo in the same way as *Localize images*, which looks again without a position."""
+        look_again = None if is_thorough else partial(self.labeled, photo_hw3, True)
+        return replace(self._seen(photo_hw3, is_thorough), biases=self._biases, look_again=look_again)
 
     def _seen(self, photo_hw3: np.ndarray, is_thorough: bool) -> SeenLabels:
         found = PhotoLabels(self.model, ArrayImage(photo_hw3), self._values, is_thorough=is_thorough).seen()
@@ -182,7 +182,7 @@ class SamplePhotos(Photos):
         taken = photo.shoot(self.picture, picture, seed)
         jpeg = cv2.imencode(".jpg", taken[:, :, ::-1], [cv2.IMWRITE_JPEG_QUALITY, 85])[1]
         read = np.ascontiguousarray(cv2.imdecode(jpeg, cv2.IMREAD_COLOR)[:, :, ::-1])
-        return self.labeled(Image(Query(picture.view(len(taken))), taken), read)
+        return Image(Query(picture.view(len(taken))), self.labeled(read))
 
 
 @lru_cache(maxsize=1)

@@ -96,9 +96,6 @@ class Pipeline:
 def localize_labels(localizer: Localizer, search: Search, seen: SeenLabels, camera: Camera) -> ImageResult:
     """Localize an image from its labels; level it first if the camera's attitude is known.
 
-    A photo without a position is labeled again, more thoroughly, if that is possible. The published method is not
-    changed by this: it takes the first labels.
-
     Args:
         search: Method and prior of all images.
         seen: Labels of the image as taken, with their class offsets.
@@ -108,11 +105,7 @@ def localize_labels(localizer: Localizer, search: Search, seen: SeenLabels, came
     """
     height, width = seen.labels_hw.shape
     prior, leveling = search.prior_of(localizer, camera, (height, width)), camera.leveling((height, width))
-    look_again, seen = seen.look_again, replace(seen, look_again=None)
-    result = localize_with(localizer, search, seen, prior, leveling)
-    if look_again is None or result.level.is_fix or search.method is Method.TOPOLOGY_VECTOR:
-        return result
-    return localize_with(localizer, search, look_again(), prior, leveling)
+    return localize_with(localizer, search, seen, prior, leveling)
 
 
 def localize_with(
@@ -120,12 +113,25 @@ def localize_with(
 ) -> ImageResult:
     """Localize an image with a given prior and leveling.
 
+    A photo without a position is labeled again, more thoroughly, if that is possible. The published method is not
+    changed by this: it takes the first labels.
+
     Args:
         search: Method, and whether to return matches.
         seen: Labels of the image as taken, with their class offsets.
         prior: Prior of the image's center; with a range of pixel sizes if the image is leveled.
         leveling: How to level the image; None to use it as taken. The method must find heading and pixel size.
     """
+    look_again, seen = seen.look_again, replace(seen, look_again=None)
+    result = _localized_once(localizer, search, seen, prior, leveling)
+    if look_again is None or result.level.is_fix or search.method is Method.TOPOLOGY_VECTOR:
+        return result
+    return _localized_once(localizer, search, look_again(), prior, leveling)
+
+
+def _localized_once(
+    localizer: Localizer, search: Search, seen: SeenLabels, prior: Prior, leveling: Leveling | None
+) -> ImageResult:
     labels_hw = seen.labels_hw
     if leveling is not None:
         seen, prior = level_labels(seen, leveling), of_leveled(prior, leveling)
