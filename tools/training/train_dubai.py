@@ -4,7 +4,7 @@
 
 The script cuts the photos of $SEMREF_DATA or ../shared/data, and trains in .venv-train (setup_training.sh) from weights
 of ImageNet. The model is OUTPUT_FOLDER/without_tile6.onnx (without_tiles13.onnx for --leave-out 1 3). Then
-``.venv/bin/python -m benchmarks run photos --only "tile 6" --models OUTPUT_FOLDER`` localizes crops of this tile.
+``.venv/bin/python -m benchmarks run dubai --only "tile 6" --models OUTPUT_FOLDER`` localizes crops of this tile.
 """
 
 from __future__ import annotations
