@@ -22,6 +22,7 @@ The first table compares the most important figures with their goals. The other 
 
 - *Right* positions are within 2 % of the footprint width of the true position, unless stated. Parentheses contain the
   95 % interval of a share.
+- Shares of true positions in an ellipse or radius count right positions only; for flights they count all positions.
 - Noise “20 / 20 / 5 %”: 20 % of the landmarks are missed, 20 % spurious, 5 % mislabeled.
 - p95 is the 95th percentile. Times depend on the machine, which also did other work. Compare ratios only.
 - The line below a table names its file in `benchmarks/results`, the date and the commit. The file has all rows, the

@@ -50,6 +50,7 @@ class SeenLabels:
         biases: Class offsets.
         pixels: (H, W, 3) uint8 of the photo, red first, and (H, W) bool of pixels with data (None: everywhere); None
             if not requested.
+        look_again: Labels a photo again, more thoroughly; None if that is not wanted.
     """
 
     labels_hw: np.ndarray
