@@ -13,13 +13,13 @@ from benchmarks.ground import Ground, Image, Wanted, memory_ground
 from benchmarks.maps import NoDataError, World, read
 from benchmarks.places import BUILDING, TILE_CLASSES, place, prepared
 from benchmarks.results import ROOT
+from sample.photo import turned
 from semref.core.evaluation.trial import Query
 from semref.core.labels.class_shares import FULL, ClassShares, SeenLabels
 from semref.core.labels.image_source import ArrayImage
 from semref.core.segmentation.class_bias import known_biases
 from semref.core.segmentation.model import SegmentationModel
 from semref.core.segmentation.photo_labels import PhotoLabels
-from semref.core.simulation.views import View
 
 if TYPE_CHECKING:
     from benchmarks.accuracy import Row
@@ -70,8 +70,10 @@ class Photos:
         image = self.ground.draw(self.wanted, rng)
         if self.model is None:
             return image
-        picture = shown(self.ground, self.picture, image.view)
-        photo = np.ascontiguousarray(picture[:, ::-1]) if image.view.is_mirrored else picture
+        view, center = image.view, self.ground.frame.to_pixels(image.view.position)
+        scale = view.pixel_size / self.ground.frame.pixel_size
+        picture = turned(self.picture, center, view.heading_deg, scale, view.shape_hw[::-1])
+        photo = np.ascontiguousarray(picture[:, ::-1]) if view.is_mirrored else picture
         return replace(image, seen=self.labeled(photo))
 
     def labeled(self, photo_hw3: np.ndarray, is_thorough: bool = False) -> SeenLabels:
@@ -187,26 +189,15 @@ class SamplePhotos(Photos):
 
 @lru_cache(maxsize=1)
 def _sample() -> tuple[Ground, np.ndarray]:
-    from sample import photo
     from sample.classes import CLASSES
-    from sample.files import grid_of, rasterize
+    from sample.files import rasterize, render_photo
     from sample.landscape import make_landscape
 
     landscape = make_landscape(SAMPLE_SEED)
     rows = [f"{c.value},{c.name},{c.color},{c.role}" for c in CLASSES]
     table = "\n".join(["value,name,color,role", *rows])
     ground = memory_ground(rasterize(landscape, 1.0), table, (640, 160, 50))
-    return ground, photo.render(landscape, grid_of(landscape, 1.0), 1.0)
-
-
-def shown(ground: Ground, photo_hw3: np.ndarray, view: View) -> np.ndarray:
-    """Return the view of a photo on the ground's pixels, (H, W, 3), by linear interpolation."""
-    turn, center = np.radians(view.heading_deg), ground.frame.to_pixels(view.position)
-    cosine, sine = np.cos(turn), np.sin(turn)
-    matrix = view.pixel_size / ground.frame.pixel_size * np.array([[cosine, -sine], [sine, cosine]])
-    offset = center - 0.5 - matrix @ ((np.array(view.shape_hw[::-1]) - 1) / 2)
-    flags = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
-    return cv2.warpAffine(photo_hw3, np.column_stack([matrix, offset]), view.shape_hw[::-1], flags=flags)
+    return ground, render_photo(landscape)
 
 
 def _rgb(bands: np.ndarray) -> np.ndarray:

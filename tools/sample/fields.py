@@ -30,10 +30,7 @@ def parcels(rng: np.random.Generator, land: BaseGeometry) -> list[Polygon]:
     """Cut open land into parcels; each block between roads has its own direction."""
     found: list[Polygon] = []
     for block in shapes.polygons_of(land, 1500):
-        corners = shapes.corners_xy(block.minimum_rotated_rectangle)
-        edges = np.diff(corners, axis=0)
-        longest = edges[np.argmax(np.hypot(*edges.T))]
-        heading = np.arctan2(longest[1], longest[0]) + rng.normal(0, 0.12)
+        heading = np.arctan2(*shapes.longest_side(block)[::-1]) + rng.normal(0, 0.12)
         found += cut(rng, block, heading)
     return found
 
@@ -111,17 +108,9 @@ def bare_ground(
     wooded = prep(unary_union(woods))
     found: list[Polygon] = []
     for radius in QUARRY_RADII_M:
-        found += ground.place(
-            rng, lambda at, r=radius: [shapes.blob(rng, at, r, 0.17, rng.uniform(1, 1.8), rng.uniform(0, np.pi))], 16
-        )
+        found += ground.place_blob(rng, radius, 0.17, 1.8, 16)
     for _ in range(ROCK_COUNT):
-        radius = rng.uniform(8, 19)
-        found += ground.place(
-            rng,
-            lambda at, r=radius: [shapes.blob(rng, at, r, 0.22, rng.uniform(1, 2.5), rng.uniform(0, np.pi))],
-            8,
-            area=wooded,
-        )
+        found += ground.place_blob(rng, rng.uniform(8, 19), 0.22, 2.5, 8, area=wooded)
     for _ in range(LOT_COUNT):
         size, place = rng.uniform((22, 16), (60, 34)), places[rng.integers(len(places))]
         reach = place.radius + 70

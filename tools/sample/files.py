@@ -13,13 +13,15 @@ import numpy as np
 from osgeo import gdal, ogr, osr
 
 from semref.core.annotation.polygons import to_wkb
-from semref.storage.gdal_errors import close, gdal_failures
+from semref.core.geometry.frame import MapFrame
+from semref.storage.gdal_errors import close, require_written
 from semref.storage.pictures import JPEG_QUALITY, write_jpeg, write_png
+from semref.storage.rasterize import BurnLayer, BurnPolygon
 from semref.storage.text_tables import CLASSES_FILE
 
 from . import photo, pictures
 from .classes import CLASSES
-from .landscape import Feature, Landscape
+from .landscape import Landscape
 
 ANNOTATION_FILE, ORTHOPHOTO_FILE = "landcover.shp", "orthophoto.tif"
 PHOTOS_FOLDER, PHOTOS_TRUTH_FILE = "photos", "photos.csv"
@@ -30,21 +32,18 @@ FLIGHT_START, SECONDS_BETWEEN = datetime(2025, 5, 9, 10, tzinfo=timezone.utc), 1
 MARKER = "sample.json"
 """Distinguishes a folder of ours from somebody's data."""
 
-CLASS_FIELD, PRIORITY_FIELD = "class", "zorder"
-PIXEL_SIZE_M = 1.0
-_BURNED_FIELD = "class_id"
-_LAYER = "landcover"
-_DBF_DATE = "2025-05-09"
-"""A fixed day: the format stores one, and the same seed is to give the same file."""
+_FIELDS = (("class", ogr.OFTString, 20), ("class_id", ogr.OFTInteger, 4), ("zorder", ogr.OFTInteger, 4))
+_SHAPEFILE_OPTIONS = ["ENCODING=UTF-8", "DBF_DATE_LAST_UPDATE=2025-05-09"]
+"""With a fixed day: the format stores one, and the same seed is to give the same file."""
 
 
-def render_photo(landscape: Landscape, pixel_size: float) -> np.ndarray:
+def render_photo(landscape: Landscape, pixel_size: float = 1.0) -> np.ndarray:
     """(H, W, 3) uint8 RGB photo of the whole landscape, on the grid of its label map."""
     return photo.render(landscape, grid_of(landscape, pixel_size), pixel_size)
 
 
-def write_sample(folder: Path, landscape: Landscape, pixel_size: float) -> np.ndarray:
-    """Write all files of the sample into an existing folder; return the photo of the whole landscape, (H, W, 3)."""
+def write_sample(folder: Path, landscape: Landscape, pixel_size: float) -> None:
+    """Write all files of the sample into an existing folder."""
     write_shapefile(landscape, folder)
     write_classes(folder / CLASSES_FILE)
     photo_hw3 = render_photo(landscape, pixel_size)
@@ -60,7 +59,6 @@ def write_sample(folder: Path, landscape: Landscape, pixel_size: float) -> np.nd
     write_truth(landscape, pixel_size, flight, folder / FLIGHT_FILE, timed=True)
     about = {"made_by": "semref", "seed": landscape.seed, "pixel_size": pixel_size, "photos": len(views)}
     (folder / MARKER).write_text(json.dumps(about, indent=2) + "\n", encoding="utf-8")
-    return photo_hw3
 
 
 def write_label_images(folder: Path, landscape: Landscape, labels_hw: np.ndarray, pixel_size: float) -> None:
@@ -74,60 +72,37 @@ def write_label_images(folder: Path, landscape: Landscape, labels_hw: np.ndarray
     write_truth(landscape, pixel_size, views, folder / "truth.csv")
 
 
-def fill_layer(dataset: gdal.Dataset, landscape: Landscape, features: Iterable[Feature]) -> ogr.Layer:
-    """Creates the annotation layer in a dataset and writes features to it in their order.
+def write_shapefile(landscape: Landscape, folder: Path) -> None:
+    """landcover.shp with .shx, .prj, .dbf and .cpg."""
+    path = str(folder / ANNOTATION_FILE)
+    with require_written(path):
+        dataset = ogr.GetDriverByName("ESRI Shapefile").CreateDataSource(path)
+        if dataset is not None:
+            _fill(dataset, landscape)
+        close(dataset)
+        del dataset
 
-    Args:
-        dataset: GDAL's, or an ``ogr.DataSource``.
-        landscape: Has the CRS.
-        features: Of the landscape.
-    """
-    reference = osr.SpatialReference()
-    reference.ImportFromEPSG(landscape.epsg)
-    layer = dataset.CreateLayer(_LAYER, reference, ogr.wkbPolygon, options=_layer_options(dataset))
-    text = ogr.FieldDefn(CLASS_FIELD, ogr.OFTString)
-    text.SetWidth(20)
-    for field in (text, _integer(_BURNED_FIELD), _integer(PRIORITY_FIELD)):
+
+def _fill(dataset: ogr.DataSource, landscape: Landscape) -> None:
+    layer = dataset.CreateLayer("landcover", _crs(landscape), ogr.wkbPolygon, _SHAPEFILE_OPTIONS)
+    for name, kind, width in _FIELDS:
+        field = ogr.FieldDefn(name, kind)
+        field.SetWidth(width)
         layer.CreateField(field)
     names = {entry.value: entry.name for entry in CLASSES}
-    for drawn in features:
+    for drawn in landscape.features:
         feature = ogr.Feature(layer.GetLayerDefn())
-        feature.SetField(CLASS_FIELD, names[drawn.class_value])
-        feature.SetField(_BURNED_FIELD, drawn.class_value)
-        feature.SetField(PRIORITY_FIELD, drawn.zorder)
+        for number, value in enumerate((names[drawn.class_value], drawn.class_value, drawn.zorder)):
+            feature.SetField(number, value)
         if drawn.geometry is not None:
             feature.SetGeometryDirectly(ogr.CreateGeometryFromWkb(to_wkb(drawn.geometry)))
         layer.CreateFeature(feature)
-    return layer
 
 
-def _layer_options(dataset: gdal.Dataset) -> list[str]:
-    if dataset.GetDriver().GetName() != "ESRI Shapefile":
-        return []
-    return ["ENCODING=UTF-8", f"DBF_DATE_LAST_UPDATE={_DBF_DATE}"]
-
-
-def _integer(name: str) -> ogr.FieldDefn:
-    field = ogr.FieldDefn(name, ogr.OFTInteger)
-    field.SetWidth(4)
-    return field
-
-
-def write_shapefile(landscape: Landscape, folder: Path) -> None:
-    """landcover.shp with .shx, .prj, .dbf and .cpg."""
-    path = folder / ANNOTATION_FILE
-    with gdal_failures() as failures:
-        dataset = ogr.GetDriverByName("ESRI Shapefile").CreateDataSource(str(path))
-        if dataset is not None:
-            fill_layer(dataset, landscape, landscape.features)
-        close(dataset)
-        dataset = None
-    _check(failures, path)
-
-
-def _check(failures: list[str], path: Path) -> None:
-    if failures:
-        raise OSError(f"{path} can't be written: {failures[0]}")
+def _crs(landscape: Landscape) -> osr.SpatialReference:
+    reference = osr.SpatialReference()
+    reference.ImportFromEPSG(landscape.epsg)
+    return reference
 
 
 def write_classes(path: Path) -> None:
@@ -136,11 +111,8 @@ def write_classes(path: Path) -> None:
         rows = csv.writer(file, lineterminator="\n")
         rows.writerow(["value", "name", "color", "role", "hsv_min", "hsv_max"])
         for c in CLASSES:
-            rows.writerow([c.value, c.name, c.color, c.role, _spaced(c.hsv_min), _spaced(c.hsv_max)])
-
-
-def _spaced(numbers: Iterable[int]) -> str:
-    return " ".join(str(n) for n in numbers)
+            limits = (" ".join(map(str, hsv)) for hsv in (c.hsv_min, c.hsv_max))
+            rows.writerow([c.value, c.name, c.color, c.role, *limits])
 
 
 def grid_of(landscape: Landscape, pixel_size: float) -> tuple[float, float, int, int]:
@@ -153,39 +125,25 @@ def grid_of(landscape: Landscape, pixel_size: float) -> tuple[float, float, int,
 def rasterize(landscape: Landscape, pixel_size: float) -> np.ndarray:
     """Label map (h, w) uint8 of the landscape, higher zorder on top, 0 where nothing is drawn."""
     west, north, width, height = grid_of(landscape, pixel_size)
-    drawn = sorted((f for f in landscape.features if f.geometry is not None), key=lambda f: f.zorder)
-    memory = _memory_dataset()
-    layer = fill_layer(memory, landscape, drawn)
-    target = gdal.GetDriverByName("MEM").Create("", width, height, 1, gdal.GDT_Byte)
-    target.SetGeoTransform((west, pixel_size, 0, north, 0, -pixel_size))
-    gdal.RasterizeLayer(target, [1], layer, options=[f"ATTRIBUTE={_BURNED_FIELD}"])
-    return np.frombuffer(target.ReadRaster(), np.uint8).reshape(height, width)
-
-
-def _memory_dataset() -> gdal.Dataset:
-    """A place for layers in memory: from GDAL 3.11 the driver MEM holds them too and "Memory" is on its way out."""
-    driver = gdal.GetDriverByName("MEM")
-    if driver.GetMetadataItem("DCAP_VECTOR") == "YES":
-        return driver.Create("", 0, 0, 0, gdal.GDT_Unknown)
-    return ogr.GetDriverByName("Memory").CreateDataSource("")
+    drawn = [f for f in landscape.features if f.geometry is not None]
+    polygons = [BurnPolygon(to_wkb(f.geometry), f.class_value, f.zorder, f.geometry.bounds) for f in drawn]
+    frame = MapFrame.at((west, north), pixel_size, (height, width))
+    return BurnLayer(polygons, "").rasterize(frame, gdal.GDT_Byte)
 
 
 def write_orthophoto(landscape: Landscape, pixel_size: float, photo_hw3: np.ndarray, path: Path) -> None:
     """The whole photo as a georeferenced GeoTIFF, compressed as JPEG."""
     west, north, width, height = grid_of(landscape, pixel_size)
     options = ["COMPRESS=JPEG", "PHOTOMETRIC=YCBCR", f"JPEG_QUALITY={JPEG_QUALITY}", "TILED=YES"]
-    reference = osr.SpatialReference()
-    reference.ImportFromEPSG(landscape.epsg)
     rows = np.ascontiguousarray(np.moveaxis(photo_hw3, 2, 0))
-    with gdal_failures() as failures:
+    with require_written(path):
         dataset = gdal.GetDriverByName("GTiff").Create(str(path), width, height, 3, gdal.GDT_Byte, options)
         if dataset is not None:
-            dataset.SetProjection(reference.ExportToWkt())
+            dataset.SetProjection(_crs(landscape).ExportToWkt())
             dataset.SetGeoTransform((west, pixel_size, 0, north, 0, -pixel_size))
             dataset.WriteRaster(0, 0, width, height, rows.tobytes(), band_list=[1, 2, 3])
         close(dataset)
-        dataset = None
-    _check(failures, path)
+        del dataset
 
 
 def write_truth(

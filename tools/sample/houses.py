@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import numpy.typing as npt
+from shapely.affinity import translate
 from shapely.geometry import LineString, Polygon
 from shapely.ops import unary_union
 
@@ -49,12 +50,7 @@ def row(rng: np.random.Generator) -> Polygon:
         width, depth = rng.uniform(7, 11), rng.uniform(10, 14)
         parts.append(shapes.rectangle((x + width / 2, depth / 2 + rng.uniform(-0.8, 0.8)), 0, width + 0.2, depth))
         x += width
-    return shifted(unary_union(parts), -x / 2, -6.0)
-
-
-def shifted(shape: Polygon, dx: float, dy: float) -> Polygon:
-    """The footprint moved by so many meters."""
-    return Polygon(shapes.corners_xy(shape.exterior) + (dx, dy))
+    return translate(unary_union(parts), -x / 2, -6.0)
 
 
 def put(shape: Polygon, at_xy: npt.ArrayLike, heading: float) -> Polygon:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -28,6 +28,7 @@ FILL_WINDOW_M, FILL_STEP_M, FILL_OBJECTS = 640.0, 160.0, 13  # so many objects i
 FILL_ROUNDS = 70
 MULTIPART_FARMS, MULTIPART_FIELDS = 4, 3
 BOW_TIES = 3
+_Draw = Callable[..., np.random.Generator]
 
 
 @dataclass(frozen=True)
@@ -68,7 +69,11 @@ class Landscape:
 @np.errstate(invalid="ignore")
 def make_landscape(seed: int) -> Landscape:
     """The landscape of a seed: the same seed gives the same features in the same order."""
-    draw = _Draws(seed)
+
+    def draw(*step: int) -> np.random.Generator:
+        """Each step has a generator of its own, so that a change in one step leaves the others as they are."""
+        return np.random.default_rng([seed, *step])
+
     rivers = water.make_rivers(draw(0), SIZE_XY)
     places = roads.settle(draw(1), SIZE_XY, rivers.river_line)
     network = roads.connect(draw(2), places, SIZE_XY, rivers.river_line)
@@ -93,18 +98,8 @@ def make_landscape(seed: int) -> Landscape:
     return Landscape(tuple(features[i] for i in order), translate(surface, *ORIGIN_XY), extent, EPSG, seed)
 
 
-class _Draws:
-    """One random generator for each step, so that a change in one step leaves the others as they are."""
-
-    def __init__(self, seed: int) -> None:
-        self._seed = seed
-
-    def __call__(self, *step: int) -> np.random.Generator:
-        return np.random.default_rng([self._seed, *step])
-
-
 def _buildings(
-    draw: _Draws, places: Sequence[roads.Settlement], streets: Sequence[list[roads.Road]], ground: Ground
+    draw: _Draw, places: Sequence[roads.Settlement], streets: Sequence[list[roads.Road]], ground: Ground
 ) -> list[Polygon]:
     """All buildings of the settlements, added to `ground`."""
     built: list[Polygon] = []
@@ -156,7 +151,7 @@ def _emptiest_window(objects: list[Polygon]) -> tuple[tuple[float, float], int]:
 
 
 def _land(
-    draw: _Draws, rivers: water.Rivers, buildings: list[Polygon], woods: list[Polygon], surface: BaseGeometry
+    draw: _Draw, rivers: water.Rivers, buildings: list[Polygon], woods: list[Polygon], surface: BaseGeometry
 ) -> list[tuple[int, int, BaseGeometry]]:
     """Background: parcels below, gardens and forest above them, roads left free."""
     gardens = fields.gardens(buildings, surface.buffer(0.5))

@@ -11,10 +11,11 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
+import numpy.typing as npt
 
 from . import shapes
 from .landscape import Landscape
-from .photo_ground import Frame, draw_scene, ground_color, linear
+from .photo_ground import Frame, draw_scene, linear, paint_ground
 from .photo_objects import build_roofs, plant_forest, plant_trees
 from .pictures import WINDOW_PX, Picture
 
@@ -52,13 +53,12 @@ def render(landscape: Landscape, frame: Frame, pixel_m: float) -> np.ndarray:
     sun = Sun((float(np.sin(azimuth)), float(-np.cos(azimuth))), float(np.deg2rad(rng.uniform(38, 58))))
     features = sorted((f for f in landscape.features if f.geometry is not None), key=lambda f: f.zorder)
     scene = draw_scene(features, landscape, frame, pixel_m)
-    color = ground_color(rng, scene, features)
-    relief = np.zeros(scene.owner.shape, np.float32)
-    height = np.zeros(scene.owner.shape, np.float32)
-    plant_forest(rng, scene, color, relief, height)
-    plant_trees(rng, scene, color, relief, height)
-    build_roofs(rng, scene, features, frame, color, relief, height)
-    return developed(rng, color, shading(relief, sun, pixel_m), shadow(height, sun, pixel_m), pixel_m)
+    paint_ground(rng, scene, features)
+    plant_forest(rng, scene)
+    plant_trees(rng, scene)
+    build_roofs(rng, scene, features, frame)
+    light, shade = shading(scene.relief, sun, pixel_m), shadow(scene.height, sun, pixel_m)
+    return developed(rng, scene.color, light, shade, pixel_m)
 
 
 def shading(relief: np.ndarray, sun: Sun, pixel_m: float) -> np.ndarray:
@@ -102,19 +102,35 @@ def as_bytes(picture: np.ndarray) -> np.ndarray:
     return (np.clip(picture, 0, 1) * 255 + 0.5).astype(np.uint8)
 
 
+def turned(
+    photo: np.ndarray, center: npt.ArrayLike, heading_deg: float, scale: float, size_px: tuple[int, int]
+) -> np.ndarray:
+    """Return a crop (height, width, 3) of a photo by linear interpolation.
+
+    Args:
+        photo: (H, W, 3) uint8.
+        center: (column, row) of the crop's center.
+        heading_deg: Direction of the crop's top, clockwise from that of the photo.
+        scale: Pixels of the photo per pixel of the crop.
+        size_px: (width, height) of the crop.
+    """
+    turn = np.deg2rad(heading_deg)
+    matrix = scale * np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
+    # Pixel corners have whole-number coordinates; in OpenCV, pixel centers have.
+    offset = np.asarray(center) - 0.5 - matrix @ ((np.array(size_px) - 1) / 2)
+    flags = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
+    return cv2.warpAffine(photo, np.column_stack([matrix, offset]), size_px, flags=flags)
+
+
 def shoot(photo: np.ndarray, view: Picture, seed: int, size_px: int = WINDOW_PX) -> np.ndarray:
     """What a camera over the view's place would store, (size, size, 3) uint8: its own exposure, blur, vignette, noise.
 
     The place is the same as that of `pictures.cut`. The same seed and view give the same picture.
     """
     rng = np.random.default_rng([seed, SEED_OFFSET, int(view.column * 100), int(view.row * 100)])
-    turn = np.deg2rad(view.heading_deg)
-    matrix = view.scale * np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
-    offset = np.array([view.column, view.row]) - 0.5 - matrix @ np.full(2, (size_px - 1) / 2)
     # A coarser pixel gathers the light of several; the margin is for the lens.
     softened = cv2.GaussianBlur(photo, (0, 0), 0.45 * view.scale) if view.scale > 1 else photo
-    flags = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
-    seen = cv2.warpAffine(softened, np.column_stack([matrix, offset]), (size_px, size_px), flags=flags)
+    seen = turned(softened, (view.column, view.row), view.heading_deg, view.scale, (size_px, size_px))
     seen = cv2.GaussianBlur(seen.astype(np.float32) / 255, (0, 0), rng.uniform(0.3, 0.9))
     across = (np.arange(size_px, dtype=np.float32) + 0.5) / size_px - 0.5
     vignette = 1 - rng.uniform(0, 0.35) * (across[:, None] ** 2 + across[None, :] ** 2)

@@ -33,19 +33,25 @@ LEAVES = (72, 94, 48)
 
 @dataclass(frozen=True)
 class Scene:
-    """Feature, class and road of each pixel.
+    """Feature, class and road of each pixel, and what is painted on it.
 
     Attributes:
         owner: (H, W) int32 index of the uppermost feature, −1 without a feature.
         kind: (H, W) uint8 class value, 0 without a class.
         road: (H, W) uint8, 1 on roads.
         pixel_m: Edge of a pixel, meters.
+        color: (H, W, 3) linear red, green, blue.
+        relief: (H, W) height of surfaces that the sun shades, meters.
+        height: (H, W) height of what throws a shadow, meters.
     """
 
     owner: np.ndarray
     kind: np.ndarray
     road: np.ndarray
     pixel_m: float
+    color: np.ndarray
+    relief: np.ndarray
+    height: np.ndarray
 
 
 def draw_scene(features: Sequence[Feature], landscape: Landscape, frame: Frame, pixel_m: float) -> Scene:
@@ -62,7 +68,8 @@ def draw_scene(features: Sequence[Feature], landscape: Landscape, frame: Frame, 
         cv2.fillPoly(road, ring_set, 1, cv2.LINE_8, SUBPIXEL_BITS)
     road[kind == BUILDING] = 0
     kind[road > 0] = 0
-    return Scene(owner, kind, road, pixel_m)
+    flat = np.zeros((2, height, width), np.float32)
+    return Scene(owner, kind, road, pixel_m, np.zeros((height, width, 3), np.float32), *flat)
 
 
 def outlines(geometry: BaseGeometry | None, frame: Frame, pixel_m: float) -> Iterator[list[np.ndarray]]:
@@ -86,11 +93,11 @@ def tinted(rng: np.random.Generator, rgb: npt.ArrayLike, strength: float) -> np.
     return linear(rgb) * np.exp(rng.normal(0, strength) + rng.normal(0, 0.35 * strength, 3)).astype(np.float32)
 
 
-def ground_color(rng: np.random.Generator, scene: Scene, features: Sequence[Feature]) -> np.ndarray:
-    """Return the (H, W, 3) color of everything flat: fields with rows and tramlines, grass, water, gravel, roads."""
-    shape, px = scene.owner.shape, scene.pixel_m
+def paint_ground(rng: np.random.Generator, scene: Scene, features: Sequence[Feature]) -> None:
+    """Paint everything flat: fields with rows and tramlines, grass, water, gravel, roads."""
+    shape, px, color = scene.owner.shape, scene.pixel_m, scene.color
     base = np.array([feature_color(rng, f) for f in features] + [linear(VERGE)], np.float32)
-    color = base[scene.owner]
+    color[:] = base[scene.owner]
     fine = shapes.noise(rng, shape, 3 / px, 2)
     middle = shapes.noise(rng, shape, 24 / px, 4)
     coarse = shapes.noise(rng, shape, 260 / px, 3)
@@ -106,9 +113,8 @@ def ground_color(rng: np.random.Generator, scene: Scene, features: Sequence[Feat
     # Dry patches are yellower, damp ones greener.
     green = np.isin(scene.kind, (GRASS, CULTIVATED))
     color[..., 0] *= np.where(green, np.exp(0.07 * middle + 0.04 * coarse), 1)
-    shore(scene, color)
-    pave(rng, scene, color, fine, middle)
-    return color
+    shore(scene)
+    pave(rng, scene, fine, middle)
 
 
 def feature_color(rng: np.random.Generator, feature: Feature) -> np.ndarray:
@@ -131,10 +137,8 @@ def rows_of(rng: np.random.Generator, scene: Scene, features: Sequence[Feature])
     angle, period, strength, lane = (np.zeros(count + 1, np.float32) for _ in range(4))
     for index, feature in enumerate(features):
         if feature.class_value == CULTIVATED:
-            box = feature.geometry.minimum_rotated_rectangle
-            edges = np.diff(shapes.corners_xy(box.exterior), axis=0)
-            longest = edges[np.argmax(np.hypot(*edges.T))]
-            angle[index] = np.arctan2(-longest[1], longest[0])  # image rows run down
+            east, north = shapes.longest_side(feature.geometry)
+            angle[index] = np.arctan2(-north, east)  # image rows run down
             period[index], strength[index] = rng.uniform(2.8, 5.5), rng.uniform(0, 0.05)
             lane[index] = rng.choice([0, 15, 18, 21, 24, 27])
     y, x = np.indices(scene.owner.shape, np.float32) * np.float32(px)
@@ -146,21 +150,21 @@ def rows_of(rng: np.random.Generator, scene: Scene, features: Sequence[Feature])
     return change + np.where(lanes > 0, 0.16 * wheel, 0).astype(np.float32)
 
 
-def shore(scene: Scene, color: np.ndarray) -> None:
+def shore(scene: Scene) -> None:
     """Water is lighter and browner where it is shallow, and its edge is dark with reeds."""
     water = (scene.kind == WATER).astype(np.uint8)
     depth = cv2.distanceTransform(water, cv2.DIST_L2, 3) * np.float32(scene.pixel_m)
     shallow = np.exp(-depth / 4.0) * water
-    color += shallow[..., None] * (linear((92, 96, 70)) - color) * 0.4
+    scene.color[:] += shallow[..., None] * (linear((92, 96, 70)) - scene.color) * 0.4
     bank = cv2.GaussianBlur(water.astype(np.float32), (0, 0), 1.6 / scene.pixel_m)
     edge = bank * (1 - water) * np.isin(scene.kind, (GRASS, CULTIVATED, 0)) * (scene.road == 0)
-    color *= (1 - 0.75 * edge)[..., None]
+    scene.color[:] *= (1 - 0.75 * edge)[..., None]
 
 
-def pave(rng: np.random.Generator, scene: Scene, color: np.ndarray, fine: np.ndarray, middle: np.ndarray) -> None:
+def pave(rng: np.random.Generator, scene: Scene, fine: np.ndarray, middle: np.ndarray) -> None:
     """Asphalt, more or less worn, with paler edges; away from roads what no class covers stays verge and track."""
     inside = cv2.distanceTransform(scene.road, cv2.DIST_L2, 3) * np.float32(scene.pixel_m)
     worn = np.exp(0.10 * middle + 0.04 * fine + 0.16 * np.exp(-inside / 0.9))
     asphalt = tinted(rng, ASPHALT, 0.10) * worn[..., None]
     road = scene.road > 0
-    color[road] = asphalt[road]
+    scene.color[road] = asphalt[road]

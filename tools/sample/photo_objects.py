@@ -1,4 +1,4 @@
-"""Draw the objects of a photo into color, relief and height: forests, single trees and roofs."""
+"""Draw the objects of a photo into color, relief and height of its scene: forests, single trees and roofs."""
 
 from __future__ import annotations
 
@@ -25,9 +25,7 @@ GARDEN_TREES, TREE_RADII_M = 0.0022, (1.6, 4.2)  # trees a m² near houses
 MEADOW_TREE_SHARE = 0.13  # of that, elsewhere on grass
 
 
-def plant_forest(
-    rng: np.random.Generator, scene: Scene, color: np.ndarray, relief: np.ndarray, height: np.ndarray
-) -> None:
+def plant_forest(rng: np.random.Generator, scene: Scene) -> None:
     """Draw the crowns of the forest: groups of conifers and of broad-leaved trees, each tree a little different."""
     shape, px = scene.owner.shape, scene.pixel_m
     forest = scene.kind == FOREST
@@ -38,10 +36,10 @@ def plant_forest(
     tree = linear(LEAVES) + conifers[..., None] * (linear(CONIFERS) - linear(LEAVES))
     gaps = np.clip(0.45 + 0.75 * crowns, 0.25, 1.15)
     tree = tree * (gaps * np.exp(0.13 * tone))[..., None]
-    color[forest] = tree[forest]
+    scene.color[forest] = tree[forest]
     edge = np.clip(cv2.distanceTransform(forest.astype(np.uint8), cv2.DIST_L2, 3) * px / 3, 0, 1)
-    relief += np.where(forest, (1.9 + 1.2 * conifers) * crowns * edge, 0).astype(np.float32)
-    height += np.where(forest, (FOREST_HEIGHT_M + 3 * stand) * np.clip(edge, 0.4, 1), 0).astype(np.float32)
+    scene.relief[:] += np.where(forest, (1.9 + 1.2 * conifers) * crowns * edge, 0).astype(np.float32)
+    scene.height[:] += np.where(forest, (FOREST_HEIGHT_M + 3 * stand) * np.clip(edge, 0.4, 1), 0).astype(np.float32)
 
 
 def crown_relief(rng: np.random.Generator, shape_hw: tuple[int, ...], radius: float) -> np.ndarray:
@@ -56,28 +54,19 @@ def blended(first: np.ndarray, second: np.ndarray, share: np.ndarray) -> np.ndar
     return (first + (second - first) * share).astype(np.float32)
 
 
-def plant_trees(
-    rng: np.random.Generator, scene: Scene, color: np.ndarray, relief: np.ndarray, height: np.ndarray
-) -> None:
+def plant_trees(rng: np.random.Generator, scene: Scene) -> None:
     """Single trees in gardens and meadows: too small for the forest class, but there."""
     px = scene.pixel_m
     rows, columns = np.nonzero((scene.kind == GRASS) & (rng.uniform(size=scene.kind.shape) < GARDEN_TREES * px**2))
     near_house = cv2.blur((scene.kind == BUILDING).astype(np.float32), (2 * int(22 / px) + 1,) * 2) > 0.02
     kept = near_house[rows, columns] | (rng.uniform(size=len(rows)) < MEADOW_TREE_SHARE)
     for row, column in zip(rows[kept], columns[kept]):
-        plant_tree(rng, scene, (row, column), rng.uniform(*TREE_RADII_M), color, relief, height)
+        plant_tree(rng, scene, (row, column), rng.uniform(*TREE_RADII_M))
 
 
-def plant_tree(
-    rng: np.random.Generator,
-    scene: Scene,
-    at_rc: tuple[int, int],
-    radius_m: float,
-    color: np.ndarray,
-    relief: np.ndarray,
-    height: np.ndarray,
-) -> None:
-    """One crown on grass around a pixel (row, column), drawn into color, relief and height."""
+def plant_tree(rng: np.random.Generator, scene: Scene, at_rc: tuple[int, int], radius_m: float) -> None:
+    """One crown on grass around a pixel (row, column)."""
+    color, relief, height = scene.color, scene.relief, scene.height
     radius = radius_m / scene.pixel_m
     reach = int(radius + 1)
     rows = slice(max(at_rc[0] - reach, 0), at_rc[0] + reach + 1)
@@ -91,15 +80,7 @@ def plant_tree(
     height[rows, columns] = np.maximum(height[rows, columns], 1.6 * radius_m * np.clip(2 * crown, 0, 1))
 
 
-def build_roofs(
-    rng: np.random.Generator,
-    scene: Scene,
-    features: Sequence[Feature],
-    frame: Frame,
-    color: np.ndarray,
-    relief: np.ndarray,
-    height: np.ndarray,
-) -> None:
+def build_roofs(rng: np.random.Generator, scene: Scene, features: Sequence[Feature], frame: Frame) -> None:
     """Roofs: gables with a ridge along the longer side, halls flat; each with its color, courses and wear."""
     px = scene.pixel_m
     grain = shapes.noise(rng, scene.owner.shape, 2.5 / px, 2)
@@ -115,9 +96,9 @@ def build_roofs(
             mine = scene.owner[part] == index
             y, x = np.mgrid[top:bottom, left:right]
             roof = make_roof(rng, polygon, west + (x + 0.5) * px, north - (y + 0.5) * px)
-            color[part][mine] = (roof.color * np.exp(0.06 * grain[part] + roof.streaks)[..., None])[mine]
-            relief[part][mine] = roof.relief[mine]
-            height[part][mine] = (roof.eaves + roof.relief)[mine]
+            scene.color[part][mine] = (roof.color * np.exp(0.06 * grain[part] + roof.streaks)[..., None])[mine]
+            scene.relief[part][mine] = roof.relief[mine]
+            scene.height[part][mine] = (roof.eaves + roof.relief)[mine]
 
 
 @dataclass(frozen=True)

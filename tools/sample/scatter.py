@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from typing import Any
 
 import numpy as np
 from shapely.geometry import Polygon, box
 from shapely.geometry.base import BaseGeometry
 from shapely.prepared import prep
+
+from . import shapes
 
 CELL_M = 100.0  # of the grid that finds neighbors; about two farmyards
 TRIES = 60
@@ -51,14 +54,24 @@ class Ground:
         x0, y0, x1, y1 = within or (0.0, 0.0, *self.size_xy)
         for _ in range(TRIES):
             spot = rng.uniform((x0, y0), (x1, y1))
-            shapes = make(spot)
-            if area is not None and not all(area.contains(s) for s in shapes):
+            made = make(spot)
+            if area is not None and not all(area.contains(s) for s in made):
                 continue
-            if all(self.is_free(s, clearance) for s in shapes):
-                for shape in shapes:
+            if all(self.is_free(s, clearance) for s in made):
+                for shape in made:
                     self.add(shape)
-                return shapes
+                return made
         return []
+
+    def place_blob(
+        self, rng: np.random.Generator, radius: float, roughness: float, stretch: float, clearance: float, **where: Any
+    ) -> list[Polygon]:
+        """Place a blob that is up to `stretch` times longer than wide; `where`: as for ``place``."""
+
+        def blob(at: np.ndarray) -> list[Polygon]:
+            return [shapes.blob(rng, at, radius, roughness, rng.uniform(1, stretch), rng.uniform(0, np.pi))]
+
+        return self.place(rng, blob, clearance, **where)
 
     def _near(self, shape: BaseGeometry) -> Iterator[Polygon]:
         return (other for cell in _cells(shape) for other in self._cells.get(cell, ()))

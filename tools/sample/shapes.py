@@ -108,6 +108,12 @@ def point_xy(point: BaseGeometry) -> np.ndarray:
     return shapely.get_coordinates(point)[0]
 
 
+def longest_side(polygon: Polygon) -> np.ndarray:
+    """(2,) longest side of the smallest rectangle around a polygon."""
+    edges = np.diff(corners_xy(polygon.minimum_rotated_rectangle), axis=0)
+    return edges[np.argmax(np.hypot(*edges.T))]
+
+
 def polygons_of(geometry: BaseGeometry | None, min_area: float = 0.0) -> list[Polygon]:
     """The polygons in any geometry, in its order, without those smaller than `min_area` m²."""
     if geometry is None or geometry.is_empty:

@@ -88,10 +88,5 @@ def still_waters(rng: np.random.Generator, ground: Ground) -> list[Polygon]:
     for _ in range(FISHPOND_ROWS):
         waters += ground.place(rng, lambda at: fishponds(rng, at, rng.uniform(0, np.pi)), clearance=4)
     for _ in range(POND_COUNT):
-        radius = rng.uniform(*POND_RADIUS_M)
-        waters += ground.place(
-            rng,
-            lambda at, r=radius: [shapes.blob(rng, at, r, 0.14, rng.uniform(1, 2), rng.uniform(0, np.pi))],
-            clearance=12,
-        )
+        waters += ground.place_blob(rng, rng.uniform(*POND_RADIUS_M), 0.14, 2, 12)
     return waters
