@@ -1,6 +1,5 @@
 """Undo reverts exactly one update, a failed undo loses neither file, and copies wait for other programs."""
 
-import contextlib
 import os
 import shutil
 import sqlite3
@@ -46,8 +45,23 @@ def content(path):
 
 
 def dump(path):
-    with contextlib.closing(sqlite3.connect(path)) as connection:
+    with closing(sqlite3.connect(path)) as connection:
         return list(connection.iterdump())
+
+
+@pytest.fixture
+def updated_path(path, tmp_path):
+    """Return the path of a database after an update that can be undone."""
+    replace_keeping(path, larger(path, tmp_path, 5))
+    return path
+
+
+def assert_not_undone(path, message=None):
+    """Require that the undo is refused and leaves all files as they are."""
+    before = content(path)
+    with pytest.raises(SemRefError, match=message):
+        undo_update(path)
+    assert content(path) == before
 
 
 def test_undo_gives_back_what_was_there_before_the_update(path, tmp_path):
@@ -91,7 +105,7 @@ def two_names(monkeypatch, path):
 
 def in_wal(monkeypatch, path):
     monkeypatch.setattr(undo, "_link", lambda *_: False)
-    with contextlib.closing(sqlite3.connect(path)) as connection:
+    with closing(sqlite3.connect(path)) as connection:
         connection.execute("PRAGMA journal_mode=WAL")
 
 
@@ -131,13 +145,9 @@ def test_an_update_that_can_t_be_put_in_place_leaves_the_database_and_no_trace_i
     assert not any("semref_undo" in line for line in dump(path))
 
 
-def test_an_undo_that_ends_before_the_last_step_leaves_both_files(path, tmp_path, break_replacing):
-    replace_keeping(path, larger(path, tmp_path, 5))
-    before = content(path)
+def test_an_undo_that_ends_before_the_last_step_leaves_both_files(updated_path, break_replacing):
     break_replacing("area.gpkg")
-    with pytest.raises(SemRefError):
-        undo_update(path)
-    assert content(path) == before
+    assert_not_undone(updated_path)
 
 
 def test_a_copy_of_the_user_s_own_under_the_name_of_the_kept_file_is_not_replaced(path, tmp_path):
@@ -158,13 +168,9 @@ def test_two_updates_are_undone_by_one_though_somebody_styled_the_layers_since(p
     assert not can_undo(path)
 
 
-def test_an_update_by_processing_after_the_last_one_is_not_undone_with_it(path, tmp_path):
-    replace_keeping(path, larger(path, tmp_path, 5))
-    os.replace(larger(path, tmp_path, 7), path)
-    before = content(path)
-    with pytest.raises(SemRefError, match="can't be undone"):
-        undo_update(path)
-    assert content(path) == before
+def test_an_update_by_processing_after_the_last_one_is_not_undone_with_it(updated_path, tmp_path):
+    os.replace(larger(updated_path, tmp_path, 7), updated_path)
+    assert_not_undone(updated_path, "can't be undone")
 
 
 def flip_overview(before):
@@ -185,32 +191,21 @@ DAMAGES = {
 
 
 @pytest.mark.parametrize("damage", DAMAGES.values(), ids=DAMAGES)
-def test_a_damaged_or_foreign_file_is_not_restored_and_both_files_stay(path, tmp_path, damage):
-    replace_keeping(path, larger(path, tmp_path, 5))
-    damage(file_before(path))
-    before = content(path)
-    with pytest.raises(SemRefError):
-        undo_update(path)
-    assert content(path) == before
+def test_a_damaged_or_foreign_file_is_not_restored_and_both_files_stay(updated_path, damage):
+    damage(file_before(updated_path))
+    assert_not_undone(updated_path)
 
 
 @pytest.mark.skipif(os.name == "nt", reason="limits on files as Unix has them")
-def test_a_full_disk_leaves_both_files(path, tmp_path):
-    replace_keeping(path, larger(path, tmp_path, 5))
-    before = content(path)
-    with files_of_at_most(os.path.getsize(path) // 2), pytest.raises(SemRefError, match="can't be written"):
-        undo_update(path)
-    assert content(path) == before
+def test_a_full_disk_leaves_both_files(updated_path):
+    with files_of_at_most(os.path.getsize(updated_path) // 2):
+        assert_not_undone(updated_path, "can't be written")
 
 
-def test_a_file_that_another_program_locks_is_not_replaced(path, tmp_path, short_wait):
-    replace_keeping(path, larger(path, tmp_path, 5))
-    before = content(path)
-    with contextlib.closing(sqlite3.connect(path, isolation_level=None)) as other:
+def test_a_file_that_another_program_locks_is_not_replaced(updated_path, short_wait):
+    with closing(sqlite3.connect(updated_path, isolation_level=None)) as other:
         other.execute("BEGIN IMMEDIATE")
-        with pytest.raises(SemRefError):
-            undo_update(path)
-    assert content(path) == before
+        assert_not_undone(updated_path)
 
 
 LIMIT_S = 60
