@@ -64,12 +64,17 @@ def run_desktop(
     return {**seen, "exit_status": status, "output": said}
 
 
-def install_package(repository: Path, plugins: Path) -> None:
-    """Unzip the packaged plugin into a new folder of plugins."""
-    plugins.mkdir(parents=True)
-    package = plugins.parent / "semref.zip"
-    command = [sys.executable, str(repository / "tools" / "release" / "package.py"), "--output", str(package)]
+def make_package(repository: Path, target: Path) -> None:
+    """Write the zip of the plugin."""
+    command = [sys.executable, str(repository / "tools" / "release" / "package.py"), "--output", str(target)]
     subprocess.run(command, check=True, timeout=TIMEOUT_S)
+
+
+def install_package(repository: Path, plugins: Path) -> None:
+    """Unzip the packaged plugin into a folder of plugins."""
+    plugins.mkdir(parents=True, exist_ok=True)
+    package = plugins.parent / "semref.zip"
+    make_package(repository, package)
     with zipfile.ZipFile(package) as archive:
         archive.extractall(plugins)
 

@@ -17,7 +17,7 @@ from urllib.parse import unquote, urlparse
 
 import numpy as np
 import pytest
-from desktop_qgis import TIMEOUT_S, run_desktop
+from desktop_qgis import TIMEOUT_S, make_package, run_desktop
 
 from semref.processing.packages.components import ONNXRUNTIME, OPENCV, PILLOW, SHAPELY
 
@@ -35,8 +35,7 @@ def can_go_offline() -> bool:
 @pytest.fixture(scope="module")
 def package(repository, tmp_path_factory) -> Path:
     target = tmp_path_factory.mktemp("package") / "semref.zip"
-    command = [sys.executable, str(repository / "tools" / "release" / "package.py"), "--output", str(target)]
-    subprocess.run(command, check=True, timeout=TIMEOUT_S)
+    make_package(repository, target)
     return target
 
 

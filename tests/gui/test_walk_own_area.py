@@ -7,11 +7,11 @@ SEMREF_TRAINING_PYTHON is a Python with torch, a real training of two minutes ru
 import importlib.util
 import os
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from desktop_qgis import make_package
 from made_trainer import write_trainer
 
 pytestmark = pytest.mark.slow  # a QGIS of its own is started
@@ -45,8 +45,7 @@ def walk(request, tool, repository, tmp_path_factory) -> dict:
     elif not Path(python).is_file():
         pytest.skip("SEMREF_TRAINING_PYTHON names no Python with torch")
     package = home / "semref.zip"
-    make = [sys.executable, str(repository / "tools" / "release" / "package.py"), "--output", str(package)]
-    subprocess.run(make, check=True)
+    make_package(repository, package)
     return tool.walk(package, home / "home", None, str(python), MINUTES)
 
 

@@ -1,4 +1,4 @@
-"""Python, a background task, the shipped model and qgis_process give the same label map and database."""
+"""Python, a background task, the shipped model and qgis_process of the zip give the same label map and database."""
 
 import contextlib
 import re
@@ -8,6 +8,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from desktop_qgis import install_package
 from made_inputs import CLASSES_CSV, read_pixels, square, write_layer, write_raster, write_text
 from osgeo import gdal, ogr
 from qgis.core import (
@@ -164,7 +165,8 @@ def test_the_shipped_model_gives_the_same_database(qgis_app, repository, setting
 
 @pytest.fixture(scope="module")
 def qgis_process(repository, start_qgis_process):
-    return start_qgis_process(lambda plugins: (plugins / "semref").symlink_to(repository))
+    """Return qgis_process of a new profile with the packaged plugin."""
+    return start_qgis_process(lambda plugins: install_package(repository, plugins))
 
 
 def test_qgis_process_gives_the_same(qgis_process, inputs, settings, expected, tmp_path):

@@ -63,6 +63,8 @@ def test_shipped_metadata_has_the_news_of_the_changelog_and_every_language_by_ea
     newest = changelog.releases((ROOT / "CHANGELOG.md").read_text(encoding="utf-8"))[0]
     assert shipped["changelog"].startswith(f"{shipped['version']} ({newest.date})\n- {newest.news[0]}")
     assert shipped["description[zh-Hans]"] == shipped["description[zh]"] != shipped["description"]
+    assert (shipped["qgisMinimumVersion"], shipped["qgisMaximumVersion"]) == ("3.22", "4.99")
+    assert shipped["hasProcessingProvider"] == "yes" and "supportsQt6" not in shipped
 
 
 def test_addresses_that_nobody_filled_in_are_named():
@@ -100,6 +102,14 @@ def faults(contents, tmp_path):
 @pytest.mark.slow
 def test_the_zip_of_this_repository_is_in_order(faults):
     assert faults(metadata.plugin_version()) == []
+
+
+@pytest.mark.slow
+def test_the_same_source_gives_the_same_zip(sample, tmp_path):
+    made = [tmp_path / name for name in ("one.zip", "two.zip")]
+    for target in made:
+        package.write_package(target)
+    assert made[0].read_bytes() == made[1].read_bytes()
 
 
 @pytest.mark.slow
