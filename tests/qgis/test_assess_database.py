@@ -6,12 +6,6 @@ import numpy as np
 import pytest
 from made_inputs import NAMES, landmarks_in_the_west, read_rows
 from qgis.core import (
-    QgsApplication,
-    QgsProcessingContext,
-    QgsProcessingException,
-    QgsProcessingFeedback,
-    QgsProcessingOutputLayerDefinition,
-    QgsProject,
     QgsVectorLayer,
 )
 
@@ -59,22 +53,6 @@ def test_the_layer_brings_its_style(assessed):
 
 
 @pytest.mark.slow
-def test_a_layer_that_is_loaded_gets_the_style(database, qgis_app):
-    context, project = QgsProcessingContext(), QgsProject()
-    context.setProject(project)
-    algorithm = QgsApplication.processingRegistry().createAlgorithmById(ASSESS)
-    output = QgsProcessingOutputLayerDefinition("memory:", project)
-    parameters = {"DATABASE": database, "TRIALS": 20, "SPACING": 250, "OUTPUT": output}
-    feedback = QgsProcessingFeedback(False)
-    results, succeeded = algorithm.run(parameters, context, feedback, {}, False)
-    assert succeeded, feedback.textLog()
-    details = context.layerToLoadOnCompletionDetails(results["OUTPUT"])
-    layer = context.getMapLayer(results["OUTPUT"])
-    details.postProcessor().postProcessLayer(layer, context, feedback)
-    assert layer.renderer().classAttribute() == "success"
-
-
-@pytest.mark.slow
 def test_the_report_states_the_assumptions(assessed):
     text = Path(assessed[0]["REPORT"]).read_text(encoding="utf-8")
     assumed = ("<svg", "Footprint 160", "Assumptions: ", "camera tilt 2°", "In the 95 % ellipse")
@@ -87,20 +65,3 @@ def test_a_footprint_beyond_what_is_searched_is_warned_of(run_algorithm, databas
     parameters = {"DATABASE": database, "TRIALS": 20, "SPACING": 250, "OUTPUT": str(tmp_path / "map.gpkg")}
     run_algorithm(ASSESS, {**parameters, "FOOTPRINT": "700"}, feedback)
     assert "not searched without a known pixel size" in feedback.textLog()
-
-
-@pytest.mark.parametrize(
-    "parameters, said",
-    [
-        ({"FOOTPRINT": "wide"}, "“wide” is not a list of footprint widths"),
-        ({"FOOTPRINT": "250;-3"}, "“250;-3” is not a list of footprint widths"),
-        ({"SPACING": 0}, "The edge of a square is 0"),
-        ({"SPACING": 0.01}, "or more"),
-        ({"DATABASE": "/nowhere/at/all.gpkg"}, "There is no database"),
-    ],
-)
-def test_what_cannot_be_assessed_is_refused_in_one_sentence(run_algorithm, database, tmp_path, parameters, said):
-    target = tmp_path / "map.gpkg"
-    with pytest.raises(QgsProcessingException, match=said):
-        run_algorithm(ASSESS, {"DATABASE": database, "TRIALS": 20, "OUTPUT": str(target), **parameters})
-    assert not target.exists()

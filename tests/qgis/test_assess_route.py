@@ -15,7 +15,6 @@ from qgis.core import (
     QgsCoordinateTransformContext,
     QgsPointXY,
     QgsProcessingContext,
-    QgsProcessingException,
     QgsProcessingFeatureSourceDefinition,
 )
 from qgis.PyQt.QtGui import QImage
@@ -241,21 +240,6 @@ def test_a_stretch_beside_landmarks_is_hinted_there(assess, tmp_path, feedback):
     results, rows = assess(layer, feedback, SPACING=100, SHIFT=300)
     assert results["LONGEST_GAP"] == pytest.approx(300) and "LONGEST_GAP_SECONDS" not in results
     assert all(row["shift"] in (-300, -150) and row["shift_success"] > 0.6 for row in rows)
-
-
-@pytest.mark.parametrize(
-    "parameters, said",
-    [
-        ({"ROUTE": "nowhere.plan"}, "There is no file nowhere.plan"),
-        ({"SPACING": 1e-6}, "or more"),
-        ({"FOOTPRINT": 0}, "distance between points is 0|footprint is 0"),
-    ],
-)
-def test_what_cannot_be_assessed_is_refused_in_one_sentence(assess, tmp_path, parameters, said):
-    layer = write_layer(tmp_path / "route.gpkg", [(line(TURNS), "a")])
-    with pytest.raises(QgsProcessingException, match=said):
-        assess(layer, OUTPUT=str(tmp_path / "points.gpkg"), **parameters)
-    assert not (tmp_path / "points.gpkg").exists()
 
 
 def test_a_waypoint_file_passes_the_check_of_parameters_and_other_text_does_not(qgis_app, database, tmp_path):

@@ -11,7 +11,6 @@ import pytest
 from edited_database import edit, kept_database
 
 from semref.core.errors import DatabaseError
-from semref.core.localizer.localizer import Localizer
 from semref.storage.database import cached_columns, reader
 from semref.storage.database.reader import read_database, read_stored_database, store_checksums
 
@@ -120,25 +119,6 @@ def test_checked_rows_are_used_after_a_change_with_the_old_file_time(path):
     assert_same(read_database(path), first)
 
 
-def test_a_damaged_file_of_columns_is_not_believed(path, times_read):
-    read_database(path)
-    (file,) = cached(path)
-    content = bytearray(file.read_bytes())
-    content[-100] ^= 1
-    file.write_bytes(content)
-    read_database(path)
-    assert len(times_read) == 2
-
-
-@pytest.mark.skipif(os.name == "nt", reason="Windows has no such pipes")
-def test_a_pipe_beside_a_database_does_not_block_it(path):
-    for kind in ("columns", "index", "pyramid"):
-        os.mkfifo(f"{path}.semref-{kind}")
-    before = sorted(os.listdir(Path(path).parent))
-    Localizer(read_database(path)).index  # noqa: B018
-    assert sorted(os.listdir(Path(path).parent)) == before
-
-
 def test_small_databases_and_those_without_checksums_are_always_read(path, times_read, monkeypatch):
     monkeypatch.setattr(cached_columns, "FEWEST", 1000)
     read_database(path)
@@ -146,13 +126,6 @@ def test_small_databases_and_those_without_checksums_are_always_read(path, times
     edit(path, "DELETE FROM parameters WHERE key = 'checksums'")
     read_database(path)
     assert cached(path) == [] and len(times_read) == 2
-
-
-def test_without_a_cache_folder_rows_are_read_each_time_and_the_log_shows_it(path, times_read, monkeypatch, caplog):
-    monkeypatch.setenv("SEMREF_CACHE", f"{path}/cache")
-    read_database(path)
-    read_database(path)
-    assert len(times_read) == 2 and "not_cached" in caplog.messages
 
 
 @pytest.mark.parametrize(("fewest", "count"), [(417 + 36, 1), (417 + 36 + 1, 0)])

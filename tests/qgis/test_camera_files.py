@@ -185,14 +185,6 @@ def test_the_table_comes_before_the_photo_and_the_photo_fills_its_gaps(tmp_path)
     assert (timed.time_s, untimed.time_s) == (7, None)
 
 
-def test_tags_that_are_no_text_are_no_fault_of_the_program(tmp_path):
-    """GDAL returns bytes for text that is not UTF-8."""
-    path = photo(tmp_path / "IMG_1.jpg", xmp="<x GimbalRollDegree='1' GimbalPitchDegree='-80'/>")
-    data = path.read_bytes()
-    path.write_bytes(data.replace(b"Gimbal", b"\xff\xfe\xfdmbal"))
-    assert read_cameras([str(path)], "")[0].attitude is None
-
-
 SIZE = 160
 LABELS = scattered_objects(500, 600, 380, seed=7, background=0)
 NAMES = ["unlabeled", "water", "building", "bare_land"]

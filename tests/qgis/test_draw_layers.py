@@ -13,7 +13,6 @@ from made_inputs import (
     read_rows,
     scattered_objects,
     spatial_reference,
-    square,
     write_layer,
     write_raster,
 )
@@ -272,23 +271,6 @@ def test_outside_of_a_mask_a_layer_that_is_tried_has_no_labels(run_algorithm, da
     seen = AREA[340:740, 300:700]
     shown = (inside > 1) & (seen > 0)
     assert (labels[shown] == seen[shown]).mean() > 0.9
-
-
-@pytest.mark.parametrize(
-    ("transform", "column", "sentence"),
-    [
-        ((WEST, 1.0, 0.0, NORTH, 0.0, -1.0), 5000, "does not overlap the extent or the mask"),
-        (None, 10, "has no georeference"),
-    ],
-)
-def test_a_mask_outside_the_layer_is_refused_as_the_mask(
-    run_algorithm, database, tmp_path, transform, column, sentence
-):
-    layer = write_raster(tmp_path / "map.tif", AREA, names=["unlabeled", "building"], transform=transform)
-    mask = str(write_layer(tmp_path / "mask.gpkg", [(square(column, 10, 300), "a")]))
-    given = {"DATABASE": database, "LAYER": str(layer), "MASK": mask, "OUTPUT": str(tmp_path / "p.gpkg")}
-    with pytest.raises(QgsProcessingException, match=sentence):
-        run_algorithm("semref:localizeimages", given)
 
 
 @pytest.mark.slow

@@ -278,11 +278,6 @@ def test_a_flipped_bit_in_a_stored_number_is_refused(read, built, database):
             read_overview(str(database))
 
 
-def test_a_database_without_checksums_still_opens(read, database):
-    spoil(database)
-    assert len(read(database).references)
-
-
 CHANGED_CELLS = [
     "UPDATE windows SET name = '1_1' WHERE fid = 3",
     "UPDATE windows SET longitude = longitude + 1e-12 WHERE fid = 3",

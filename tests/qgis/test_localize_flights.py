@@ -61,14 +61,6 @@ def test_a_tilted_image_is_leveled_and_found(localize, feedback):
     assert "0.png: Leveled: roll 0.0°, pitch 25.0° (cameras.csv)." in feedback.textLog()
 
 
-def test_the_camera_is_behind_what_its_center_shows(localize):
-    (found,), _, _ = localize([ahead()], TABLE)
-    focal, tilt = SIZE / 2 / np.tan(np.radians(30)), np.radians(TILT)
-    away = focal * np.cos(tilt) ** 1.5 * np.tan(tilt)
-    expected = found["x"] - away * np.sin(np.radians(30)), found["y"] - away * np.cos(np.radians(30))
-    assert (found["camera_x"], found["camera_y"]) == pytest.approx(expected, abs=2)
-
-
 def test_what_is_not_leveled_has_no_camera_position(localize, feedback):
     (found,), _, _ = localize([ahead(tilt=0)])
     assert found["status"] == "fix"

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from made_inputs import METRIC_CRS, NAMES, NORTH, WEST, read_rows, scattered_objects, spatial_reference, write_raster
 from osgeo import gdal, ogr, osr
-from qgis.core import QgsProcessingException
 
 from semref.core.labels.class_table import class_table_from_names
 from semref.core.localization import Localization, Method, Place, Status
@@ -87,16 +86,6 @@ def test_the_labels_folder_has_a_label_map_for_each_image_by_its_stem(localize, 
         labels = gdal.Open(str(folder / name))
         assert np.array_equal(labels.ReadAsArray(), expected)
         assert "1,building,#c8372d" in labels.GetMetadataItem("SEMREF_CLASS_TABLE")
-
-
-def test_a_labels_folder_with_other_files_is_refused_before_anything_is_localized(localize, tmp_path):
-    folder = tmp_path / "labels"
-    folder.mkdir()
-    (folder / "mine.txt").write_text("keep me")
-    with pytest.raises(QgsProcessingException, match="holds other files"):
-        localize([image(tmp_path, "a.png", window(0, 0))], LABELS=str(folder))
-    assert [path.name for path in folder.iterdir()] == ["mine.txt"]
-    assert not (tmp_path / "positions.gpkg").exists()
 
 
 def test_the_published_method_has_no_matches(localize, tmp_path):

@@ -10,7 +10,6 @@ from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsProcessingContext,
     QgsProcessingException,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterBoolean,
     QgsProcessingParameterEnum,
     QgsProcessingParameterFeatureSource,
@@ -27,7 +26,6 @@ from semref.core import limits
 from semref.core.errors import ParameterError, SemRefError
 from semref.core.flight.cameras import read_cameras
 from semref.processing.base.algorithm import SemRefAlgorithm
-from semref.processing.base.parameters import with_help
 from semref.processing.base.values import Values
 from semref.processing.compat import DOUBLE, INTEGER, SOURCE_FILE
 from semref.storage.database.reader import read_database
@@ -166,9 +164,8 @@ def read(qgis_app):
         ID = GROUP = "everything"
 
         def parameters(self):
-            number = QgsProcessingParameterNumber("number", "A title", DOUBLE, 2.5, optional=True)
             return (
-                with_help(number, "What it is for.", advanced=True),
+                QgsProcessingParameterNumber("number", "", DOUBLE, 2.5, optional=True),
                 QgsProcessingParameterNumber("left_out", "", DOUBLE, optional=True),
                 QgsProcessingParameterNumber("integer", "", INTEGER, 3),
                 QgsProcessingParameterBoolean("switch", "", True),
@@ -179,21 +176,12 @@ def read(qgis_app):
                 QgsProcessingParameterFile("file", "", optional=True),
                 QgsProcessingParameterMultipleLayers("files", "", SOURCE_FILE, optional=True),
                 QgsProcessingParameterFeatureSource("source", "", optional=True),
-                QgsProcessingOutputNumber("count", "How many"),
             )
 
     algorithm = Everything()
     algorithm.initAlgorithm()
     context = QgsProcessingContext()
     return lambda **given: Values(algorithm, given, context)
-
-
-def test_an_algorithm_has_its_parameters_with_their_help_and_its_outputs(read):
-    algorithm = read()._algorithm
-    number = algorithm.parameterDefinition("number")
-    assert (number.description(), number.help()) == ("A title", "What it is for.")
-    assert number.flags() & number.FlagAdvanced and number.flags() & number.FlagOptional
-    assert [output.name() for output in algorithm.outputDefinitions()] == ["count"]
 
 
 @pytest.mark.parametrize("nothing", [{}, {"left_out": None}, {"left_out": ""}])

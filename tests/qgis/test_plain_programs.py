@@ -1,8 +1,7 @@
-"""SemRef's outputs in gdalinfo, ogrinfo, and a QGIS without the plugin."""
+"""SemRef's outputs in a QGIS without the plugin."""
 
 import json
 import os
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -118,15 +117,6 @@ def written(run_algorithm, tmp_path_factory) -> Path:
     return folder
 
 
-def output_of(*command: str) -> str:
-    """Return the output of a program, which must succeed without a complaint."""
-    if shutil.which(command[0]) is None:
-        pytest.skip(f"{command[0]} is not installed")
-    ended = subprocess.run(command, capture_output=True, text=True, timeout=LIMIT_S, check=False)
-    assert (ended.returncode, ended.stderr) == (0, "")
-    return ended.stdout
-
-
 @pytest.fixture(scope="module")
 def opened(written) -> dict:
     """Return the properties of each layer in a QGIS without the plugin, by file or source."""
@@ -143,22 +133,6 @@ def opened(written) -> dict:
     found = json.loads(seen[0][len("SEEN ") :])
     assert found["semref"] == []
     return found["layers"]
-
-
-def test_gdalinfo_shows_a_label_map_with_its_classes(written):
-    info = json.loads(output_of("gdalinfo", "-json", str(written / "labels.tif")))
-    (band,) = info["bands"]
-    assert info["driverShortName"] == "GTiff" and band["type"] == "Byte" and "UTM" in info["coordinateSystem"]["wkt"]
-    assert {"building", "field"} < set(band["category"] if "category" in band else band["categories"])
-    assert band["colorTable"]["count"] == 256
-    names = [entry["name"] for entry in info["rat"]["fieldDefn"]] if "rat" in info else []
-    assert not names or "Class" in names
-
-
-@pytest.mark.parametrize("name", [*VECTORS, "database"])
-def test_ogrinfo_reads_every_layer(written, name):
-    info = output_of("ogrinfo", "-ro", "-so", "-al", str(written / f"{name}.gpkg"))
-    assert "Feature Count: " in info and "UTM zone 32N" in info
 
 
 @pytest.mark.parametrize("name", VECTORS)

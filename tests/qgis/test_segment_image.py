@@ -42,12 +42,13 @@ def bands_of(photo_hw3: np.ndarray) -> np.ndarray:
 PHOTO = bands_of(painted(LABELS))
 
 
-def test_an_orthophoto_becomes_a_label_map_on_the_same_ground(segment, tmp_path):
+def test_an_orthophoto_becomes_a_label_map_on_the_same_ground(segment, tmp_path, feedback):
     image = write_raster(tmp_path / "a.tif", PHOTO, transform=(WEST, 0.5, 0, NORTH, 0, -0.5), crs=25832)
     raster = gdal.Open(segment(image))
     np.testing.assert_array_equal(raster.ReadAsArray(), SEEN)
     assert raster.GetGeoTransform() == (WEST, 0.5, 0, NORTH, 0, -0.5)
     assert QgsRasterLayer(str(tmp_path / "labels.tif")).crs().authid() == "EPSG:25832"
+    assert "building, water, bare_land. Device: CPU, tiles of 64 × 64 pixels" in feedback.textLog()
 
 
 def test_the_label_map_has_the_models_classes(segment, tmp_path):
@@ -145,11 +146,6 @@ def test_degrees_are_turned_into_meters(segment, tmp_path):
     raster = gdal.Open(segment(image, MODEL=str(model)))
     # At 60° north a degree of longitude is half as long.
     assert (raster.RasterXSize, raster.RasterYSize) == pytest.approx((230 / 4, 170 / 2), abs=1)
-
-
-def test_the_log_names_provider_and_classes(segment, tmp_path, feedback):
-    segment(write_raster(tmp_path / "a.tif", PHOTO))
-    assert "building, water, bare_land. Device: CPU, tiles of 64 × 64 pixels" in feedback.textLog()
 
 
 def test_a_label_map_of_many_rows_is_written_whole(segment, tmp_path):

@@ -268,12 +268,6 @@ def test_a_canceled_run_goes_on(run_algorithm, small, feedback, step, complete):
 PHOTO_COUNT = 12
 
 
-def truth_of(sample: Path) -> dict:
-    """Return the (x, y) of each photo by its name."""
-    with (sample / "photos.csv").open(newline="", encoding="utf-8") as file:
-        return {row["image"]: (float(row["x"]), float(row["y"])) for row in csv.DictReader(file)}
-
-
 def test_it_has_annotation_class_table_orthophoto_and_photos(sample):
     layer = QgsVectorLayer(str(sample / "landcover.shp"), "annotation", "ogr")
     orthophoto = gdal.Open(str(sample / "orthophoto.tif"))
@@ -284,7 +278,7 @@ def test_it_has_annotation_class_table_orthophoto_and_photos(sample):
     assert {"building", "water"} < layer.uniqueValues(0)
     assert (orthophoto.RasterXSize, orthophoto.RasterYSize, orthophoto.RasterCount) == (4000, 3000, 3)
     assert {(photo.RasterXSize, photo.RasterYSize, photo.RasterCount) for photo in photos} == {(640, 640, 3)}
-    assert sorted(truth_of(sample)) == sorted(path.name for path in (sample / "photos").iterdir())
+    assert sorted(true_places(sample)) == sorted(path.name for path in (sample / "photos").iterdir())
     assert len(photos) == PHOTO_COUNT
 
 

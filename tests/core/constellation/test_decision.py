@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from semref.core.constellation import clusters
-from semref.core.constellation.clusters import CELL_OF_IMAGE, CELL_OF_TURN, Poses, cluster, poses_in_cells
+from semref.core.constellation.clusters import Poses, cluster, poses_in_cells
 from semref.core.constellation.decision import Opponents, may_be_a_fix, risk_against, risk_of_best, verdict
 from semref.core.constellation.settings import CONSTELLATION
 from semref.core.localization import LEAST_RISK, RISK, Status
@@ -68,9 +68,6 @@ def test_a_rival_below_even_odds_takes_nothing_off_and_one_above_does():
     assert alone == worse < little
 
 
-STEP = CELL_OF_TURN
-
-
 def made_poses(rng, count, spread):
     """Return poses spread evenly over a number of positions, a few sizes and headings."""
     places = rng.integers(-spread, spread, (4, count)).astype(np.int32)
@@ -112,26 +109,6 @@ def test_clusters_of_portions_are_those_of_all_poses_together():
             np.testing.assert_array_equal(getattr(one, name), getattr(other, name))
         assert one.capped
     assert len(cluster([], False, 40).votes) == 0
-
-
-def test_cells_of_poses_grow_with_the_pixel_size_by_steps():
-    rng = np.random.default_rng(2)
-    count, diagonal = 400, 900.0
-    centers = rng.uniform(-5e4, 5e4, count) + 1j * rng.uniform(-5e4, 5e4, count)
-    turns = np.exp(rng.uniform(-1.5, 1.5, count) + 1j * rng.uniform(-4, 4, count))
-    poses = poses_in_cells(centers, turns, centers * 0, diagonal)
-    steps = np.rint(np.log(np.abs(turns)) / STEP)
-    cells = CELL_OF_IMAGE * diagonal * np.exp(steps * STEP)
-    for shift in (0, 1):
-        lattice = clusters._Lattice(shift)
-        across, along, sizes, turned = lattice.columns(poses.places)
-        np.testing.assert_array_equal(across, np.floor(centers.real / cells + shift / 2))
-        np.testing.assert_array_equal(along, np.floor(centers.imag / cells + shift / 2))
-        np.testing.assert_array_equal(sizes, steps)
-        around = int(np.ceil(2 * np.pi / STEP))
-        headings = np.floor((np.angle(turns) + np.pi) / (2 * np.pi) * around + shift / 2) % around
-        np.testing.assert_array_equal(turned, headings)
-    assert len(poses_in_cells(centers[:0], turns[:0], centers[:0], diagonal)) == 0
 
 
 def test_poses_of_one_cell_are_one_cluster_at_their_mean(monkeypatch):

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from semref.core.database.build import BuildSettings, build_from_labels
-from semref.core.errors import LabelMapError
 from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
@@ -158,11 +157,6 @@ def test_an_image_without_labels_counts_the_missing_landmarks(localizer):
     found = localizer.localize(np.zeros((SIZE, SIZE), np.uint8), Method.AUTOMATIC)
     assert found.status == Status.TOO_FEW_REFERENCES
     assert "more are needed. Map correlation found no position either: only 0%" in str(found.reason)
-
-
-def test_an_image_without_pixels_is_an_error(localizer):
-    with pytest.raises(LabelMapError, match="^The image has no pixels.$"):
-        localizer.localize(np.zeros((0, 5), np.uint8), Method.AUTOMATIC)
 
 
 @pytest.mark.slow

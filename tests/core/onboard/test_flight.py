@@ -132,14 +132,6 @@ def test_a_lens_that_its_image_states_is_straightened_in_a_flight_too(watch, fol
 
 
 @pytest.mark.slow
-def test_an_image_that_shows_nothing_is_placed_by_the_flight(watch, folder):
-    put(folder, range(COUNT), blank=[5])
-    _, records = watch()
-    assert (records[5]["status"], records[5]["source"]) == ("fix", "flight")
-    assert off(records[5], 5) < 30 and records[5]["error_95"] > records[4]["error_95"]
-
-
-@pytest.mark.slow
 def test_a_restart_goes_on_where_the_flight_was_with_the_answers_of_one_without_it(watch, folder, tmp_path):
     put(folder, range(COUNT))
     _, whole = watch()

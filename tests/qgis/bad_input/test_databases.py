@@ -84,12 +84,6 @@ def test_a_label_map_is_metric_north_up_square_and_of_class_values(refused, tmp_
     assert [word for word in ["labels.tif", *words] if word not in sentence] == []
 
 
-@pytest.mark.parametrize("key", ["WINDOW_SIZE", "STRIDE"])
-@pytest.mark.parametrize("value", [0, -5, "wide"])
-def test_a_window_or_stride_that_is_no_length_is_refused_by_name(refused, key, value):
-    assert key in refused(BUILD, **{key: value})
-
-
 @pytest.mark.parametrize(("classes", "words"), [("", "Reference classes"), ("building;lighthouse", "“lighthouse”")])
 def test_missing_and_unknown_reference_classes_are_refused_with_those_of_the_map(refused, classes, words):
     sentence = refused(BUILD, REFERENCE_CLASSES=classes)

@@ -9,7 +9,7 @@ import pytest
 from built_database import LAYERS, columns_of
 from full_disks import files_of_at_most
 from made_inputs import METRIC_CRS
-from osgeo import gdal, ogr
+from osgeo import ogr
 from qgis.core import QgsProcessingException, QgsProject, QgsRasterLayer, QgsVectorLayer
 
 from semref.processing.layers import styles
@@ -25,41 +25,11 @@ def test_ogr_sees_the_layers_with_their_columns_in_order(database, name):
         assert layer.GetSpatialRef().GetAuthorityCode(None) == str(METRIC_CRS)
 
 
-@pytest.mark.parametrize(
-    ("table", "types"),
-    [
-        ("windows", "TEXT MEDIUMINT REAL REAL REAL REAL REAL MEDIUMINT BLOB REAL"),
-        ("references", "MEDIUMINT TEXT REAL BOOLEAN"),
-        ("classes", "MEDIUMINT TEXT TEXT TEXT REAL TEXT TEXT"),
-        ("parameters", "TEXT TEXT"),
-    ],
-)
-def test_sqlite_sees_the_column_types(query, table, types):
-    columns = [row[2] for row in query(f'PRAGMA table_info("{table}")') if row[1] not in ("fid", "geom")]
-    assert " ".join(columns) == types
-
-
 def test_no_file_of_sqlite_stays_beside_the_database(database):
     assert [path.name for path in Path(database).parent.iterdir()] == ["area.gpkg"]
     with contextlib.closing(sqlite3.connect(f"file:{database}?mode=ro", uri=True)) as connection:
         assert connection.execute("PRAGMA journal_mode").fetchone() == ("delete",)
         assert connection.execute("PRAGMA integrity_check").fetchone() == ("ok",)
-
-
-def test_an_open_older_database_with_changes_in_waiting_is_not_replaced_before_it_is_closed(build, label_map, tmp_path):
-    target = tmp_path / "area.gpkg"
-    build(label_map, DATABASE=str(target))
-    with contextlib.closing(sqlite3.connect(target)) as older:
-        older.execute("PRAGMA journal_mode=WAL")
-        older.execute("UPDATE layer_styles SET description = 'edited'")
-        older.commit()
-        assert (tmp_path / "area.gpkg-wal").stat().st_size
-        with pytest.raises(QgsProcessingException, match="open in this or another program"):
-            build(label_map, DATABASE=str(target))
-    build(label_map, DATABASE=str(target))
-    with contextlib.closing(sqlite3.connect(target)) as newer:
-        assert newer.execute("PRAGMA integrity_check").fetchone() == ("ok",)
-        assert ("edited",) not in newer.execute("SELECT description FROM layer_styles").fetchall()
 
 
 def test_layers_open_as_outlines_by_class_name_and_colored_by_class(database, query):
@@ -134,12 +104,3 @@ def test_any_program_finds_them_in_the_geopackage_by_its_own_rules(query):
     assert all(name == title for *_, name, title in rows)
     registered = query("SELECT table_name FROM gpkg_extensions WHERE extension_name = 'gpkg_schema' ORDER BY 1")
     assert registered == [("gpkg_data_column_constraints",), ("gpkg_data_columns",)]
-
-
-@pytest.mark.skipif(int(gdal.VersionInfo()) < 3_070_000, reason="GDAL reads them from 3.7 on")
-def test_gdal_shows_titles_as_alternative_names(database):
-    dataset = ogr.Open(database)
-    found = {one.GetName(): one.GetAlternativeName() for one in dataset.GetLayerByName("windows").schema}
-    # GDAL ignores a title that differs from the column's name only by capitals.
-    titles = {name: title for name, title in COLUMNS["windows"].items() if title.lower() != name}
-    assert found.items() >= titles.items() and len(titles) == 3
