@@ -42,8 +42,8 @@ def members(path) -> dict:
         return {name: archive.read(name) for name in archive.namelist()}
 
 
-def zipped(path, files: dict) -> str:
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+def zipped(path, files: dict, compression: int = zipfile.ZIP_DEFLATED) -> str:
+    with zipfile.ZipFile(path, "w", compression) as archive:
         for name, data in files.items():
             archive.writestr(name, data)
     return str(path)
@@ -61,6 +61,10 @@ def with_header(path, source, **changes) -> str:
     header = json.loads(np.load(io.BytesIO(files["header.npy"])).tobytes())
     header.update(changes)
     files["header.npy"] = npy(np.frombuffer(json.dumps(header).encode("utf-8"), np.uint8))
+    return hashed(path, files)
+
+
+def hashed(path, files: dict) -> str:
+    """Write the members with the hash that matches them."""
     found = digest({name[:-4]: data for name, data in files.items()})
-    files["content_hash.npy"] = npy(np.frombuffer(found, np.uint8))
-    return zipped(path, files)
+    return zipped(path, {**files, "content_hash.npy": npy(np.frombuffer(found, np.uint8))})

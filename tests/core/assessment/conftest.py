@@ -4,35 +4,20 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from made_labels import scattered_objects
+from onboard_area import FRAME, TABLE
 
 from semref.core.database.build import BuildSettings, build_from_labels
-from semref.core.geometry.frame import MapFrame
-from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
 from semref.core.localizer.localizer import Localizer
 
-TABLE = ClassTable(
-    (
-        LandCoverClass(1, "building", "#ff0000", "reference"),
-        LandCoverClass(2, "water", "#0000ff", "reference"),
-        LandCoverClass(4, "field", "#00ff00"),
-    )
-)
-FRAME = MapFrame('PROJCS["a metric CRS"]', (600000.0, 1.0, 0.0, 5200000.0, 0.0, -1.0))
 HEIGHT, WIDTH, BUILT = 600, 1000, 600
 """Size of the map in pixels; landmarks are in its first BUILT columns."""
 
 
 def made_map(count: int = 330, background: int = 4) -> np.ndarray:
-    random = np.random.default_rng(7)
     labels = np.full((HEIGHT, WIDTH), background, np.uint8)
-    for _ in range(40 * count):
-        h, w = random.integers(6, 16, 2)
-        row, column = random.integers(1, HEIGHT - h - 1), random.integers(1, BUILT - w - 1)
-        around = labels[row - 1 : row + h + 1, column - 1 : column + w + 1]
-        if count and (around == background).all():
-            labels[row : row + h, column : column + w] = random.integers(1, 3)
-            count -= 1
+    labels[:, :BUILT] = scattered_objects(HEIGHT, BUILT, count, 7, background)
     return labels
 
 
@@ -42,7 +27,7 @@ def built_from(labels: np.ndarray):
 
 @pytest.fixture(scope="session")
 def map_labels():
-    """(600, 1000) uint8: landmarks of classes 1 and 2 on fields (4), in the first 600 columns."""
+    """(600, 1000) uint8: landmarks of classes 1 to 3 on fields (4), in the first 600 columns."""
     return made_map()
 
 

@@ -25,7 +25,7 @@ def test_a_simulated_image_has_the_landmarks_that_an_image_of_the_map_shows(
     simulator = ImageSimulator(localizer, assessed_database, FOOTPRINT)
     found, centers = simulator.whole_landmarks(simulator.view(*IN_TOWN, heading))
     frame = assessed_database.parameters.frame
-    seen = extract_landmarks(cut(map_labels, frame, View(*IN_TOWN, heading, 1.0, 250, 250)), (1, 2), 20.0)
+    seen = extract_landmarks(cut(map_labels, frame, View(*IN_TOWN, heading, 1.0, 250, 250)), (1, 2, 3), 20.0)
     seen = seen.select(~seen.touches_edge)
     apart = np.hypot(*(centers[:, None] - seen.centers_xy[None]).transpose(2, 0, 1))
     # Boxes decide which landmarks at the border are whole, not pixels.

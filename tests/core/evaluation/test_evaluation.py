@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from made_labels import scattered_objects
+from onboard_area import TABLE
 
 from semref.core.database.build import BuildSettings, build_from_labels
 from semref.core.errors import ParameterError
@@ -23,17 +24,12 @@ from semref.core.evaluation.evaluation import (
 from semref.core.evaluation.rates import Rate
 from semref.core.evaluation.summary import summarize
 from semref.core.geometry.frame import MapFrame
-from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
 from semref.core.localization import Localization, Method, Place, Status
 from semref.core.simulation.noise import LabelNoise
 
 WEST, NORTH = 1000.0, 9000.0
-REFERENCES = [LandCoverClass(value, f"class {value}", "#808080", "reference") for value in (1, 2, 3)]
-TABLE = ClassTable((*REFERENCES, LandCoverClass(4, "field", "#c0c0c0", "background")))
 CLEAN = {"missed": (0, 0), "invented": (0, 0), "misnamed": (0, 0), "ragged": (0, 0)}
-
-
 LABELS = scattered_objects(600, 700, 308, seed=3)
 
 

@@ -69,17 +69,17 @@ def test_equally_near_colors_go_to_the_smaller_value():
     assert decode_by_nearest_color(image_of((0x74, 0, 0)), table).tolist() == [[4]]
 
 
-@pytest.mark.parametrize("values", [[1], [1, 2, 3, 7], range(1, 256)], ids=["one class", "four", "255"])
-def test_decoding_the_nearest_color_exactly_inverts_painting(values):
-    table = class_table_from_values(values)
-    labels = np.random.default_rng(0).choice(np.array([0, *values], np.uint8), (40, 60))
-    assert (decode_by_nearest_color(painted(labels, table), table) == labels).all()
-
-
-def test_decoding_by_hsv_exactly_inverts_painting():
-    table = ClassTable((RED, BLUE))
-    labels = np.random.default_rng(1).choice(np.array([0, 1, 2], np.uint8), (40, 60))
-    assert (decode_by_hsv(painted(labels, table), table) == labels).all()
+@pytest.mark.parametrize(
+    ("decode", "table"),
+    [
+        *((decode_by_nearest_color, class_table_from_values(values)) for values in ([1], [1, 2, 3, 7], range(1, 256))),
+        (decode_by_hsv, ClassTable((RED, BLUE))),
+    ],
+    ids=["one class", "four", "255", "by HSV"],
+)
+def test_decoding_exactly_inverts_painting(decode, table):
+    labels = np.random.default_rng(0).choice(np.array([0, *(c.value for c in table)], np.uint8), (40, 60))
+    assert (decode(painted(labels, table), table) == labels).all()
 
 
 @pytest.mark.parametrize("decode", [decode_by_hsv, decode_by_nearest_color])

@@ -13,24 +13,16 @@ import cv2
 import numpy as np
 import pytest
 from made_tiff import image_tiff
+from onboard_area import TABLE
 from PIL import Image
 from PIL.PngImagePlugin import PngImageFile
 
 from semref.core import limits
 from semref.core.errors import ImageError, LabelMapError
 from semref.core.labels import image_files
-from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.image_files import read_label_image, read_photo
 from semref.core.labels.tiff import NODATA
 
-TABLE = ClassTable(
-    (
-        LandCoverClass(1, "building", "#ff0000", "reference"),
-        LandCoverClass(2, "water", "#0000ff", "reference"),
-        LandCoverClass(3, "bare_land", "#ffff00", "reference"),
-        LandCoverClass(4, "field", "#00ff00"),
-    )
-)
 LABELS = np.random.default_rng(7).integers(1, 5, (100, 100)).astype(np.uint8)
 
 

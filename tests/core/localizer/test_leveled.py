@@ -38,16 +38,16 @@ def fix(heading, pixel_size, **more):
     return Localization(Status.FIX, Method.CONSTELLATION, best=best, **more)
 
 
-def leveled(made, way, prior=None):
-    seen = SeenLabels(LABELS)
-    return localize_with(made, Search(Method.CONSTELLATION), seen, prior or Prior(), way).localization
+def leveled(made, attitude, prior=None, shares=None):
+    """Return the localization of a leveled image, and how it was leveled."""
+    way = leveling(attitude, FOCAL, LABELS.shape)
+    seen = SeenLabels(LABELS, shares)
+    return localize_with(made, Search(Method.CONSTELLATION), seen, prior or Prior(), way).localization, way
 
 
 def test_of_a_level_camera_the_middle_is_the_place_and_the_nadir():
     made = Made(fix(90.0, 0.5))
-    found = localize_with(
-        made, Search(Method.CONSTELLATION), SeenLabels(LABELS), Prior(), leveling(Attitude(0, 0), FOCAL, LABELS.shape)
-    ).localization
+    found, _ = leveled(made, Attitude(0, 0))
     assert made.shape == LABELS.shape
     assert found.position == found.nadir == pytest.approx(MIDDLE)
     # The image's top points east: its upper left corner is half its height east and half its width north.
@@ -55,10 +55,7 @@ def test_of_a_level_camera_the_middle_is_the_place_and_the_nadir():
 
 
 def test_a_camera_pitched_up_is_south_of_the_ground_at_its_center():
-    way = leveling(Attitude(0, 20), FOCAL, LABELS.shape)
-    found = localize_with(
-        Made(fix(0.0, 2.0)), Search(Method.CONSTELLATION), SeenLabels(LABELS), Prior(), way
-    ).localization
+    found, way = leveled(Made(fix(0.0, 2.0)), Attitude(0, 20))
     # A view to the top reaches farther beyond its center than before it, so the center is south of the middle.
     assert found.position == pytest.approx((MIDDLE[0], MIDDLE[1] - 2.0 * way.middle.imag))
     assert way.middle.imag > 10
@@ -69,9 +66,8 @@ def test_a_camera_pitched_up_is_south_of_the_ground_at_its_center():
 
 
 def test_the_search_area_allows_for_the_offset_of_the_center():
-    way = leveling(Attitude(0, 20), FOCAL, LABELS.shape)
     made, prior = Made(fix(0.0, 2.0)), Prior(position=MIDDLE, radius=100.0, pixel_size_range=(1.0, 3.0))
-    leveled(made, way, prior)
+    _, way = leveled(made, Attitude(0, 20), prior)
     assert made.prior.radius == pytest.approx(100 + 3 * abs(way.middle))
 
 
@@ -80,23 +76,19 @@ def test_matches_are_those_of_the_image_as_it_is():
     pixels = np.array([[20.0, 30.0], [130.0, 100.0]])
     x, y, w = way.homography @ np.column_stack([pixels, np.ones(2)]).T
     matches = Matches(np.arange(2), np.column_stack([x / w, y / w]), np.zeros((2, 2)), np.zeros(2))
-    found = localize_with(
-        Made(fix(0.0, 2.0, matches=matches)), Search(Method.CONSTELLATION), SeenLabels(LABELS), Prior(), way
-    ).localization
+    found, _ = leveled(Made(fix(0.0, 2.0, matches=matches)), Attitude(5, 20))
     np.testing.assert_allclose(found.matches.pixels_xy, pixels)
 
 
 def test_without_a_fix_there_is_no_place():
     none = Localization(Status.NO_MATCH, Method.CONSTELLATION)
-    way = leveling(Attitude(0, 20), FOCAL, LABELS.shape)
-    assert leveled(Made(none), way) == none
+    assert leveled(Made(none), Attitude(0, 20))[0] == none
 
 
 def test_shares_are_leveled_with_the_labels():
-    way = leveling(Attitude(0, 20), FOCAL, LABELS.shape)
     made = Made(fix(0.0, 2.0))
     shares = ClassShares(np.array([4], np.uint8), np.full((50, 65, 1), 200, np.uint8))
-    localize_with(made, Search(Method.CONSTELLATION), SeenLabels(LABELS, shares), Prior(), way)
+    leveled(made, Attitude(0, 20), shares=shares)
     assert made.shares.values.tolist() == [4]
     height, width = made.shares.shares.shape[:2]
     pixels = np.array(LABELS.shape) / (50, 65)

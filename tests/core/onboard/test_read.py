@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import io
 import json
 import math
@@ -16,7 +15,7 @@ from dataclasses import asdict
 import numpy as np
 import pytest
 from foreign_files import FOREIGN
-from onboard_blobs import MAP, TABLE, members, npy, with_header, zipped
+from onboard_blobs import MAP, TABLE, hashed, members, npy, with_header, zipped
 
 from semref.core.errors import DatabaseError
 from semref.core.geometry.lon_lat import LonLatPolynomial
@@ -96,9 +95,7 @@ class Bomb:
 
 
 def pickled(data):
-    file = io.BytesIO()
-    np.save(file, np.array([Bomb()], object), allow_pickle=True)
-    return file.getvalue()
+    return npy(np.array([Bomb()], object))
 
 
 def other_class(data):
@@ -173,17 +170,8 @@ def test_landmarks_off_the_map_are_refused_although_all_hashes_fit(database, wri
 
 def test_a_polynomial_that_leads_off_the_earth_is_refused(written, tmp_path, lon_lat):
     """Otherwise the aircraft would report a latitude of 900 degrees."""
-    values = dataclasses.asdict(lon_lat)
-    values["latitude"] = [900.0, *values["latitude"][1:]]
-    path = with_header(tmp_path / "area.npz", written, lon_lat=values)
-    assert "not on Earth" in refusal(path)
-
-
-def with_array(path, source, name, array) -> str:
-    """Return a copy of a file with another array and the matching hash."""
-    files = {**members(source), f"{name}.npy": npy(array)}
-    files["content_hash.npy"] = npy(np.frombuffer(digest({key[:-4]: data for key, data in files.items()}), np.uint8))
-    return zipped(path, files)
+    values = {**asdict(lon_lat), "latitude": [900.0, *lon_lat.latitude[1:]]}
+    assert "not on Earth" in refusal(with_header(tmp_path / "area.npz", written, lon_lat=values))
 
 
 def array(source, name):
@@ -206,7 +194,8 @@ def array(source, name):
     ],
 )
 def test_an_array_that_does_not_fit_the_others_is_refused(written, tmp_path, name, change, said):
-    path = with_array(tmp_path / "odd.npz", written, name, change(array(written, name)))
+    changed = {f"{name}.npy": npy(change(array(written, name)))}
+    path = hashed(tmp_path / "odd.npz", {**members(written), **changed})
     with pytest.raises(DatabaseError, match=said):
         read_onboard(path)
 
@@ -218,10 +207,7 @@ def test_a_polynomial_that_lacks_numbers_is_refused(written, tmp_path, lon_lat, 
 
 
 def test_a_member_that_is_packed_in_an_unknown_way_is_refused(written, tmp_path):
-    path = tmp_path / "packed.npz"
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_BZIP2) as archive:
-        for name, data in members(written).items():
-            archive.writestr(name, data)
+    path = zipped(tmp_path / "packed.npz", members(written), zipfile.ZIP_BZIP2)
     assert "compressed in an unknown way" in refusal(path)
 
 
@@ -236,11 +222,8 @@ def test_the_stated_errors_are_half_a_step(written):
     assert found.database.source == str(written)
 
 
-def test_an_onboard_file_is_recognized(written):
+def test_an_onboard_file_is_recognized_by_its_members_even_if_it_is_damaged(written, tmp_path):
     assert is_onboard_file(str(written))
-
-
-def test_a_damaged_onboard_file_is_recognized_by_its_members(written, tmp_path):
     assert is_onboard_file(zipped(tmp_path / "damaged.npz", dict.fromkeys(members(written), b"")))
 
 

@@ -9,7 +9,7 @@ from types import ModuleType, SimpleNamespace
 
 import numpy as np
 import pytest
-from onboard_area import CENTER, HERE, write_area
+from onboard_area import CENTER, HERE
 
 
 class Stand(SimpleNamespace):
@@ -44,7 +44,7 @@ PARAMETERS: dict[str, str] = {}
 
 
 @pytest.fixture
-def example(repository, monkeypatch, tmp_path):
+def example(repository, monkeypatch):
     for name in ("rclpy", "rclpy.node", "geometry_msgs", "geometry_msgs.msg", "sensor_msgs", "sensor_msgs.msg"):
         monkeypatch.setitem(sys.modules, name, ModuleType(name))
     sys.modules["rclpy.node"].Node = Node
@@ -55,10 +55,8 @@ def example(repository, monkeypatch, tmp_path):
     return runpy.run_path(str(repository / "docs" / "examples" / "ros2_node.py"))
 
 
-def test_the_node_publishes_where_an_image_was_taken(example, monkeypatch, tmp_path):
-    path = str(tmp_path / "area.npz")
-    write_area(path)
-    PARAMETERS.update(database=path, model="")
+def test_the_node_publishes_where_an_image_was_taken(example, area, monkeypatch):
+    PARAMETERS.update(database=area, model="")
     names = example["SemRef"].__init__.__globals__
     made = SimpleNamespace(classes=SimpleNamespace(values_in=lambda table, model: None))
     monkeypatch.setitem(names, "SegmentationModel", lambda path, threads: made)

@@ -90,18 +90,9 @@ def test_a_bad_line_is_reported_and_breaks_the_chain_of_links(path, capsys):
     assert line["event"] == "table_line_left_out" and "line 3" in line["reason"] and "far" in line["reason"]
 
 
-@pytest.mark.parametrize(
-    ("lines", "message"),
-    [
-        (["a,,,,", "b,x,1,1,1"], "line 3"),
-        (["a,,,,", "a,1,1,1,1"], "row already"),
-        (["a,,,,", ",1,1,1,1"], "the image is missing"),
-        (["a,,,,", "b,1e9,1,1,1"], "must be from"),
-    ],
-)
-def test_a_bad_table_is_refused_before_the_start_and_reported_after_a_restart(path, lines, message):
-    begun(path, *lines)
-    with pytest.raises(ParameterError, match=message):
+def test_a_bad_table_is_refused_before_the_start_and_reported_after_a_restart(path):
+    begun(path, "a,,,,", "b,x,1,1,1")
+    with pytest.raises(ParameterError, match="line 3"):
         OdometryTable(str(path), is_ended=False).check()
     assert OdometryTable(str(path), is_ended=False).link("a", "b") is None
 

@@ -243,7 +243,7 @@ def test_a_disk_that_fills_within_a_line_keeps_only_whole_lines(tmp_path, capsys
     assert events[0]["reason"] == "No space left on device" and events[1]["lost"] == 2
 
 
-@pytest.mark.parametrize("where", ["udp:0", "udp:65536", "udp:", "udp:-1", "udp:" + "9" * 5000])
+@pytest.mark.parametrize("where", ["udp:0", "udp:65536", "udp:", "udp:-1", "udp:http", "udp:" + "9" * 5000])
 def test_an_invalid_port_is_refused(where):
     with pytest.raises(ParameterError, match="not a UDP port"):
         open_sink(where)

@@ -7,13 +7,12 @@ from dataclasses import fields, replace
 
 import numpy as np
 import pytest
-from onboard_blobs import TABLE
+from onboard_blobs import FRAME, TABLE
 
 from semref.core import limits
 from semref.core.database.build import BuildSettings, build_from_labels
 from semref.core.database.model import Windows
 from semref.core.errors import DatabaseError
-from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
 from semref.core.onboard.area import area_mask, clip_database
@@ -95,7 +94,6 @@ def test_what_the_format_can_not_hold_is_refused(database, tmp_path, monkeypatch
     assert not list(tmp_path.iterdir())
 
 
-FRAME = MapFrame('PROJCS["a metric CRS"]', (600000.0, 2.0, 0.0, 5200000.0, 0.0, -2.0))
 OVERVIEW_PIXEL = 8.0
 RING = np.array([(600200, 5199900), (600500, 5199900), (600500, 5199600), (600200, 5199600), (600200, 5199900)])
 
@@ -106,9 +104,8 @@ def squared():
     labels = np.zeros((320, 400), np.uint8)
     for row in range(2, 316, 10):
         for column in range(2, 396, 10):
-            labels[row : row + 4, column : column + 4] = 1
-    table = ClassTable((LandCoverClass(1, "building", "#ff0000", "reference"),))
-    return build_from_labels(ArrayLabels(labels), FRAME, table, BuildSettings(120.0, 40.0, 28.0), "1.2.3")
+            labels[row : row + 4, column : column + 4] = 2
+    return build_from_labels(ArrayLabels(labels), FRAME, TABLE, BuildSettings(120.0, 40.0, 28.0), "1.2.3")
 
 
 def within(points_xy, margin):

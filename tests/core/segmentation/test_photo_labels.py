@@ -59,14 +59,13 @@ def test_height_and_lens_set_the_scale_of_a_photo_for_the_network(model):
     np.testing.assert_array_equal(labels.found(), LABELS)
 
 
-def test_a_known_pixel_size_counts_before_height_and_lens(model):
-    labels = PhotoLabels(model, PHOTO, (1, 2, 3), (0.5, 0.5), camera(25.0))
-    assert labels.image is PHOTO and labels.camera_pixel_size_m is None
-
-
-@pytest.mark.parametrize("known", [Camera(), camera(9999.0)], ids=["nothing", "a height that can't be"])
-def test_a_photo_of_no_known_or_believable_height_is_seen_as_it_is(model, known):
-    labels = PhotoLabels(model, PHOTO, (1, 2, 3), camera=known)
+@pytest.mark.parametrize(
+    ("pixel_size_m", "known"),
+    [((0.5, 0.5), camera(25.0)), (None, Camera()), (None, camera(9999.0))],
+    ids=["a known pixel size", "nothing", "a height that can't be"],
+)
+def test_a_photo_of_known_pixel_size_or_of_no_believable_height_is_seen_as_it_is(model, pixel_size_m, known):
+    labels = PhotoLabels(model, PHOTO, (1, 2, 3), pixel_size_m, known)
     assert labels.image is PHOTO and labels.camera_pixel_size_m is None
 
 
