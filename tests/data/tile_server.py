@@ -5,10 +5,10 @@ from __future__ import annotations
 import contextlib
 import threading
 from contextlib import contextmanager
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
 import cv2
 import numpy as np
+from listening import Handler, serving
 from made_models import painted
 
 SQUARE = 150.0
@@ -44,7 +44,7 @@ def tile_server(
     """
     stop = threading.Event()
 
-    class Handler(BaseHTTPRequestHandler):
+    class Tiles(Handler):
         def do_GET(self):
             stop.wait(delay_s)
             if redirect:
@@ -67,14 +67,8 @@ def tile_server(
                     self.wfile.write(bytes(1 << 20))
                     sent.append(1 << 20)
 
-        def log_message(self, *_):
-            pass
-
-    server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
-    threading.Thread(target=server.serve_forever, args=(0.01,), daemon=True).start()
-    try:
-        yield f"type=xyz&url=http://127.0.0.1:{server.server_port}/{{z}}/{{x}}/{{y}}.png&zmin=0&zmax=18"
-    finally:
-        stop.set()
-        server.shutdown()
-        server.server_close()
+    with serving(Tiles) as server:
+        try:
+            yield f"type=xyz&url={server.url}/{{z}}/{{x}}/{{y}}.png&zmin=0&zmax=18"
+        finally:
+            stop.set()

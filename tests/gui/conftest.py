@@ -71,15 +71,21 @@ def area(run_algorithm, tmp_path_factory):
 
 
 @pytest.fixture
-def plugin(area, iface, without_provider):
+def loaded(iface, without_provider):
+    """The plugin in a profile without its settings."""
     QgsSettings().remove("semref")
-    iface.canvas.setDestinationCrs(QgsCoordinateReferenceSystem(CRS))
-    loaded = SemRefPlugin(iface)
-    loaded.initGui()
-    yield loaded
-    loaded.unload()
+    plugin = SemRefPlugin(iface)
+    plugin.initGui()
+    yield plugin
+    plugin.unload()
     settle()
     QgsProject.instance().clear()
+
+
+@pytest.fixture
+def plugin(area, iface, loaded):
+    iface.canvas.setDestinationCrs(QgsCoordinateReferenceSystem(CRS))
+    return loaded
 
 
 @pytest.fixture

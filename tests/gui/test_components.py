@@ -6,7 +6,6 @@ import pytest
 from qgis.core import Qgis, QgsApplication, QgsMessageLog, QgsSettings
 from qgis.PyQt.QtWidgets import QTabWidget
 
-from semref.plugin import SemRefPlugin
 from semref.processing.packages import components
 from semref.processing.packages.components import DASK, ONNXRUNTIME, OPENCV, install_command
 from semref.processing.packages.devices import DEVICE_SETTING, chosen_device
@@ -25,11 +24,8 @@ def lacking(monkeypatch):
 
 
 @pytest.fixture
-def plugin(lacking, iface, without_provider):
-    loaded = SemRefPlugin(iface)
-    loaded.initGui()
-    yield loaded
-    loaded.unload()
+def plugin(lacking, loaded):
+    return loaded
 
 
 @pytest.fixture

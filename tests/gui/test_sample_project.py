@@ -4,23 +4,16 @@ from pathlib import Path
 
 import pytest
 from dock_area import settle, wait_until
-from qgis.core import Qgis, QgsApplication, QgsProject, QgsSettings, QgsVectorLayer
+from qgis.core import Qgis, QgsApplication, QgsProject, QgsVectorLayer
 from qgis.PyQt.QtWidgets import QFileDialog
 
-from semref.plugin import SemRefPlugin
 from semref.ui import sample_project
 from semref.ui.sample_project import DATABASE_FILE, MARKER, sample_folder
 
 
 @pytest.fixture
-def plugin(iface, without_provider, sample):
-    QgsSettings().remove("semref")
-    loaded = SemRefPlugin(iface)
-    loaded.initGui()
-    yield loaded
-    loaded.unload()
-    settle()
-    QgsProject.instance().clear()
+def plugin(sample, loaded):
+    return loaded
 
 
 @pytest.fixture

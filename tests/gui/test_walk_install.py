@@ -111,14 +111,6 @@ def test_the_button_installs_the_packages_and_all_photos_are_localized_without_a
     assert [text for text in whole_walk["left"] if "needs" in text] == []
 
 
-def test_the_plugin_manager_describes_it_in_the_users_language_and_shows_what_is_new(walk):
-    shown = walk["manager"]
-    assert shown["en_US"]["description"].startswith("Find the position")
-    assert shown["de"]["description"].startswith("Findet")
-    assert "地标" in shown["zh-Hans"]["description"]
-    assert shown["en_US"]["changelog"].startswith(shown["en_US"]["version_installed"])
-
-
 def test_every_help_opens_a_page_that_came_with_the_zip(whole_walk, comes_with_pages):
     names = [Path(unquote(urlparse(address).path)).name for address in whole_walk["help"]]
     assert names == ["index.html", "index.html", "builddatabase.html"]

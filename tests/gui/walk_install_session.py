@@ -13,9 +13,7 @@ from pathlib import Path
 
 import pyplugin_installer
 import qgis.utils
-from pyplugin_installer import installer_data
-from pyplugin_installer.installer_data import plugins
-from qgis.core import QgsApplication, QgsProject, QgsSettings
+from qgis.core import QgsApplication, QgsProject
 from qgis.PyQt.QtCore import QObject, QTimer, pyqtSlot
 from qgis.PyQt.QtGui import QDesktopServices
 from qgis.PyQt.QtWidgets import QAction, QApplication, QDialogButtonBox, QTabWidget
@@ -48,29 +46,6 @@ def can_reach_anything():
     except OSError as error:
         return not isinstance(error, TimeoutError) and "unreachable" not in str(error)
     return True
-
-
-class SystemIn:
-    """In place of QLocale: of a system in this language, which QGIS 3.22 asks instead of its own settings."""
-
-    def __init__(self, language):
-        self._language = language
-
-    def system(self):
-        return self
-
-    def name(self):
-        return self._language
-
-
-def plugin_manager_shows(language):
-    installer_data.QLocale = SystemIn(language)
-    QgsSettings().setValue("locale/overrideFlag", True)
-    QgsSettings().setValue("locale/userLocale", language)
-    plugins.getAllInstalled()
-    plugins.rebuild()
-    QgsSettings().setValue("locale/overrideFlag", False)
-    return {key: plugins.all()["semref"][key] for key in ("description", "about", "changelog", "version_installed")}
 
 
 def picture(name):
@@ -205,7 +180,6 @@ def session():
     browser, seconds = Browser(), {}
     _, seconds["install"] = timed(pyplugin_installer.instance().installFromZipFile, os.environ["SEMREF_ZIP"])
     seen["active"] = "semref" in qgis.utils.active_plugins
-    seen["manager"] = {language: plugin_manager_shows(language) for language in ("en_US", "de", "zh-Hans")}
     action("SemRefDockAction").trigger()
     settle(1.0)
     seen["notice"] = dock().notice.sentence.text() if dock().notice.isVisible() else ""

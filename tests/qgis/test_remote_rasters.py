@@ -1,12 +1,11 @@
 """Rasters on a server (/vsicurl) are read in pieces and give the same results as local files."""
 
-import http.server
 import re
-import threading
 from pathlib import Path
 
 import numpy as np
 import pytest
+from listening import Handler, serving
 from made_inputs import NORTH, WEST, read_rows, scattered_objects, write_raster
 from made_models import metadata, painted, write_model
 from osgeo import gdal
@@ -22,7 +21,7 @@ def served(tmp_path):
     folder = tmp_path / "served"
     folder.mkdir()
 
-    class Handler(http.server.BaseHTTPRequestHandler):
+    class Files(Handler):
         protocol_version = "HTTP/1.1"
 
         def do_GET(self):
@@ -47,21 +46,13 @@ def served(tmp_path):
 
         do_HEAD = do_GET
 
-        def log_message(self, *arguments):
-            pass
-
-    sent = []
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
-    threading.Thread(target=server.serve_forever, args=(0.01,), daemon=True).start()
-
     def name(path: Path) -> str:
         path.rename(folder / path.name)
-        return f"/vsicurl/http://127.0.0.1:{server.server_port}/{path.name}"
+        return f"/vsicurl/{server.url}/{path.name}"
 
-    name.sent = sent
-    yield name
-    server.shutdown()
-    server.server_close()
+    sent = name.sent = []
+    with serving(Files) as server:
+        yield name
 
 
 def photo(path: Path, labels: np.ndarray, **options) -> Path:

@@ -63,6 +63,7 @@ def test_shipped_metadata_has_the_news_of_the_changelog_and_every_language_by_ea
     newest = changelog.releases((ROOT / "CHANGELOG.md").read_text(encoding="utf-8"))[0]
     assert shipped["changelog"].startswith(f"{shipped['version']} ({newest.date})\n- {newest.news[0]}")
     assert shipped["description[zh-Hans]"] == shipped["description[zh]"] != shipped["description"]
+    assert "地标" in shipped["description[zh]"] and shipped["description[de]"].startswith("Findet")
     assert (shipped["qgisMinimumVersion"], shipped["qgisMaximumVersion"]) == ("3.22", "4.99")
     assert shipped["hasProcessingProvider"] == "yes" and "supportsQt6" not in shipped
 

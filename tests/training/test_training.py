@@ -6,15 +6,14 @@ import json
 import os
 import subprocess
 import sys
-import threading
 import time
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 import cv2
 import numpy as np
 import pytest
 from full_disks import files_of_at_most
+from listening import listening
 
 from semref.core.labels.image_source import ArrayImage
 from semref.core.segmentation.model import SegmentationModel
@@ -210,26 +209,12 @@ def with_encoder(path: Path, base: Path, encoder: str) -> Path:
 @pytest.mark.parametrize("name", ["model.pt", "model.onnx"])
 def test_a_base_model_contacts_nobody(training_python, first, tiles, tmp_path, monkeypatch, name):
     """Names of encoders may be network addresses."""
-    asked = []
-
-    class Answer(BaseHTTPRequestHandler):
-        def do_HEAD(self):
-            asked.append(self.path)
-            self.send_error(404)
-
-        do_GET = do_HEAD
-
-        def log_message(self, *_):
-            pass
-
-    with ThreadingHTTPServer(("127.0.0.1", 0), Answer) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        monkeypatch.setenv("HF_ENDPOINT", f"http://127.0.0.1:{server.server_port}")
+    with listening() as server:
+        monkeypatch.setenv("HF_ENDPOINT", server.url)
         monkeypatch.setenv("NO_PROXY", "127.0.0.1")
         base = with_encoder(tmp_path / name, Path(first[0].output), "tu-hf-hub:some/network")
         events = trained(training_python, job_of(tiles, tmp_path / "run", base_model=str(base)))
-        server.shutdown()
-    assert events[-1]["template"].startswith(NOT_OURS) and not asked
+    assert events[-1]["template"].startswith(NOT_OURS) and not server.asked
 
 
 def test_a_base_model_reads_no_other_file(training_python, first, tiles, tmp_path):
