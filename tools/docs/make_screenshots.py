@@ -26,8 +26,7 @@ import zipfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from moving_webp import films, join
-from palette_png import shrink
+from small_pictures import films, join, shrink
 
 ROOT = Path(__file__).resolve().parents[2]
 SESSION = Path(__file__).with_name("screenshot_session.py")
@@ -90,14 +89,19 @@ def main() -> None:
     arguments.output.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix="semref-screenshots-") as folder:
         work = Path(folder)
-        package = work / "semref.zip"
-        subprocess.run(
-            [sys.executable, str(ROOT / "tools" / "release" / "package.py"), "--output", str(package)], check=True
-        )
+        package = package_plugin(work)
         for number, variant in enumerate(variants):
             sample = sample_folder(work / "samples", variant.language)
             seen = in_desktop(variant, package, work / str(number), {"sample": str(sample)})
             keep([work / str(number) / "pictures" / name for name in seen["taken"]], arguments.output)
+
+
+def package_plugin(folder: Path) -> Path:
+    """Return the plugin's zip of this working tree."""
+    package = folder / "semref.zip"
+    tool = ROOT / "tools" / "release" / "package.py"
+    subprocess.run([sys.executable, str(tool), "--output", str(package)], check=True)
+    return package
 
 
 def keep(pictures: list[Path], folder: Path) -> None:

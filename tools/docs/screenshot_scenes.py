@@ -1,6 +1,6 @@
 """The scenes of the pictures. Each scene operates the window like a user and takes its pictures.
 
-The scenes are independent of each other.
+Each scene begins with the same window, so no scene has to restore it.
 """
 
 from __future__ import annotations
@@ -8,19 +8,16 @@ from __future__ import annotations
 import shutil
 import tempfile
 import traceback
-from contextlib import contextmanager
 from pathlib import Path
 
+import processing
 import qgis.utils
 from osgeo import gdal
 from qgis.core import (
-    QgsApplication,
     QgsFeature,
     QgsFeatureRequest,
     QgsGeometry,
     QgsPointXY,
-    QgsProcessingContext,
-    QgsProcessingFeedback,
     QgsProject,
     QgsRectangle,
     QgsVectorLayer,
@@ -48,73 +45,60 @@ SHOWN_PHOTO, INSPECTED_WINDOW = "photo_02.jpg", "1600_800"
 def localized(session: Session) -> None:
     """Localize all photos and select the one to show."""
     session.show_tab(LOCALIZE)
-    dock = session.dock
+    tab = session.dock.content.localize
     if not session.localized:
-        dock.content.localize.localize_button.click()
-        wait_for_results(dock.content.localize, "the localization")
+        localize(session, "the localization")
         session.localized = True
-    results = dock.content.localize.results.list
-    for row, finding in enumerate(results.findings):
-        if finding.name == SHOWN_PHOTO:
-            results.setCurrentRow(row)
-    wait_until(lambda: dock.content.localize.results.image.canvas.scene().items(), "the selected image")
+    names = [finding.name for finding in tab.results.list.findings]
+    select(tab, names.index(SHOWN_PHOTO))
 
 
-def wait_for_results(tab, what: str) -> None:
+def localize(session: Session, what: str) -> None:
+    """Press Localize and wait for the results."""
+    session.dock.content.localize.localize_button.click()
+    wait_for_results(session, what)
+
+
+def wait_for_results(session: Session, what: str) -> None:
     """Wait for a run. If it has no results, end the session with the text of the message bar."""
+    tab = session.dock.content.localize
     wait_until(lambda: not tab.run.running, what)
+    session.localized = False
     if not tab.results.list.count():
         raise RuntimeError(f"{what} left no results: {failures()}")
 
 
-def first_fix(session: Session) -> None:
-    """Show the whole window with a found photo."""
-    with_results_in_view(session, "first_fix")
+def select(tab, row: int) -> None:
+    """Select a result and wait for its image."""
+    tab.results.list.setCurrentRow(row)
+    wait_until(lambda: tab.results.image.canvas.scene().items(), "the selected image")
 
 
-def with_results_in_view(session: Session, name: str) -> None:
-    """Show the whole window with the inputs folded."""
+def first_fix(session: Session, name: str = "first_fix") -> None:
+    """Show the whole window with a found photo and the inputs folded."""
     localized(session)
-    boxes = session.dock.content.database, session.dock.content.localize.images
-    for box in boxes:
-        box.setCollapsed(True)
+    session.fold_inputs(True)
     session.take(name)
-    for box in boxes:
-        box.setCollapsed(False)
 
 
 def flight(session: Session) -> None:
     """Show the flight of the sample on the map with a selected photo."""
-    with localized_flight(session) as tab:
-        tab.results.list.setCurrentRow(tab.results.list.count() // 2)
-        wait_until(lambda: tab.results.image.canvas.scene().items(), "the selected image")
-        session.take("flight")
+    tab = localized_flight(session)
+    select(tab, tab.results.list.count() // 2)
+    session.take("flight")
 
 
-@contextmanager
 def localized_flight(session: Session):
-    """Show the results of the flight and the whole track on the map, and restore the window afterwards."""
+    """Show the results of the flight and the whole track on the map; return the tab."""
     session.show_tab(LOCALIZE)
-    content = session.dock.content
-    tab = content.localize
-    listed = tab.images.paths()
+    tab = session.dock.content.localize
     tab.images.list.show_only([str(Path(session.job["sample"]) / "flight")])
     tab.images.flight.setChecked(True)
-    tab.localize_button.click()
-    wait_for_results(tab, "the flight")
-    session.localized = False
-    boxes = content.database, tab.images
-    for box in boxes:
-        box.setCollapsed(True)
+    localize(session, "the flight")
+    session.fold_inputs(True)
     session.show_everything()
-    zooms = tab.results.zoom.isChecked()
     tab.results.zoom.setChecked(False)
-    yield tab
-    tab.results.zoom.setChecked(zooms)
-    for box in boxes:
-        box.setCollapsed(False)
-    tab.images.flight.setChecked(False)
-    tab.images.list.show_only(listed)
+    return tab
 
 
 def moving_fix(session: Session) -> None:
@@ -123,41 +107,29 @@ def moving_fix(session: Session) -> None:
     session.show_layers(False)
     session.show_tab(LOCALIZE)
     session.show_everything()
-    content = session.dock.content
-    tab = content.localize
+    tab = session.dock.content.localize
     session.frame("first_fix", 1800)
     tab.localize_button.click()
     for _ in range(WHILE_RUNNING):
         settle(0.8)
         if tab.run.running:
             session.frame("first_fix", 500, settled=False)
-    wait_for_results(tab, "the localization")
-    session.localized = True
-    boxes = content.database, tab.images
-    for box in boxes:
-        box.setCollapsed(True)
+    wait_for_results(session, "the localization")
+    session.fold_inputs(True)
     session.frame("first_fix", 1200)
     for row in STEPS:
-        tab.results.list.setCurrentRow(row)
-        wait_until(lambda: tab.results.image.canvas.scene().items(), "the selected image")
+        select(tab, row)
         session.frame("first_fix", 1600)
-    for box in boxes:
-        box.setCollapsed(False)
-    session.show_layers(True)
-    session.resize(*WINDOW)
 
 
 def moving_flight(session: Session) -> None:
     """Show the flight of the sample, image by image along its track."""
     session.resize(*FILMED)
     session.show_layers(False)
-    with localized_flight(session) as tab:
-        for row in range(tab.results.list.count()):
-            tab.results.list.setCurrentRow(row)
-            wait_until(lambda: tab.results.image.canvas.scene().items(), "the selected image")
-            session.frame("flight", 700)
-    session.show_layers(True)
-    session.resize(*WINDOW)
+    tab = localized_flight(session)
+    for row in range(tab.results.list.count()):
+        select(tab, row)
+        session.frame("flight", 700)
 
 
 def dock_localize(session: Session) -> None:
@@ -165,7 +137,6 @@ def dock_localize(session: Session) -> None:
     session.resize(WINDOW[0], TALL)
     localized(session)
     session.take("dock_localize", session.dock)
-    session.resize(*WINDOW)
 
 
 def own_photos(session: Session) -> None:
@@ -173,17 +144,11 @@ def own_photos(session: Session) -> None:
     session.resize(WINDOW[0], TALL)
     session.show_tab(LOCALIZE)
     tab = session.dock.content.localize
-    listed = tab.images.paths()
     with tempfile.TemporaryDirectory() as folder:
         tab.images.list.show_only(three_photos(Path(session.job["sample"]), Path(folder)))
-        tab.localize_button.click()
-        wait_for_results(tab, "the localization")
-        session.localized = False
-        tab.results.list.setCurrentRow(1)
-        wait_until(lambda: tab.results.image.canvas.scene().items(), "the selected image")
+        localize(session, "the localization")
+        select(tab, 1)
         session.take("own_photos", session.dock)
-        tab.images.list.show_only(listed)
-    session.resize(*WINDOW)
 
 
 def three_photos(sample: Path, folder: Path) -> list[str]:
@@ -203,10 +168,14 @@ def inspect(session: Session) -> None:
     """Show a window of the database and similar windows."""
     session.show_everything()
     session.show_tab(INSPECT)
-    session.dock.content.inspect.show_window(INSPECTED_WINDOW)
-    wait_until(lambda: session.dock.content.inspect._window is not None, "the inspected window")
+    inspect_window(session)
     session.show_tab(INSPECT)
     session.take("inspect")
+
+
+def inspect_window(session: Session) -> None:
+    session.dock.content.inspect.show_window(INSPECTED_WINDOW)
+    wait_until(lambda: session.dock.content.inspect._window is not None, "the inspected window")
 
 
 def correct(session: Session) -> None:
@@ -242,7 +211,6 @@ def prior(session: Session) -> None:
     middle = QgsPointXY(extent.center().x() + 0.1 * extent.width(), extent.center().y())
     session.dock.content.localize.prior.set_circle(middle, QgsPointXY(middle.x() + 0.2 * extent.width(), middle.y()))
     session.take("prior")
-    session.dock.content.localize.prior.forget()
 
 
 def toolbox(session: Session) -> None:
@@ -260,7 +228,6 @@ def toolbox(session: Session) -> None:
             expand(tree, index)
             tree.scrollTo(index, QTreeView.ScrollHint.PositionAtTop)
     session.take("toolbox")
-    session.toolbox.hide()
 
 
 def expand(tree, index) -> None:
@@ -270,8 +237,6 @@ def expand(tree, index) -> None:
 
 
 def algorithm_dialog(session: Session) -> None:
-    import processing
-
     sample = Path(session.job["sample"])
     dialog = processing.createAlgorithmDialog(
         "semref:builddatabase", {"LABELS": str(sample / "label_map.tif"), "WINDOW_SIZE": 640, "STRIDE": 160}
@@ -338,7 +303,7 @@ def options(session: Session) -> None:
 
 def whole_window(session: Session) -> None:
     """Show the scene of the variants: theme, language."""
-    with_results_in_view(session, "window")
+    first_fix(session, "window")
 
 
 def all_tabs(session: Session) -> None:
@@ -347,8 +312,7 @@ def all_tabs(session: Session) -> None:
         session.resize(WINDOW[0], TALL, width)
         localized(session)
         session.take(f"{kind}_localize", session.dock)
-        session.dock.content.inspect.show_window(INSPECTED_WINDOW)
-        wait_until(lambda: session.dock.content.inspect._window is not None, "the inspected window")
+        inspect_window(session)
         session.take(f"{kind}_inspect", session.dock)
         session.show_tab(CORRECT)
         session.take(f"{kind}_correct", session.dock)
@@ -368,33 +332,15 @@ def checked_with_mistakes(session: Session) -> QgsVectorLayer:
     double["class"] = "water"
     layer.addFeature(double)
     layer.commitChanges()
-    registry = QgsApplication.processingRegistry()
-    context = QgsProcessingContext()
     issues = str(sample / "issues.gpkg")
-    _, ok = registry.createAlgorithmById("semref:checkannotation").run(
-        {
-            "INPUT": layer,
-            "CLASS_FIELD": "class",
-            "PRIORITY_FIELD": "zorder",
-            "CLASS_TABLE": str(sample / "classes.csv"),
-            "MINIMUM_AREA": 50,
-            "ISSUES": issues,
-        },
-        context,
-        QgsProcessingFeedback(),
-    )
-    if not ok:
-        raise RuntimeError("the layer could not be checked")
+    fields = {"CLASS_FIELD": "class", "PRIORITY_FIELD": "zorder", "CLASS_TABLE": str(sample / "classes.csv")}
+    processing.run("semref:checkannotation", {"INPUT": layer, **fields, "MINIMUM_AREA": 50, "ISSUES": issues})
     return QgsVectorLayer(issues, "issues", "ogr")
 
 
 def crossed(feature) -> QgsGeometry:
     """Return a bow tie at the place of the feature."""
     box: QgsRectangle = feature.geometry().boundingBox()
-    corners = (
-        (box.xMinimum(), box.yMinimum()),
-        (box.xMaximum(), box.yMaximum()),
-        (box.xMaximum(), box.yMinimum()),
-        (box.xMinimum(), box.yMaximum()),
-    )
-    return QgsGeometry.fromPolygonXY([[QgsPointXY(x, y) for x, y in (*corners, corners[0])]])
+    west, east, south, north = box.xMinimum(), box.xMaximum(), box.yMinimum(), box.yMaximum()
+    corners = (west, south), (east, north), (east, south), (west, north), (west, south)
+    return QgsGeometry.fromPolygonXY([[QgsPointXY(*corner) for corner in corners]])

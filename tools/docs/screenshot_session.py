@@ -34,6 +34,7 @@ def run() -> None:
         session.open()
         for scene, session.suffix in job["scenes"]:
             print(scene, flush=True)
+            session.reset()
             module, _, name = scene.rpartition(".")
             getattr(importlib.import_module(module or "screenshot_scenes"), name)(session)
         result |= {"taken": session.taken, **session.seen}

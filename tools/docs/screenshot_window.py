@@ -6,11 +6,11 @@ import time
 from pathlib import Path
 
 import qgis.utils
-from moving_webp import frame_name
 from qgis.core import QgsProject
 from qgis.PyQt.QtCore import QCoreApplication, QPoint, QRect, Qt
 from qgis.PyQt.QtGui import QGuiApplication
 from qgis.PyQt.QtWidgets import QDockWidget, QToolBar
+from small_pictures import frame_name
 
 WINDOW = 1280, 900
 """Size of QGIS's window, in device-independent pixels."""
@@ -40,6 +40,7 @@ class Session:
         self.localized = False
         self.taken = []
         self.seen = {}
+        self.photos = []
 
     def tidy(self) -> None:
         """Hide parts of the window that SemRef's users do not need."""
@@ -65,6 +66,24 @@ class Session:
         self.iface.messageBar().clearWidgets()
         self.resize(*WINDOW)
         self.show_everything()
+        self.photos = self.dock.content.localize.images.paths()
+
+    def reset(self) -> None:
+        """Restore window, dock and list of photos after a scene."""
+        self.resize(*WINDOW)
+        self.show_layers(True)
+        self.toolbox.hide()
+        self.fold_inputs(False)
+        tab = self.dock.content.localize
+        tab.images.flight.setChecked(False)
+        if tab.images.paths() != self.photos:
+            tab.images.list.show_only(self.photos)
+        tab.results.zoom.setChecked(True)
+        tab.prior.forget()
+
+    def fold_inputs(self, folded: bool) -> None:
+        for box in (self.dock.content.database, self.dock.content.localize.images):
+            box.setCollapsed(folded)
 
     def is_open(self) -> bool:
         """Return whether the sample project is open and its images are in the dock."""

@@ -17,13 +17,14 @@ import sys
 import tempfile
 from pathlib import Path
 
-from make_screenshots import IMAGES, ROOT, Variant, in_desktop, keep, say_what_is_missing
-from walk_ground import PLACES, fill, lacks
+from make_screenshots import IMAGES, ROOT, Variant, in_desktop, keep, package_plugin, say_what_is_missing
 
 sys.path.append(str(ROOT / "tools"))
 from plugin_package import load_plugin_package
 
 load_plugin_package()
+from walk_ground import PLACES, fill, lacks  # noqa: E402
+
 from benchmarks import results  # noqa: E402
 
 GUIDE = ROOT / "docs" / "tutorials" / "own_area_and_photos.md"
@@ -55,16 +56,12 @@ def main() -> None:
         return
     say_what_is_missing([Variant(())])
     with tempfile.TemporaryDirectory(prefix="semref-", dir=arguments.folder) as folder:
-        work = Path(folder)
-        package = work / "semref.zip"
-        make = [sys.executable, str(ROOT / "tools" / "release" / "package.py"), "--output", str(package)]
-        subprocess.run(make, check=True)
-        ground = None
+        work, ground = Path(folder), None
         if place is not None:
             ground = work / "ground"
             ground.mkdir()
             fill(place, arguments.data, ground)
-        seen = walk(package, work / "home", ground, arguments.python, arguments.minutes)
+        seen = walk(package_plugin(work), work / "home", ground, arguments.python, arguments.minutes)
         target = IMAGES if arguments.write else arguments.pictures
         if target is not None:
             target.mkdir(parents=True, exist_ok=True)

@@ -15,6 +15,10 @@ import cv2
 import numpy as np
 from osgeo import gdal
 
+from sample.photo import turned
+
+gdal.UseExceptions()
+
 SEED, COUNT = 1671, 12
 EDGE_PX, SCALES = 640, (0.9, 1.1)
 QUALITY = 92
@@ -59,22 +63,14 @@ def lacks(place: RealPlace, data: Path) -> str:
     return f"Not walked: there is no {missing[0]} in {data}." if missing else ""
 
 
-def fill(place: RealPlace, data: Path, folder: Path) -> None:
+def fill(ground: RealPlace, data: Path, folder: Path) -> None:
     """Write orthophoto.tif, buildings.gpkg, photos and photos.csv."""
-    source = gdal.Open(str(data / place.photo))
-    width, height = source.RasterXSize, source.RasterYSize
+    source = gdal.Open(str(data / ground.photo))
+    width, height, place = source.RasterXSize, source.RasterYSize, source.GetGeoTransform()
     half = width // 2
-    orthophoto = gdal.Translate(
-        str(folder / "orthophoto.tif"),
-        source,
-        srcWin=[0, 0, half, height],
-        creationOptions=["TILED=YES", "COMPRESS=JPEG", "PHOTOMETRIC=YCBCR", f"JPEG_QUALITY={QUALITY}"],
-    )
-    if orthophoto is None:
-        raise RuntimeError(gdal.GetLastErrorMsg())
-    # Closing the dataset writes it.
-    del orthophoto
-    shutil.copy(data / place.polygons, folder / "buildings.gpkg")
+    options = ["TILED=YES", "COMPRESS=JPEG", "PHOTOMETRIC=YCBCR", f"JPEG_QUALITY={QUALITY}"]
+    gdal.Translate(str(folder / "orthophoto.tif"), source, srcWin=[0, 0, half, height], creationOptions=options)
+    shutil.copy(data / ground.polygons, folder / "buildings.gpkg")
     pixels = np.ascontiguousarray(np.moveaxis(source.ReadAsArray()[:3], 0, 2))
     photos = folder / "photos"
     photos.mkdir()
@@ -85,18 +81,8 @@ def fill(place: RealPlace, data: Path, folder: Path) -> None:
         rows.writerow(["image", "x", "y"])
         for number in range(1, COUNT + 1):
             column, row = random.uniform((half + margin, margin), (width - margin, height - margin))
-            turn, scale = random.uniform(0, 2 * np.pi), random.uniform(*SCALES)
+            heading, scale = np.degrees(random.uniform(0, 2 * np.pi)), random.uniform(*SCALES)
             name = f"photo_{number:02d}.jpg"
-            shown = _cut(pixels, (column, row), turn, scale)
+            shown = turned(pixels, (column, row), heading, scale, (EDGE_PX, EDGE_PX))
             cv2.imwrite(str(photos / name), shown[..., ::-1], [cv2.IMWRITE_JPEG_QUALITY, QUALITY])
-            x0, across, _, y0, _, down = source.GetGeoTransform()
-            rows.writerow([name, round(x0 + column * across, 3), round(y0 + row * down, 3)])
-
-
-def _cut(pixels: np.ndarray, center: tuple[float, float], turn: float, scale: float) -> np.ndarray:
-    """Return a photo (EDGE_PX, EDGE_PX, 3) around a place (column, row)."""
-    across = scale * np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
-    # Pixel corners have whole-number coordinates; in OpenCV, pixel centers have.
-    first = np.array(center) - 0.5 - across @ np.full(2, (EDGE_PX - 1) / 2)
-    inverse = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
-    return cv2.warpAffine(pixels, np.column_stack([across, first]), (EDGE_PX, EDGE_PX), flags=inverse)
+            rows.writerow([name, *(round(at, 3) for at in gdal.ApplyGeoTransform(place, column, row))])

@@ -1,15 +1,19 @@
-"""Write screenshots as small PNG files with a palette, with fewer colors until the size fits."""
+"""Write screenshots as small PNG files with a palette, and frames from the screen as one small animation (WebP)."""
 
 from __future__ import annotations
 
 import io
+import re
 import sys
+from collections.abc import Iterable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from PIL import Image, ImageOps, UnidentifiedImageError
 
 COLOR_COUNTS = (256, 192, 128, 96, 64)
+QUALITIES = (80, 70, 60, 50, 40, 30)
 FRAME_GRAY = 160
 
 SWATCH_PIXELS = 60
@@ -17,6 +21,40 @@ SWATCH_PIXELS = 60
 
 NEAR, MOST_KEPT = 6.0, 32
 """Number of colors far from the palette that replace its rarest colors."""
+
+_FRAME = re.compile(r"(?P<name>.+)\.(?P<number>\d+)\.(?P<shown_ms>\d+)\.png")
+
+
+def frame_name(name: str, number: int, shown_ms: int) -> str:
+    """Return the file name of a frame."""
+    return f"{name}.{number:03d}.{shown_ms}.png"
+
+
+def films(pictures: list[Path]) -> dict[str, list[Path]]:
+    """Return the ordered frames of each animation by its name, without other pictures."""
+    found: dict[str, list[Path]] = {}
+    for path in sorted(pictures):
+        frame = _FRAME.fullmatch(path.name)
+        if frame:
+            found.setdefault(frame["name"], []).append(path)
+    return found
+
+
+def join(frames: list[Path], target: Path, largest_bytes: int) -> None:
+    """Write the frames as one animation that repeats; use a lower quality if it is larger than the limit."""
+    pictures = [Image.open(path).convert("RGB") for path in frames]
+    # The size of a window can change with its contents.
+    first, *others = [picture.crop((0, 0, *pictures[0].size)) for picture in pictures]
+    shown_ms = [int(_FRAME.fullmatch(path.name)["shown_ms"]) for path in frames]
+    options = {
+        "format": "WEBP",
+        "save_all": True,
+        "append_images": others,
+        "duration": shown_ms,
+        "loop": 0,
+        "method": 6,
+    }
+    _write_small(target, largest_bytes, ((first, {"quality": quality, **options}) for quality in QUALITIES))
 
 
 def shrink(source: Path, target: Path, largest_bytes: int) -> None:
@@ -29,15 +67,23 @@ def shrink(source: Path, target: Path, largest_bytes: int) -> None:
     except UnidentifiedImageError:
         raise ValueError(f"{source} is not a picture") from None
     picture.paste(ImageOps.expand(picture.crop((1, 1, picture.width - 1, picture.height - 1)), 1, (FRAME_GRAY,) * 3))
-    for count in COLOR_COUNTS:
+
+    def with_colors(count: int) -> Image.Image:
+        return picture.quantize(palette=_palette(picture, count), dither=Image.Dither.NONE)
+
+    options = {"format": "PNG", "optimize": True}
+    _write_small(target, largest_bytes, ((with_colors(count), options) for count in COLOR_COUNTS))
+
+
+def _write_small(target: Path, largest_bytes: int, attempts: Iterable[tuple[Image.Image, dict[str, Any]]]) -> None:
+    """Write the first picture that fits, or the last one. ``attempts``: pictures with options for saving."""
+    for picture, options in attempts:
         content = io.BytesIO()
-        picture.quantize(palette=_palette(picture, count), dither=Image.Dither.NONE).save(content, "PNG", optimize=True)
+        picture.save(content, **options)
         if content.tell() <= largest_bytes:
             break
     else:
-        print(
-            f"{target} has {content.tell() / 1000:.0f} kB; the limit is {largest_bytes / 1000:.0f} kB", file=sys.stderr
-        )
+        print(f"{target}: {content.tell() / 1000:.0f} kB; the limit is {largest_bytes / 1000:.0f} kB", file=sys.stderr)
     target.write_bytes(content.getvalue())
 
 
