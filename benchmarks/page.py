@@ -14,23 +14,6 @@ PAGE = results.ROOT / "docs" / "benchmarks.md"
 PICTURE = results.ROOT / "docs" / "images" / "what_works.svg"
 CONTENT = Path(__file__).with_name("page.toml")
 
-HEAD = """\
-# Benchmarks
-
-The first table compares the most important figures with their goals. The other tables show one topic each.
-[What to expect and trust](explanation/what_to_expect.md) explains what they mean for your work.
-
-- *Right* positions are within 2 % of the footprint width of the true position, unless stated. Parentheses contain the
-  95 % interval of a share.
-- Shares of true positions in an ellipse or radius count right positions only; for flights they count all positions.
-- Noise “20 / 20 / 5 %”: 20 % of the landmarks are missed, 20 % spurious, 5 % mislabeled.
-- p95 is the 95th percentile. Times depend on the machine, which also did other work. Compare ratios only.
-- The line below a table names its file in `benchmarks/results`, the date and the commit. The file has all rows, the
-  command and the machine. `python -m benchmarks run NAME` repeats a scenario ([how to](development.md#benchmarks)).
-
-`python -m benchmarks page` writes this page. Do not edit it.
-"""
-
 
 def write() -> None:
     """Write the page and the chart."""
@@ -42,7 +25,7 @@ def write() -> None:
 def page(content: dict[str, Any]) -> str:
     """Return the page in Markdown."""
     rows = [[line["figure"], line["goal"], results.cell(*line["of"])] for line in content["summary"]]
-    parts = [HEAD, results.markdown(["figure", "goal", "measured"], rows)]
+    parts = [content["head"], results.markdown(["figure", "goal", "measured"], rows)]
     parts += [topic(one, content["words"]) for one in content["topic"]]
     shown = {name for one in content["topic"] for name, _ in one["from"]}
     return "\n\n".join(part.strip() for part in [*parts, others(shown)]) + "\n"

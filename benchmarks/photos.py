@@ -10,7 +10,7 @@ import cv2
 import numpy as np
 
 from benchmarks.ground import Ground, Image, Wanted, memory_ground
-from benchmarks.maps import NoDataError, World, read
+from benchmarks.maps import NoDataError, World, read, read_photo
 from benchmarks.places import BUILDING, TILE_CLASSES, place, prepared
 from benchmarks.results import ROOT
 from sample.photo import turned
@@ -119,7 +119,7 @@ def of(world: World, row: Row) -> Photos:
         if not path.exists():
             raise NoDataError(f"{path.name} is not here.")
         ground = memory_ground(read(path), TILE_CLASSES, (512, 128, 60))
-        picture = _rgb(read(path.with_name(path.name.replace("label", "image"))))
+        picture = read_photo(path.with_name(path.name.replace("label", "image")))
         return Photos(ground, picture, _model(world, row), wanted, SEARCHED)
     return _of_place(world, row, wanted)
 
@@ -130,7 +130,7 @@ def _of_place(world: World, row: Row, wanted: Wanted) -> Photos:
     if not (world.data / photo.image).exists():
         raise NoDataError(f"{photo.image} is not here.")
     image, labels = prepared(replace(photo, part=(0.0, 1.0)), world.data, PLACE_PIXEL_M, world.work / "places")
-    picture = _rgb(read(image))
+    picture = read_photo(image)
     truth = np.where(read(labels) == BUILDING, BUILDING, OTHER)
     truth[~picture.any(axis=2)] = 0
     labels = truth.astype(np.uint8)
@@ -196,9 +196,5 @@ def _sample() -> tuple[Ground, np.ndarray]:
     landscape = make_landscape(SAMPLE_SEED)
     rows = [f"{c.value},{c.name},{c.color},{c.role}" for c in CLASSES]
     table = "\n".join(["value,name,color,role", *rows])
-    ground = memory_ground(rasterize(landscape, 1.0), table, (640, 160, 50))
+    ground = memory_ground(rasterize(landscape), table, (640, 160, 50))
     return ground, render_photo(landscape)
-
-
-def _rgb(bands: np.ndarray) -> np.ndarray:
-    return np.ascontiguousarray(np.moveaxis(bands[:3], 0, 2))

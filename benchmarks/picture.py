@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from html import escape
+from pathlib import Path
 from typing import Any, NamedTuple
+
+from jinja2 import Template
 
 from benchmarks import results
 
-WIDTH, ROW_PX, TOP_PX, LABELS_PX, BAR_PX = 850, 34, 64, 375, 260
-RIGHT, WRONG, INK, PAPER, EMPTY = "#0072b2", "#d55e00", "#222222", "#ffffff", "#e6e6e6"
-"""Colors that color-blind people can distinguish (Okabe & Ito)."""
+TEMPLATE = Path(__file__).with_name("chart.svg.j2")
+SIZES = {"WIDTH": 850, "ROW": 34, "TOP": 64, "LEFT": 375, "BAR": 260}
+"""Width of the chart, height of a row, and the place and width of the bars, in pixels."""
 
-NOTE = "Line: 95 % interval of the share. Error probability of each position: at most 1 in 10,000."
+COLORS = {"RIGHT": "#0072b2", "WRONG": "#d55e00", "INK": "#222222", "PAPER": "#ffffff", "EMPTY": "#e6e6e6"}
+"""Colors that color-blind people can distinguish (Okabe & Ito)."""
 
 
 class Count(NamedTuple):
@@ -58,42 +61,5 @@ def figures(bars: Sequence[dict[str, Any]]) -> list[tuple[str, Count | None, Cou
 def picture(bars: Sequence[dict[str, Any]]) -> str:
     """Return the chart as SVG."""
     rows = figures(bars)
-    height = TOP_PX + ROW_PX * len(rows) + 34
-    parts = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}"'
-        ' font-family="sans-serif" font-size="14">',
-        f'<rect width="{WIDTH}" height="{height}" rx="8" fill="{PAPER}"/>',
-        f'<text x="16" y="28" font-size="17" font-weight="bold" fill="{INK}">Share of images with a position</text>',
-        _key(LABELS_PX, RIGHT, "right position")
-        + _key(LABELS_PX + 125, WRONG, "wrong position")
-        + _key(LABELS_PX + 255, EMPTY, "no position"),
-    ]
-    parts += [_row(TOP_PX + ROW_PX * number, *row) for number, row in enumerate(rows)]
-    parts.append(f'<text x="16" y="{height - 12}" font-size="12" fill="{INK}">{NOTE}</text>')
-    return "\n".join([*parts, "</svg>"]) + "\n"
-
-
-def _key(x: int, color: str, words: str) -> str:
-    box = f'<rect x="{x}" y="40" width="12" height="12" fill="{color}"/>'
-    return f'{box}<text x="{x + 18}" y="51" font-size="12" fill="{INK}">{words}</text>'
-
-
-def _row(y: int, images: str, right: Count | None, wrong: Count | None) -> str:
-    middle, bar = y + ROW_PX / 2, f'y="{y + 8}" height="{ROW_PX - 16}"'
-    parts = [
-        f'<text x="16" y="{middle + 5}" fill="{INK}">{escape(images)}</text>',
-        f'<rect x="{LABELS_PX}" {bar} width="{BAR_PX}" fill="{EMPTY}"/>',
-    ]
-    width = BAR_PX * right.count / right.of if right else 0
-    if right:
-        parts.append(f'<rect x="{LABELS_PX}" {bar} width="{width:.1f}" fill="{RIGHT}"/>')
-    if wrong and wrong.count:
-        own = BAR_PX * wrong.count / wrong.of
-        parts.append(f'<rect x="{LABELS_PX + min(width, BAR_PX - own):.1f}" {bar} width="{own:.1f}" fill="{WRONG}"/>')
-    if right:
-        low, high = (LABELS_PX + BAR_PX * share / 100 for share in (right.low, right.high))
-        parts.append(f'<path d="M{low:.1f} {middle}H{high:.1f}" stroke="{INK}" stroke-width="1.5" opacity="0.6"/>')
-    words = f"{right.count:,} of {right.of:,}" if right else f"{wrong.of:,} tried" if wrong else ""
-    words += f", {wrong.count} wrong" if wrong else ""
-    parts.append(f'<text x="{LABELS_PX + BAR_PX + 12}" y="{middle + 5}" font-size="13" fill="{INK}">{words}</text>')
-    return "".join(parts)
+    template = Template(TEMPLATE.read_text(encoding="utf-8"), keep_trailing_newline=True)
+    return template.render(SIZES, **COLORS, rows=rows, height=SIZES["TOP"] + SIZES["ROW"] * len(rows) + 34)

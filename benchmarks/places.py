@@ -9,12 +9,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-TILES = "dubai_aerial"
+from benchmarks.toml import read_toml
+
 TILE_CLASSES = (
     "value,name,color,role\n1,building,#3c1098,reference\n2,land_unpaved,#8429f6,reference\n3,road,#6ec1e4,reference\n"
     "4,vegetation,#fedd3a,reference\n5,water,#e2a929,reference\n"
 )
-"""Folder of aerial photos with labels, and the class table of the labels."""
+"""Class table of the labels of dubai_aerial."""
 
 BUILDINGS = ("building",)
 ALL_CLASSES = ("building", "land_unpaved", "road", "vegetation", "water")
@@ -58,33 +59,12 @@ class Place:
     photos: tuple[Photo, ...]
 
 
-def _banepa(side: str, part: tuple[float, float]) -> Place:
-    photo = Photo("banepa/banepa_photo.tif", "banepa/banepa_buildings.gpkg", part)
-    about = f"Banepa, Nepal, {side} half: a dense old town of terraces, 0.15 m"
-    return Place(f"banepa_{side}", about, BUILDINGS, (photo,))
+def _place(name: str, about: str, drawn: list[str], photos: list[dict]) -> Place:
+    photos = [{**one, "part": tuple(one.get("part", (0.0, 1.0)))} for one in photos]
+    return Place(name, about, tuple(drawn), tuple(Photo(**one) for one in photos))
 
 
-def _scattered(name: str, about: str, photos: tuple[str, ...]) -> Place:
-    found = (Photo(f"oam_buildings/{photo}.tif", f"oam_buildings/{name}_buildings.gpkg") for photo in photos)
-    return Place(name, about, BUILDINGS, tuple(found))
-
-
-PLACES = (
-    _banepa("west", (0.0, 0.5)),
-    _banepa("east", (0.5, 1.0)),
-    _scattered("uganda", "Uganda: houses and sheds among trees and red earth, 0.1 m", ("uganda_1",)),
-    _scattered(
-        "nepal_a", "Nepal, less than 2 km from Banepa: scattered houses, fields, 0.1 m", ("nepal_a_1", "nepal_a_2")
-    ),
-    _scattered("kenya", "Kenya: blocks of flats, and an older quarter, 0.1 m", ("kenya_1", "kenya_2")),
-    Place(
-        "dubai",
-        "Dubai: six mosaics seen from space or high above; town, desert, shore",
-        ALL_CLASSES,
-        tuple(Photo(f"{TILES}/tile{n}_image.tif", f"{TILES}/tile{n}_label.tif") for n in range(1, 7)),
-    ),
-)
-"""All of them."""
+PLACES = tuple(_place(**one) for one in read_toml(Path(__file__).with_name("places.toml"))["place"])
 
 
 def place(name: str) -> Place:

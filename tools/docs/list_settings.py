@@ -1,6 +1,7 @@
 """The reference page of the solvers' settings, from their classes.
 
-The docstring of a class describes each field as "meaning [what it was set on; trials]".
+settings_head.md has the introduction and the commands of the trials. The docstring of a class describes each field as
+"meaning [what it was set on; trials]".
 """
 
 from __future__ import annotations
@@ -10,55 +11,11 @@ import inspect
 import re
 from collections.abc import Iterator
 from dataclasses import is_dataclass
+from pathlib import Path
 
-COMMANDS = {
-    "constellation trials, north": "`benchmarks run localization`, `benchmarks fit localization`",
-    "tilted trials": "`benchmarks run cameras`",
-    "images from elsewhere": "`benchmarks run elsewhere`",
-    "catalogue sizes": "`benchmarks run timing.fix`",
-    "correlation trials, north, and fit": "`benchmarks run label_noise`, `benchmarks fit label_noise`",
-    "correlation times": "`benchmarks run timing.correlation`",
-    "large maps": "removed",
-    "areas": "`benchmarks run reliability`, `benchmarks fit reliability`",
-    "radius": "`benchmarks run coverage`, `benchmarks fit coverage`",
-    "covariance": "`benchmarks run coverage` and `dates` with other settings",
-    "biases": "*Compare label maps*",
-    "probability": "`benchmarks run reliability`, `benchmarks fit reliability`",
-    "footprint trials": "`benchmarks run footprints`",
-    "parts": "removed",
-    "flights": "`benchmarks run flights`",
-    "flight measurements": "removed",
-    "automatic, north, with evidence": "`benchmarks run label_noise`",
-}
+HEAD = Path(__file__).with_name("settings_head.md").read_text(encoding="utf-8")
+COMMANDS = dict(re.findall(r"^\| (.+) \| (.+) \|$", HEAD, re.MULTILINE)[1:])
 """The command that repeats each group of trials, by the name that docstrings use."""
-
-HEAD = """# Solver settings
-
-The values below were chosen; they do not follow from an equation. Each class is a frozen dataclass. Create another
-one with `dataclasses.replace` and pass it to `Localizer(database, settings)`. A changed value changes results, so
-repeat its trials and the [benchmarks](../benchmarks.md).
-
-The column *data* shows what a value was set on:
-
-- *Liechtenstein, north*: trials on the northern half of Liechtenstein 2021. Published figures come from the southern
-  half, which decided nothing.
-- *three places, north*: the northern halves of Liechtenstein and of Christchurch (a map of 1996, images of 2018), and
-  tiles 1 to 3 of Dubai's label maps. Published figures come from the southern halves, from tiles 4 to 6, and from
-  places on which no value was calibrated.
-- *by hand*: judgment when the method was written. The named trials ran with this value; no record shows that another
-  value was tested.
-- *reasoning*: follows from the text in the column *meaning*.
-
-## Commands
-
-Measure with `.venv/bin/python -m benchmarks run NAME --data FOLDER --work FOLDER --count N`. Then `.venv/bin/python
--m benchmarks fit NAME --work FOLDER` prints the curve of the error probability and the factor of the radius that fit
-these images. Fit on one place or pair of dates, and test on another. Set `half = "north"` in a scenario's file to
-calibrate on the northern half.
-
-The values were set with older scripts (`tools/calibration`, `tools/bench`), which drew other images of the same
-kinds. Commit c1d78b5 is the last one that has them.
-"""
 
 _ENTRY = re.compile(r"^    (\w+): (.*?)(?=^    \w+: |\Z)", re.MULTILINE | re.DOTALL)
 _IN_BRACKETS = re.compile(r" \[([^]]*)\]\.?$")
@@ -81,8 +38,7 @@ def classes() -> list[type]:
 
 def page() -> str:
     """Return the whole page."""
-    commands = [f"| {name} | {command} |" for name, command in COMMANDS.items()]
-    return "\n".join([HEAD, "| trials | command |", "|---|---|", *commands, *map(section, classes())]) + "\n"
+    return HEAD + "\n".join(map(section, classes())) + "\n"
 
 
 def section(settings: type) -> str:

@@ -22,6 +22,7 @@ from common import train as run_training
 from half_weights import halve_weights
 
 from benchmarks import places
+from benchmarks.maps import read, read_photo
 from benchmarks.places import ALL_CLASSES, BUILDINGS, PLACES, Place
 from semref.core.labels.image_source import ArrayImage
 from semref.core.segmentation.model import SegmentationModel
@@ -39,22 +40,8 @@ TILE_PX, STRIDE_PX, DUBAI_TILE_PX, SHOWN_TILE_PX = 256, 128, 512, 512
 VALIDATION_FRACTION = 0.15
 BATCH, LIGHT, MANY_EPOCHS = 4, 1.5, 10_000
 TITLES = {PHOTOS: "Aerial photos", BUILDINGS_ONLY: "Buildings (drone photos)"}
-LICENSES = {
-    PHOTOS: "Weights of what they were trained on; the license of Dubai's mosaics is not confirmed.",
-    BUILDINGS_ONLY: "CC BY 4.0. Imagery © contributors of the Open Imagery Network/OpenAerialMap, CC BY 4.0; buildings "
-    "© OpenStreetMap contributors, ODbL, as published by HOTOSM. HOTOSM's catalog states CC BY 4.0 for Banepa. For the "
-    "other places the statement is OpenAerialMap's general one; the metadata of single images could not be looked up.",
-}
-GOOD_FOR = {
-    PHOTOS: "A start: buildings from straight above; a base model to go on from on your own ground (Train model).",
-    BUILDINGS_ONLY: "Buildings seen from straight above by a drone, at 0.1 to 0.4 m; a base model to go on from.",
-}
-NOT_FOR = {
-    PHOTOS: "Roads, vegetation, water and land were learned in Dubai alone: elsewhere they are guesses. Other "
-    "climates, oblique or infrared photos, night, snow.",
-    BUILDINGS_ONLY: "Anything but buildings; houses apart from each other in dense towns; photos from space, oblique "
-    "or infrared ones, night, snow.",
-}
+CARDS = json.loads(Path(__file__).with_name("photo_cards.json").read_text(encoding="utf-8"))
+"""Uses and licenses of both networks."""
 
 
 def main() -> None:
@@ -131,9 +118,7 @@ def card_of(name: str, title: str, places: list[Place]) -> dict:
     return {
         "name": title,
         "trained_on": [{"place": one.name, "about": one.about, "classes": list(one.drawn)} for one in unlike],
-        "good_for": GOOD_FOR[name],
-        "not_for": NOT_FOR[name],
-        "license": f"{LICENSES[name]} Encoder: EfficientNet-Lite0, Apache 2.0.",
+        **CARDS[name],
     }
 
 
@@ -145,7 +130,7 @@ def tested_on(one: Place, name: str, model: Path, folder: Path) -> dict:
     counts = {c: np.zeros(3) for c in one.drawn if c in network.classes.names}
     for photo in one.photos:
         image, labels = places.prepared(photo, DATA, RESOLUTIONS_M[name], folder / "places")
-        picture, truth = pixels(image), pixels(labels)
+        picture, truth = read_photo(image), read(labels)
         found = PhotoLabels(network, ArrayImage(picture), values).found()
         known = truth > 0 if one.drawn == ALL_CLASSES else picture.any(axis=2)
         for entry in (c for c in table if c.name in counts):
@@ -153,14 +138,6 @@ def tested_on(one: Place, name: str, model: Path, folder: Path) -> dict:
             counts[entry.name] += (true & answer).sum(), true.sum(), answer.sum()
     iou = {c: round(both / max(true + answer - both, 1), 3) for c, (both, true, answer) in counts.items()}
     return {"place": one.name, "about": one.about, "how": "left out", "iou": iou}
-
-
-def pixels(path: Path) -> np.ndarray:
-    """Read a file as (H, W) or (H, W, 3) uint8."""
-    from osgeo import gdal
-
-    bands = gdal.Open(str(path)).ReadAsArray()
-    return np.ascontiguousarray(np.moveaxis(bands[:3], 0, 2)) if bands.ndim == 3 else bands
 
 
 def write_card(folder: Path, name: str) -> None:
