@@ -1,7 +1,7 @@
 """Make the sample area: a made-up landscape as a shapefile, its class table, and pictures of it with known truth.
 
     .venv/bin/python -m tools.sample                                         # sample/, which ships with the plugin
-    .venv/bin/python -m tools.sample FOLDER [--seed 1671] [--pixel-size 1.0] [--label-images]
+    .venv/bin/python -m tools.sample FOLDER [--seed 1671] [--label-images]
 
 The folder then holds landcover.shp, classes.csv, orthophoto.tif (a rendered photo of the whole area), photos/*.jpg and
 photos.csv, flight/*.jpg and flight.csv, sample.json; with --label-images also images/*.png and truth.csv.
@@ -28,7 +28,6 @@ MADE_OF = ".made_of"
 """File in SHIPPED with the hash of the code that made it; hidden files do not ship."""
 
 USED = (ROOT / "core" / "simulation" / "views.py", ROOT / "core" / "annotation" / "polygons.py")
-PIXEL_SIZES_M = (0.25, 2.0)  # finer maps take gigabytes, coarser ones are too small for the pictures
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -69,15 +68,11 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser("tools.sample", description=__doc__.splitlines()[0])
     parser.add_argument("folder", type=Path, nargs="?", help="default: sample/ of this checkout, which ships")
     parser.add_argument("--seed", type=int, default=DEFAULT_SEED, help="any number from 0; default %(default)s")
-    parser.add_argument("--pixel-size", type=float, default=1.0, help="meters; default %(default)s")
     parser.add_argument("--label-images", action="store_true", help="also label images at known places")
     options = parser.parse_args(arguments)
     if options.seed < 0:
         parser.error(f"the seed must be 0 or more, not {options.seed}")
-    if not PIXEL_SIZES_M[0] <= options.pixel_size <= PIXEL_SIZES_M[1]:
-        parser.error("the pixel size must be from {} to {} m, not {}".format(*PIXEL_SIZES_M, options.pixel_size))
-    is_other = (options.seed, options.pixel_size, options.label_images) != (DEFAULT_SEED, 1.0, False)
-    if options.folder is None and is_other:
+    if options.folder is None and (options.seed != DEFAULT_SEED or options.label_images):
         parser.error("choose a folder for an area other than the shipped one")
     return options
 
@@ -88,10 +83,10 @@ def write(folder: Path, options: argparse.Namespace) -> str:
     from .landscape import make_landscape
 
     landscape = make_landscape(options.seed)
-    labels_hw = files.rasterize(landscape, options.pixel_size)
-    files.write_sample(folder, landscape, options.pixel_size)
+    labels_hw = files.rasterize(landscape)
+    files.write_sample(folder, landscape)
     if options.label_images:
-        files.write_label_images(folder, landscape, labels_hw, options.pixel_size)
+        files.write_label_images(folder, landscape, labels_hw)
     return summary(landscape, labels_hw)
 
 

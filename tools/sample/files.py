@@ -32,22 +32,23 @@ FLIGHT_START, SECONDS_BETWEEN = datetime(2025, 5, 9, 10, tzinfo=timezone.utc), 1
 MARKER = "sample.json"
 """Distinguishes a folder of ours from somebody's data."""
 
+PIXEL_SIZE_M = 1.0
 _FIELDS = (("class", ogr.OFTString, 20), ("class_id", ogr.OFTInteger, 4), ("zorder", ogr.OFTInteger, 4))
 _SHAPEFILE_OPTIONS = ["ENCODING=UTF-8", "DBF_DATE_LAST_UPDATE=2025-05-09"]
 """With a fixed day: the format stores one, and the same seed is to give the same file."""
 
 
-def render_photo(landscape: Landscape, pixel_size: float = 1.0) -> np.ndarray:
+def render_photo(landscape: Landscape, pixel_size: float = PIXEL_SIZE_M) -> np.ndarray:
     """(H, W, 3) uint8 RGB photo of the whole landscape, on the grid of its label map."""
     return photo.render(landscape, grid_of(landscape, pixel_size), pixel_size)
 
 
-def write_sample(folder: Path, landscape: Landscape, pixel_size: float) -> None:
+def write_sample(folder: Path, landscape: Landscape) -> None:
     """Write all files of the sample into an existing folder."""
     write_shapefile(landscape, folder)
     write_classes(folder / CLASSES_FILE)
-    photo_hw3 = render_photo(landscape, pixel_size)
-    write_orthophoto(landscape, pixel_size, photo_hw3, folder / ORTHOPHOTO_FILE)
+    photo_hw3 = render_photo(landscape)
+    write_orthophoto(landscape, PIXEL_SIZE_M, photo_hw3, folder / ORTHOPHOTO_FILE)
     views = pictures.plan_photos(photo_hw3.shape[:2], landscape.seed)
     flight = pictures.plan_flight(photo_hw3.shape[:2])
     for name, taken in ((PHOTOS_FOLDER, views), (FLIGHT_FOLDER, flight)):
@@ -55,13 +56,13 @@ def write_sample(folder: Path, landscape: Landscape, pixel_size: float) -> None:
         for view in taken:
             shown_hw3 = photo.shoot(photo_hw3, view, landscape.seed)
             write_jpeg(folder / name / view.name, np.moveaxis(shown_hw3, 2, 0))
-    write_truth(landscape, pixel_size, views, folder / PHOTOS_TRUTH_FILE)
-    write_truth(landscape, pixel_size, flight, folder / FLIGHT_FILE, timed=True)
-    about = {"made_by": "semref", "seed": landscape.seed, "pixel_size": pixel_size, "photos": len(views)}
+    write_truth(landscape, views, folder / PHOTOS_TRUTH_FILE)
+    write_truth(landscape, flight, folder / FLIGHT_FILE, timed=True)
+    about = {"made_by": "semref", "seed": landscape.seed, "pixel_size": PIXEL_SIZE_M, "photos": len(views)}
     (folder / MARKER).write_text(json.dumps(about, indent=2) + "\n", encoding="utf-8")
 
 
-def write_label_images(folder: Path, landscape: Landscape, labels_hw: np.ndarray, pixel_size: float) -> None:
+def write_label_images(folder: Path, landscape: Landscape, labels_hw: np.ndarray) -> None:
     """Write label images of the map into ``images``, and where they were cut into truth.csv."""
     views = pictures.plan_views(labels_hw.shape, landscape.seed)
     (folder / "images").mkdir()
@@ -69,7 +70,7 @@ def write_label_images(folder: Path, landscape: Landscape, labels_hw: np.ndarray
         shown = pictures.cut(labels_hw, view)
         bands = np.moveaxis(pictures.colored(shown), 2, 0) if view.in_color else shown[None]
         write_png(folder / "images" / view.name, bands)
-    write_truth(landscape, pixel_size, views, folder / "truth.csv")
+    write_truth(landscape, views, folder / "truth.csv")
 
 
 def write_shapefile(landscape: Landscape, folder: Path) -> None:
@@ -122,7 +123,7 @@ def grid_of(landscape: Landscape, pixel_size: float) -> tuple[float, float, int,
     return west * pixel_size, north * pixel_size, east - west, north - south
 
 
-def rasterize(landscape: Landscape, pixel_size: float) -> np.ndarray:
+def rasterize(landscape: Landscape, pixel_size: float = PIXEL_SIZE_M) -> np.ndarray:
     """Label map (h, w) uint8 of the landscape, higher zorder on top, 0 where nothing is drawn."""
     west, north, width, height = grid_of(landscape, pixel_size)
     drawn = [f for f in landscape.features if f.geometry is not None]
@@ -146,21 +147,19 @@ def write_orthophoto(landscape: Landscape, pixel_size: float, photo_hw3: np.ndar
         del dataset
 
 
-def write_truth(
-    landscape: Landscape, pixel_size: float, views: Iterable[pictures.Picture], path: Path, timed: bool = False
-) -> None:
+def write_truth(landscape: Landscape, views: Iterable[pictures.Picture], path: Path, timed: bool = False) -> None:
     """Where every picture was cut: its center in map pixels and map units, heading, and scale.
 
     ``rotation_deg`` is the heading of the image's top, clockwise from grid north; ``scale`` is map pixels per image
     pixel. ``timed``: with the time of each, as a camera table has it.
     """
-    west, north, _, _ = grid_of(landscape, pixel_size)
+    west, north, _, _ = grid_of(landscape, PIXEL_SIZE_M)
     with path.open("w", newline="", encoding="utf-8") as file:
         rows = csv.writer(file, lineterminator="\n")
         header = ["image", "kind", "column", "row", "x", "y", "rotation_deg", "scale", "window"]
         rows.writerow([*header, "time"] if timed else header)
         for number, v in enumerate(views):
-            x, y = west + v.column * pixel_size, north - v.row * pixel_size
+            x, y = west + v.column * PIXEL_SIZE_M, north - v.row * PIXEL_SIZE_M
             when = [(FLIGHT_START + timedelta(seconds=number * SECONDS_BETWEEN)).isoformat()] if timed else []
             place = round(x, 4), round(y, 4)
             rows.writerow([v.name, v.kind, v.column, v.row, *place, v.heading_deg, v.scale, v.window, *when])

@@ -7,6 +7,7 @@ degrees clockwise from grid north: with 90 the top of the image is in the east.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -81,28 +82,18 @@ def colored(labels_hw: np.ndarray) -> np.ndarray:
 
 def plan_views(shape_hw: tuple[int, int], seed: int) -> tuple[Picture, ...]:
     """All pictures of the sample, in the order of truth.csv."""
-    height, width = shape_hw
-    reach = WINDOW_PX * max(SCALES) / 2
-    if min(height, width) < 2 * reach + STRIDE_PX:
-        raise ValueError(
-            f"A map of {width} × {height} pixels is too small for pictures of {WINDOW_PX} pixels "
-            f"at {max(SCALES):g} times the view; choose a smaller pixel size."
-        )
-    rng = np.random.default_rng([seed, 100])
-    chosen = _windows(rng, shape_hw, 0, max(ON_WINDOW_COUNT, COLOR_ON_WINDOW_COUNT))
-    turned = _nearest_window(0.55 * width, 0.5 * height, shape_hw, reach)
-    views = [_on(at, "on_window", f"on_window_{_text(at)}") for at in chosen]
-    views += [_on(turned, "rotated", f"rotated_{h:03d}_{_text(turned)}", heading_deg=h) for h in HEADINGS_DEG]
-    views += [_on(turned, "scaled", f"scaled_{s:.2f}_{_text(turned)}", scale=s) for s in SCALES]
+    rng, grid = np.random.default_rng([seed, 100]), _grid(shape_hw)
+    picked = rng.choice(len(grid), ON_WINDOW_COUNT, replace=False)
+    chosen = sorted((grid[i] for i in picked), key=lambda at: at[::-1])
+    # Around this window there is map for the largest scale.
+    middle = (0.55 * shape_hw[1] - WINDOW_PX / 2, 0.5 * shape_hw[0] - WINDOW_PX / 2)
+    turned = min(_grid(shape_hw, WINDOW_PX * (max(SCALES) - 1) / 2), key=lambda at: math.dist(at, middle))
+    views = [_on(at, "on_window") for at in chosen]
+    views += [_on(turned, "rotated", f"_{h:03d}", heading_deg=h) for h in HEADINGS_DEG]
+    views += [_on(turned, "scaled", f"_{s:.2f}", scale=s) for s in SCALES]
     views += _off_grid(rng, shape_hw, OFF_GRID_COUNT, "off_grid")
-    views += [
-        _on(at, "color_on_window", f"color_on_window_{_text(at)}", in_color=True)
-        for at in chosen[:COLOR_ON_WINDOW_COUNT]
-    ]
-    views += [
-        _on(turned, "color_rotated", f"color_rotated_{h:03d}_{_text(turned)}", heading_deg=h, in_color=True)
-        for h in COLOR_HEADINGS_DEG
-    ]
+    views += [_on(at, "color_on_window", in_color=True) for at in chosen[:COLOR_ON_WINDOW_COUNT]]
+    views += [_on(turned, "color_rotated", f"_{h:03d}", heading_deg=h, in_color=True) for h in COLOR_HEADINGS_DEG]
     return tuple(views + _off_grid(rng, shape_hw, COLOR_OFF_GRID_COUNT, "color_off_grid", in_color=True))
 
 
@@ -128,9 +119,9 @@ def plan_flight(shape_hw: tuple[int, int], count: int = FLIGHT_COUNT) -> tuple[P
     )
 
 
-def _on(at: tuple[int, int], kind: str, stem: str, **settings: Any) -> Picture:
-    half = WINDOW_PX / 2
-    return Picture(f"{stem}.png", kind, at[0] + half, at[1] + half, window=_text(at), **settings)
+def _on(at: tuple[int, int], kind: str, detail: str = "", **settings: Any) -> Picture:
+    half, window = WINDOW_PX / 2, f"{at[0]}_{at[1]}"
+    return Picture(f"{kind}{detail}_{window}.png", kind, at[0] + half, at[1] + half, window=window, **settings)
 
 
 def _off_grid(
@@ -152,22 +143,7 @@ def _off_grid(
     return pictures
 
 
-def _windows(rng: np.random.Generator, shape_hw: tuple[int, int], margin: float, count: int) -> list[tuple[int, int]]:
-    """First pixels (column, row) of different windows of the grid, in reading order."""
-    grid = _grid(shape_hw, margin)
-    picked = rng.choice(len(grid), count, replace=False)
-    return sorted((grid[i] for i in picked), key=lambda at: at[::-1])
-
-
-def _nearest_window(column: float, row: float, shape_hw: tuple[int, int], reach: float) -> tuple[int, int]:
-    """Return the window nearest to a pixel with `reach` pixels of map around it."""
-    return min(
-        _grid(shape_hw, reach - WINDOW_PX / 2),
-        key=lambda at: np.hypot(at[0] + WINDOW_PX / 2 - column, at[1] + WINDOW_PX / 2 - row),
-    )
-
-
-def _grid(shape_hw: tuple[int, int], margin: float) -> list[tuple[int, int]]:
+def _grid(shape_hw: tuple[int, int], margin: float = 0) -> list[tuple[int, int]]:
     """First pixels of all windows with `margin` pixels of map around them, in reading order."""
     height, width = shape_hw
     columns, rows = (
@@ -175,7 +151,3 @@ def _grid(shape_hw: tuple[int, int], margin: float) -> list[tuple[int, int]]:
         for side in (width, height)
     )
     return [(column, row) for row in rows for column in columns]
-
-
-def _text(at: tuple[int, int]) -> str:
-    return f"{at[0]}_{at[1]}"

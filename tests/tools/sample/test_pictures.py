@@ -40,11 +40,6 @@ def test_views_on_windows_are_centered_on_the_window_of_their_name():
             assert v.name.endswith(f"_{v.window}.png")
 
 
-def test_a_map_too_small_for_the_pictures_is_refused():
-    with pytest.raises(ValueError, match="smaller pixel size"):
-        pictures.plan_views((900, 2000), SEED)
-
-
 def test_more_photos_begin_with_the_same_ones():
     few, many = (pictures.plan_photos((3000, 4000), SEED, count) for count in (12, 200))
     assert many[:12] == few
