@@ -10,11 +10,11 @@ import hashlib
 import json
 import math
 import sys
-import time
 import zlib
 from collections import Counter
-from collections.abc import Iterator, Sequence
-from dataclasses import asdict, dataclass, field, fields, replace
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import asdict, dataclass, field, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -27,13 +27,11 @@ from benchmarks.network_errors import NetworkNoise
 from benchmarks.results import ROOT, Table, rate
 from semref.core.correlation.decision import lead
 from semref.core.evaluation.summary import percentile
-from semref.core.evaluation.trial import RIGHT_SHARE, Trial, judge
+from semref.core.evaluation.trial import RIGHT_SHARE, Trial
 from semref.core.geometry.error_settings import NETWORK_SPREAD, UNBIASED, ClassBias, KnownBiases
 from semref.core.geometry.leveling import Attitude, focal_length_from_view, leveling
 from semref.core.localization import Method, Prior
-from semref.core.localizer.search import Search
-from semref.core.pipeline import localize_with
-from semref.core.simulation.noise import DISPLACED_M, USUAL, LabelNoise
+from semref.core.simulation.noise import DISPLACED_M, LabelNoise
 from semref.core.simulation.views import View
 
 NETWORK = NetworkNoise(missed_below=200.0, split_length=40.0)
@@ -43,16 +41,14 @@ NOISES = {
     "goal": GOAL,
     "hard": replace(GOAL, missed=0.4, spurious=0.4, mislabeled=0.1),
     "harder": replace(GOAL, missed=0.6, spurious=0.6, mislabeled=0.15),
-    "background": replace(GOAL, background=0.2),
     "patches": replace(GOAL, patches=0.35, patch_size=150.0),
-    "usual": NetworkNoise(**vars(USUAL)),
     # Networks that are usable and poor; the first one as seen on aerial tiles with an IoU of buildings near 0.5.
     "modest": replace(NETWORK, merge_gap=6, split=0.2, jitter=3, jitter_length=9, patches=0.15, thin=4, missed=0.15),
     "strong": replace(NETWORK, merge_gap=10, split=0.4, jitter=6, jitter_length=18, patches=0.35, thin=8, missed=0.4),
 }
 """Noises in pixels of the image, except those of networks."""
 
-OF_NETWORKS = ("usual", "modest", "strong")
+OF_NETWORKS = ("modest", "strong")
 """Noises in meters, for a map with pixels of 1 m and windows of 1,280 m."""
 
 BUILDINGS = (1,)
@@ -61,26 +57,60 @@ AT_95 = math.sqrt(-2 * math.log(0.05))
 
 
 @dataclass(frozen=True)
-class Row:
-    """Images of one kind.
+class MapRow:
+    """Images or flights of one kind.
 
     Attributes:
         name: Name of the row.
         database: Name of the map for the database.
         images: Name of the map from which images are cut; empty for the same map.
         half: Half of the map with the image centers: north, south or empty.
-        method: Key of the method.
         noise: One of NOISES.
+        leaning: Shift of roofs, as a share of the distance from the center.
+        foreign: Kind of images of other places (``foreign.KINDS``, ``mirrored``, ``other half``); empty for the map's.
+        heading_known_deg: Largest error of the known heading; 0 for unknown.
+        count: Number of images or flights.
+    """
+
+    name: str
+    database: str = "liechtenstein"
+    images: str = ""
+    half: str = "south"
+    noise: str = "goal"
+    leaning: float = 0.0
+    foreign: str = ""
+    heading_known_deg: float = 0.0
+    count: int = 200
+
+    def ground(self, world: World) -> Ground:
+        """Return the ground of the images."""
+        return world.ground(self.database, self.images, self.half)
+
+    def known(self, ground: Ground) -> Ground:
+        """Return the ground with the database to localize images in."""
+        return ground.known_elsewhere() if self.foreign == "other half" else ground
+
+    def heading(self, view: View, rng: np.random.Generator) -> dict[str, float]:
+        """Return the part of a prior that states the heading."""
+        if not self.heading_known_deg:
+            return {}
+        off = rng.uniform(-1, 1) * self.heading_known_deg
+        return {"heading_deg": (view.heading_deg + off) % 360, "heading_range_deg": self.heading_known_deg}
+
+
+@dataclass(frozen=True)
+class Row(MapRow):
+    """Images of one kind.
+
+    Attributes:
+        method: Key of the method.
         jitter: Boundary jitter in pixels instead of that of the noise.
         displaced: Whether the map is displaced like maps of another date.
         shift_m: Shift of all buildings in a random direction.
         stated: Whether the localizer knows this shift.
-        leaning: Shift of roofs, as a share of the distance from the center.
         wanted: Kind of views, as ``ground.Wanted``.
-        foreign: Kind of images of other places (``foreign.KINDS``); empty for images of the map.
         prior_share: Radius of the prior position, as a share of the footprint; 0 for no prior.
         size_known: Largest error of the known pixel size, 0.2 for 20 %; 0 for unknown.
-        heading_known_deg: The same for the heading.
         level_error_deg: Error of the known roll and pitch; negative for an image that is not leveled.
         photos: ``sample``, ``tileN``, or a place and the number of its photo (``kenya.1``); empty for labels.
         other_km2: Area of buildings of another country that the map of a photo's place also has.
@@ -89,25 +119,16 @@ class Row:
         labels: Labels of photos, ``network`` or ``true``.
         right_m: A position is right within this distance; 0 for 2 % of the footprint.
         places: Text that the places of the images follow from, for rows that show the same ones; empty for the name.
-        count: Number of images.
     """
 
-    name: str
-    database: str = "liechtenstein"
-    images: str = ""
-    half: str = "south"
     method: str = "automatic"
-    noise: str = "goal"
     jitter: float = -1.0
     displaced: bool = False
     shift_m: float = 0.0
     stated: bool = False
-    leaning: float = 0.0
     wanted: dict[str, Any] = field(default_factory=dict)
-    foreign: str = ""
     prior_share: float = 0.0
     size_known: float = 0.0
-    heading_known_deg: float = 0.0
     level_error_deg: float = -1.0
     photos: str = ""
     other_km2: float = 0.0
@@ -116,29 +137,36 @@ class Row:
     labels: str = "network"
     right_m: float = 0.0
     places: str = ""
-    count: int = 200
 
 
-def rows_of(scenario: dict[str, Any]) -> list[Row]:
+def rows_of(scenario: dict[str, Any], kind: type[MapRow] = Row) -> list[Any]:
     """Return the rows of a scenario; ``each`` repeats every row with other values: {method = [...], noise = [...]}."""
-    rows = [{**scenario.get("defaults", {}), **row} for row in scenario["row"]]
+    defaults = scenario.get("defaults", {})
+    rows = [{**defaults, **row} for row in scenario["row"]]
     for key, values in scenario.get("each", {}).items():
         rows = [{**row, key: value, "name": f"{row['name']}, {value}"} for row in rows for value in values]
     for row in rows:
-        row["wanted"] = {**scenario.get("defaults", {}).get("wanted", {}), **row.get("wanted", {})}
-    return [Row(**row) for row in rows]
+        if "wanted" in row:
+            row["wanted"] = {**defaults.get("wanted", {}), **row["wanted"]}
+    return [kind(**row) for row in rows]
 
 
-def run(world: World, name: str, scenario: dict[str, Any], only: Sequence[str]) -> list[Table]:
-    """Measure the rows of a scenario and return its tables; print and skip rows without data."""
-    found: dict[str, list[dict]] = {}
-    for row in rows_of(scenario):
+def measure(rows: Sequence[MapRow], only: Sequence[str], measured: Callable[[Any], Any]) -> dict[str, Any]:
+    """Return the result of the chosen rows by name; print and skip rows without data."""
+    found = {}
+    for row in rows:
         if only and not any(part.casefold() in row.name.casefold() for part in only):
             continue
         try:
-            found[row.name] = records(world, name, row)
+            found[row.name] = measured(row)
         except (NoDataError, ValueError) as error:
             print(f"  {row.name}: not measured: {error}", file=sys.stderr, flush=True)
+    return found
+
+
+def run(world: World, name: str, scenario: dict[str, Any], only: Sequence[str]) -> list[Table]:
+    """Measure the rows of a scenario and return its tables."""
+    found = measure(rows_of(scenario), only, partial(records, world, name))
     columns = scenario.get("columns", list(COLUMNS))
     tables = [{"columns": ["images", *columns], "rows": [[row, *cells(some, columns)] for row, some in found.items()]}]
     together = [one for some in found.values() for one in some]
@@ -190,12 +218,11 @@ class Source:
         self.row = row
         self.method = next(one for one in Method if one.key == row.method)
         self.photos = photos.of(world, row) if row.photos else None
-        self.ground: Ground = self.photos.ground if self.photos else world.ground(row.database, row.images, row.half)
+        self.ground: Ground = self.photos.ground if self.photos else row.ground(world)
         if row.part_km2:
             self.ground = self.ground.part(row.part_km2)
-        self.known = self.ground.known_elsewhere() if row.foreign == "other half" else self.ground
-        known = {one.name for one in fields(Wanted)}
-        self.wanted = Wanted(**{k: tuple(v) if isinstance(v, list) else v for k, v in row.wanted.items() if k in known})
+        self.known = row.known(self.ground)
+        self.wanted = Wanted(**{k: tuple(v) if isinstance(v, list) else v for k, v in row.wanted.items()})
         self.world = world
 
     def record(self, number: int) -> dict[str, Any]:
@@ -214,13 +241,8 @@ class Source:
         wanted = replace(self.wanted, is_mirrored=row.foreign == "mirrored")
         image = ground.draw(wanted, rng, is_of_map=row.foreign != "other half")
         noise, biases = self.noise(image.view, rng)
-        before = ground.spoiled_values
-        ground.spoiled_values = BUILDINGS if row.noise in OF_NETWORKS else before
-        try:
-            image = ground.spoiled(image, noise, rng)
-            return replace(image, seen=replace(image.seen, biases=biases))
-        finally:
-            ground.spoiled_values = before
+        image = ground.spoiled(image, noise, rng, BUILDINGS if row.noise in OF_NETWORKS else ())
+        return replace(image, seen=replace(image.seen, biases=biases))
 
     def noise(self, view: View, rng: np.random.Generator) -> tuple[NetworkNoise, KnownBiases]:
         """Return the noise of an image in its pixels, and the part of it that the localizer knows."""
@@ -253,10 +275,7 @@ class Source:
             level = leveling(attitude, focal, view.shape_hw)
             scales = localizer.settings.constellation.limits.scales
             prior = prior or Prior(pixel_size_range=localizer.pixel_sizes(view.shape_hw, scales))
-        begun = time.process_time()
-        found = localize_with(localizer, Search(self.method), image.seen, prior or Prior(), level).localization
-        seconds = time.process_time() - begun
-        return judge(image.query, self.method, found, self.row.right_m or None, image.landmarks, seconds)
+        return self.known.try_image(image, self.method, prior, level, self.row.right_m or None)
 
     def prior(self, view: View, rng: np.random.Generator) -> Prior | None:
         """Return the prior of an image from camera and user."""
@@ -270,9 +289,7 @@ class Source:
             known["pixel_size_range"] = (view.pixel_size / off, view.pixel_size * off)
         elif self.photos is not None and self.photos.searched:
             known["pixel_size_range"] = self.photos.searched
-        if row.heading_known_deg:
-            off = rng.uniform(-1, 1) * row.heading_known_deg
-            known |= {"heading_deg": (view.heading_deg + off) % 360, "heading_range_deg": row.heading_known_deg}
+        known |= row.heading(view, rng)
         return Prior(**known) if known else None
 
 

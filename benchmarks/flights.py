@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks.accuracy import BUILDINGS, NOISES
+from benchmarks.accuracy import BUILDINGS, NOISES, MapRow, measure, rows_of
 from benchmarks.ground import Ground
-from benchmarks.maps import NoDataError, World
+from benchmarks.maps import World
 from benchmarks.network_errors import NetworkNoise, spoil
 from benchmarks.results import Table, rate
 from semref.core.assessment.flights import SIZE_KNOWN, link_between
@@ -46,67 +46,45 @@ COLUMNS = (
 
 
 @dataclass(frozen=True)
-class Row:
-    """Flights of one kind.
+class Row(MapRow):
+    """Flights of one kind, with noise in meters.
 
     Attributes:
-        name: Name of the row.
-        database: Name of the map for the database.
-        images: Name of the map under the flight; empty for the same map.
-        half: Half of the map under the flight.
         ground_m: Footprint width of an image.
         step_m: Distance from image to image.
         length: Number of images.
-        noise: Noise of the labels, one of ``accuracy.NOISES``, in meters.
         drift: Drift of the links, as a share of the distance.
         missing: Every n-th link is missing; 0 for no missing link.
         scales: Pixel sizes in pixels of the map.
-        foreign: ``mirrored`` or ``other half``; every position is then wrong.
-        heading_known_deg: Largest error of known headings; 0 for unknown.
         landmarks: Least number of the database's landmarks in each image.
         labeled: Least share of each image that the database's map labels, too.
-        leaning: Shift of roofs, as a share of the distance from the center.
         reach_m: Distance that the aircraft can fly from image to image; the motion is unknown then. 0 for known motion.
-        count: Number of flights.
     """
 
-    name: str
-    database: str = "liechtenstein"
-    images: str = ""
-    half: str = "south"
+    noise: str = "strong"
+    count: int = 20
     ground_m: float = 640.0
     step_m: float = 200.0
     length: int = 30
-    noise: str = "strong"
     drift: float = 0.01
     missing: int = 0
     scales: list[float] = field(default_factory=lambda: [0.8, 1.25])
-    foreign: str = ""
-    heading_known_deg: float = 0.0
     landmarks: int = 0
     labeled: float = 0.0
-    leaning: float = 0.0
     reach_m: float = 0.0
-    count: int = 20
 
 
 def run(world: World, name: str, scenario: dict[str, Any], only: Sequence[str]) -> list[Table]:
-    """Measure the flights of a scenario; print and skip rows without data."""
-    rows = []
-    for settings in scenario["row"]:
-        row = Row(**{**scenario.get("defaults", {}), **settings})
-        if only and not any(part.casefold() in row.name.casefold() for part in only):
-            continue
-        try:
-            ground = world.ground(row.database, row.images, row.half)
-        except NoDataError as error:
-            print(f"  {row.name}: not measured: {error}", file=sys.stderr, flush=True)
-            continue
-        known = ground.known_elsewhere() if row.foreign == "other half" else ground
-        flown = [one_flight(ground, known, row, number) for number in range(world.count or row.count)]
-        rows.append(cells(row, flown))
-        print("  " + " | ".join(rows[-1]), file=sys.stderr, flush=True)
-    return [{"columns": list(COLUMNS), "rows": rows}]
+    """Measure the flights of a scenario."""
+
+    def measured(row: Row) -> list[str]:
+        ground = row.ground(world)
+        known = row.known(ground)
+        found = cells(row, [one_flight(ground, known, row, number) for number in range(world.count or row.count)])
+        print("  " + " | ".join(found), file=sys.stderr, flush=True)
+        return found
+
+    return [{"columns": list(COLUMNS), "rows": list(measure(rows_of(scenario, Row), only, measured).values())}]
 
 
 def one_flight(ground: Ground, known: Ground, row: Row, number: int) -> dict[str, list]:
@@ -226,11 +204,9 @@ def _fly(
         smallest = max(ground.database.parameters.minimum_area / view.pixel_size**2, 1.0)
         if noise != NetworkNoise():
             labels = spoil(labels, noise.in_pixels(view.pixel_size), rng, BUILDINGS, None, smallest)
-        known = {"pixel_size_range": (view.pixel_size / SIZE_KNOWN, view.pixel_size * SIZE_KNOWN)}
-        if row.heading_known_deg:
-            off = rng.uniform(-1, 1) * row.heading_known_deg
-            known |= {"heading_deg": (view.heading_deg + off) % 360, "heading_range_deg": row.heading_known_deg}
-        images.append(FlightImage(f"{number:03d}", labels, time_s=float(number), prior=Prior(**known)))
+        sizes = view.pixel_size / SIZE_KNOWN, view.pixel_size * SIZE_KNOWN
+        prior = Prior(pixel_size_range=sizes, **row.heading(view, rng))
+        images.append(FlightImage(f"{number:03d}", labels, time_s=float(number), prior=prior))
     return images, links
 
 

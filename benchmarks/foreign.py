@@ -41,7 +41,7 @@ def _landscape(seed: int) -> np.ndarray:
     from sample.files import rasterize
     from sample.landscape import make_landscape
 
-    return rasterize(make_landscape(seed), 1.0)
+    return rasterize(make_landscape(seed))
 
 
 def aerial(source: Source, rng: np.random.Generator, number: int) -> Image:

@@ -15,10 +15,13 @@ from semref.core.constellation.hypotheses import SMALLEST_OBJECT_PX
 from semref.core.database.model import MapLandmarks, ReferenceDatabase
 from semref.core.evaluation.trial import Query, Trial, judge
 from semref.core.geometry.frame import MapFrame
+from semref.core.geometry.leveling import Leveling
 from semref.core.labels.class_shares import SeenLabels
 from semref.core.landmarks.landmarks import Landmarks, extract_landmarks
 from semref.core.localization import Method, Prior
 from semref.core.localizer.localizer import Localizer
+from semref.core.localizer.search import Search
+from semref.core.pipeline import localize_with
 from semref.core.simulation.views import View, cut, lies_on
 
 LARGEST_TRIES = 20_000
@@ -79,7 +82,6 @@ class Ground:
 
     Attributes:
         extent: (x_min, y_min, x_max, y_max) of the image centers, map units.
-        spoiled_values: Classes with regions that noise removes, adds, merges and splits.
     """
 
     def __init__(
@@ -91,7 +93,6 @@ class Ground:
         self.localizer = Localizer(database)
         self.frame = parameters.frame.of_shape(labels_hw.shape)
         self.size_px = size_px or round(parameters.window_size / parameters.pixel_size)
-        self.spoiled_values = database.class_table.reference_values
         left, bottom, right, top = self.frame.extent
         self.middle = float(np.median(database.references.positions[:, 1]))
         halves = {"north": (left, self.middle, right, top), "south": (left, bottom, right, self.middle)}
@@ -108,7 +109,7 @@ class Ground:
         overview[slice(0, row) if is_north else slice(row, None)] = 0
         database = replace(self.database, references=chosen(references, inside), overview=overview)
         other = Ground(self.labels_hw, database, size_px=self.size_px)
-        other.extent, other.references, other.spoiled_values = self.extent, self.references, self.spoiled_values
+        other.extent, other.references = self.extent, self.references
         return other
 
     def part(self, area_km2: float) -> Ground:
@@ -172,32 +173,40 @@ class Ground:
 
     def landmarks_in(self, labels_hw: np.ndarray, pixel_size: float) -> Landmarks:
         """Return the landmarks of an image that are at least as large as the smallest of the map."""
-        least = SMALLEST_OBJECT_PX
-        smallest = max(self.database.parameters.minimum_area / pixel_size**2, least)
+        smallest = max(self.database.parameters.minimum_area / pixel_size**2, SMALLEST_OBJECT_PX)
         return extract_landmarks(labels_hw, self.database.class_table.reference_values, smallest)
 
-    def spoiled(self, image: Image, noise: NetworkNoise, rng: np.random.Generator) -> Image:
-        """Return the image with noise in its pixels. Spurious landmarks come from another view of similar scale."""
+    def spoiled(
+        self, image: Image, noise: NetworkNoise, rng: np.random.Generator, class_values: Sequence[int] = ()
+    ) -> Image:
+        """Return the image with noise in its pixels. Spurious landmarks come from another view of similar scale.
+
+        Args:
+            class_values: Classes with regions that noise removes, adds, merges and splits; empty for the landmarks.
+        """
         if noise == NetworkNoise():
             return image
-        pixel = image.view.pixel_size
-        donor = None
+        pixel, donated = image.view.pixel_size, None
         if noise.spurious:
             scale = pixel / self.frame.pixel_size
             size = image.view.width_px
-            donor = self.draw(Wanted((scale, scale), landmarks=(min(4, size // 160), 10**9), sizes_px=(size,)), rng)
+            wanted = Wanted((scale, scale), landmarks=(min(4, size // 160), 10**9), sizes_px=(size,))
+            donated = self.draw(wanted, rng).labels_hw
         smallest = max(self.database.parameters.minimum_area / pixel**2, 1.0)
-        donated = None if donor is None else donor.labels_hw
-        labels = spoil(image.labels_hw, noise, rng, self.spoiled_values, donated, smallest)
-        return replace(image, seen=SeenLabels(labels))
+        values = class_values or self.database.class_table.reference_values
+        return replace(image, seen=SeenLabels(spoil(image.labels_hw, noise, rng, values, donated, smallest)))
 
     def try_image(
-        self, image: Image, method: Method, prior: Prior | None = None, right_within: float | None = None
+        self,
+        image: Image,
+        method: Method,
+        prior: Prior | None = None,
+        level: Leveling | None = None,
+        right_within: float | None = None,
     ) -> Trial:
-        """Localize a label image and return the result."""
+        """Localize an image like the plugin and judge the result."""
         started = time.process_time()
-        seen = image.seen
-        found = self.localizer.localize(seen.labels_hw, method, prior, shares=seen.shares, biases=seen.biases)
+        found = localize_with(self.localizer, Search(method), image.seen, prior or Prior(), level).localization
         seconds = time.process_time() - started
         return judge(image.query, method, found, right_within, image.landmarks, seconds)
 

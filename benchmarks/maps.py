@@ -185,6 +185,11 @@ def read(path: Path) -> np.ndarray:
     return gdal.Open(str(path)).ReadAsArray()
 
 
+def read_photo(path: Path) -> np.ndarray:
+    """Read a photo as (H, W, 3) uint8."""
+    return np.ascontiguousarray(np.moveaxis(read(path)[:3], 0, 2))
+
+
 def spoil_lines(path: Path, missing: float, spurious: float) -> None:
     """Remove a share of the lines of a file, and add turned and moved copies of a share; the same ones every time."""
     from osgeo import ogr

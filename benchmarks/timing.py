@@ -139,24 +139,14 @@ def built(labels: Path, name: str, stride: float) -> Any:
     from semref.core.database.build import BuildSettings, build_from_labels
     from semref.core.geometry.frame import MapFrame
     from semref.core.steps import result_of
-    from semref.storage.label_maps import GdalLabels, hold_labels
+    from semref.storage.label_maps import GdalLabels, hold_labels, stored_class_table
 
     cv2.setNumThreads(1)
     one, dataset = settings(name), gdal.Open(str(labels))
     frame = MapFrame(dataset.GetProjection(), tuple(dataset.GetGeoTransform()))
     source = result_of(hold_labels(GdalLabels(str(labels))))
     sizes = BuildSettings(one["window"], stride, one["minimum_area"])
-    return build_from_labels(source, frame, classes_of(labels), sizes, "benchmark")
-
-
-def classes_of(labels: Path) -> Any:
-    """Return the class table in a label map."""
-    from osgeo import gdal
-
-    from semref.core.labels.class_table import class_table_from_csv
-    from semref.storage.label_map_file import CLASS_TABLE_ITEM
-
-    return class_table_from_csv(gdal.Open(str(labels)).GetMetadataItem(CLASS_TABLE_ITEM))
+    return build_from_labels(source, frame, stored_class_table(dataset, name), sizes, "benchmark")
 
 
 def plainly(labels: Path, name: str, stride: float, sampled: int | None) -> float:
@@ -184,11 +174,13 @@ def differences(labels: Path, name: str, stride: float) -> tuple[str, str]:
 
 
 def _plain_inputs(labels: Path, name: str, stride: float) -> tuple:
+    from semref.storage.label_maps import GdalLabels, stored_class_table
+
     one, image = settings(name), read(labels)
     size_px, step = (int(length / one["pixel_size"]) for length in (one["window"], stride))
     height, width = image.shape
     grid = [(c, r) for r in range(0, height - size_px + 1, step) for c in range(0, width - size_px + 1, step)]
-    classes = classes_of(labels).reference_values
+    classes = stored_class_table(GdalLabels(str(labels)).dataset, name).reference_values
     return image, grid, size_px, classes, one["minimum_area"] / one["pixel_size"] ** 2
 
 
@@ -208,19 +200,16 @@ def memory(world: World, scenario: dict[str, Any]) -> list[Table]:
 
 def write_copies(path: Path, template: Path, across: int, down: int) -> int:
     """Write a label map of copies of another map and return its number of pixels."""
-    from osgeo import gdal
+    from semref.storage.label_map_file import TILE_ROWS, LabelMapFile
+    from semref.storage.label_maps import GdalLabels, stored_class_table
 
-    source, image = gdal.Open(str(template)), read(template)
+    source, image = GdalLabels(str(template)).dataset, read(template)
     height, width = image.shape[0] * down, image.shape[1] * across
-    options = ["TILED=YES", "COMPRESS=DEFLATE", "ZLEVEL=1", "BIGTIFF=IF_SAFER"]
-    target = gdal.GetDriverByName("GTiff").Create(str(path), width, height, 1, gdal.GDT_Byte, options)
-    target.SetGeoTransform(source.GetGeoTransform())
-    target.SetProjection(source.GetProjection())
-    target.SetMetadata(source.GetMetadata())
-    for first in range(0, height, 256):
-        rows = np.arange(first, min(first + 256, height)) % image.shape[0]
-        target.GetRasterBand(1).WriteArray(np.tile(image[rows], (1, across)), 0, first)
-    target.FlushCache()
+    table = stored_class_table(source, template.name)
+    with LabelMapFile(str(path), width, height, source.GetGeoTransform(), source.GetProjection(), table) as target:
+        for first in range(0, height, TILE_ROWS):
+            rows = np.arange(first, min(first + TILE_ROWS, height)) % image.shape[0]
+            target.write_rows(first, np.tile(image[rows], (1, across)))
     return width * height
 
 
@@ -262,14 +251,15 @@ def bare_runner(model: Path, image: Path) -> tuple[int, Callable[[], None]]:
     """Return the number of tiles, and a function that runs onnxruntime on them."""
     import onnxruntime
 
+    from semref.core.segmentation.model import SegmentationModel
     from semref.core.segmentation.tiling import tile_starts
     from semref.processing.threads import worker_threads
 
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = worker_threads()
     session = onnxruntime.InferenceSession(str(model), options, providers=["CPUExecutionProvider"])
-    texts = session.get_modelmeta().custom_metadata_map
-    tile_px, overlap, name = int(texts["tile_size"]), float(texts["tiles_overlap"]) / 100, session.get_inputs()[0].name
+    own, name = SegmentationModel(str(model), 1), session.get_inputs()[0].name
+    tile_px, overlap = own.tile_hw[0], own.settings.overlap
     pixels = np.ascontiguousarray(read(image).astype(np.float32) / 255)
     starts = tile_starts(pixels.shape[1], tile_px, overlap)
 
@@ -283,7 +273,7 @@ def bare_runner(model: Path, image: Path) -> tuple[int, Callable[[], None]]:
 
 def write_photo(path: Path, edge: int) -> Path:
     """Write an RGB GeoTIFF of (edge, edge) pixels of 1 m, tiled and compressed: the sample area, mirrored."""
-    from osgeo import gdal, osr
+    from osgeo import gdal, gdal_array
 
     from sample.files import render_photo
     from sample.landscape import make_landscape
@@ -295,13 +285,9 @@ def write_photo(path: Path, edge: int) -> Path:
     missing = [(0, max(0, edge - length)) for length in photo.shape[:2]]
     pixels = np.pad(photo, (*missing, (0, 0)), mode="symmetric")[:edge, :edge]
     options = ["TILED=YES", "COMPRESS=DEFLATE", "ZLEVEL=1", "PHOTOMETRIC=RGB", "INTERLEAVE=PIXEL"]
-    target = gdal.GetDriverByName("GTiff").Create(str(path), edge, edge, 3, gdal.GDT_Byte, options)
-    crs = osr.SpatialReference()
-    crs.ImportFromEPSG(landscape.epsg)
-    target.SetProjection(crs.ExportToWkt())
-    target.SetGeoTransform((550000.0, 1.0, 0.0, 5220000.0, 0.0, -1.0))
-    target.WriteArray(np.ascontiguousarray(np.moveaxis(pixels, 2, 0)))
-    target.FlushCache()
+    planes = gdal_array.OpenArray(np.ascontiguousarray(np.moveaxis(pixels, 2, 0)))
+    place = {"outputSRS": f"EPSG:{landscape.epsg}", "outputBounds": [550000, 5220000, 550000 + edge, 5220000 - edge]}
+    gdal.Translate(str(path), planes, creationOptions=options, **place)
     return path
 
 
@@ -364,7 +350,7 @@ def plugin_load(world: World, scenario: dict[str, Any]) -> list[Table]:
 
 def many_images(world: World, scenario: dict[str, Any]) -> list[Table]:
     """Compare *Localize images* of many label images in QGIS and with local workers, and measure peak memory."""
-    from osgeo import gdal
+    from semref.storage.pictures import write_png
 
     ground, folder = world.ground(scenario["map"]), world.work / "many"
     folder.mkdir(exist_ok=True)
@@ -372,10 +358,7 @@ def many_images(world: World, scenario: dict[str, Any]) -> list[Table]:
     for number in range(count):
         path = folder / f"{number:03d}.png"
         if not path.exists():
-            labels = np.ascontiguousarray(ground.spoiled(ground.draw(Wanted(), rng), GOAL, rng).labels_hw)
-            memory_set = gdal.GetDriverByName("MEM").Create("", labels.shape[1], labels.shape[0], 1)
-            memory_set.WriteArray(labels)
-            gdal.GetDriverByName("PNG").CreateCopy(str(path), memory_set)
+            write_png(path, ground.spoiled(ground.draw(Wanted(), rng), GOAL, rng).labels_hw[None])
     given = {"DATABASE": str(world.database(scenario["map"])), "IMAGES": str(folder), "OUTPUT": "memory:"}
     ways = {"QGIS": {}, "workers": {"SCHEDULER": f"local:{os.cpu_count()}"}}
 
@@ -431,7 +414,9 @@ def on_board(world: World, scenario: dict[str, Any]) -> list[Table]:
 
 def update(world: World, scenario: dict[str, Any]) -> list[Table]:
     """Compare the update of a database after the edit of one rectangle with building it again, and with QGIS alone."""
+    import processing
     from osgeo import gdal
+    from qgis.core import QgsRasterLayer, QgsRectangle, QgsReferencedRectangle
 
     name = scenario["map"]
     labels, edited, database = world.label_map(name), world.work / "edited.tif", world.work / "updated.gpkg"
@@ -441,10 +426,14 @@ def update(world: World, scenario: dict[str, Any]) -> list[Table]:
     column, row = int(rng.integers(width // 3, width // 2)), int(rng.integers(height // 3, height // 2))
     dataset.GetRasterBand(1).WriteArray(np.ones((40, 40), np.uint8), column, row)
     left, pixel, _, top, _, _ = dataset.GetGeoTransform()
-    dataset = None
-    area = [left + column * pixel, left + (column + 40) * pixel, top - (row + 40) * pixel, top - row * pixel]
+    area = QgsRectangle(
+        left + column * pixel, top - (row + 40) * pixel, left + (column + 40) * pixel, top - row * pixel
+    )
+    dataset, changed = None, str(world.work / "changed.gpkg")
+    extent = QgsReferencedRectangle(area, QgsRasterLayer(str(edited)).crs())
+    processing.run("native:extenttolayer", {"INPUT": extent, "OUTPUT": changed})
     whole = {"DATABASE": str(world.database(name)), "LABELS": str(edited), "OUTPUT": str(database)}
-    stated = {**whole, "CHANGED": str(write_area(world.work / "changed.gpkg", edited, area))}
+    stated = {**whole, "CHANGED": changed}
     again = build_parameters(name, edited, database)
     compared = {
         "built again": {
@@ -467,23 +456,6 @@ def update(world: World, scenario: dict[str, Any]) -> list[Table]:
         for who in group
     ]
     return [{"columns": ["what", "s (processor s in one process)", "share"], "rows": rows}]
-
-
-def write_area(path: Path, template: Path, area: Sequence[float]) -> Path:
-    """Write a polygon layer with one rectangle (x_min, x_max, y_min, y_max)."""
-    from osgeo import gdal, ogr, osr
-
-    crs = osr.SpatialReference()
-    crs.ImportFromWkt(gdal.Open(str(template)).GetProjection())
-    path.unlink(missing_ok=True)
-    source = ogr.GetDriverByName("GPKG").CreateDataSource(str(path))
-    layer = source.CreateLayer("changed", crs, ogr.wkbPolygon)
-    x_min, x_max, y_min, y_max = area
-    ring = ", ".join(f"{x} {y}" for x, y in ((x_min, y_min), (x_max, y_min), (x_max, y_max), (x_min, y_max)))
-    feature = ogr.Feature(layer.GetLayerDefn())
-    feature.SetGeometry(ogr.CreateGeometryFromWkt(f"POLYGON (({ring}, {x_min} {y_min}))"))
-    layer.CreateFeature(feature)
-    return path
 
 
 MEASUREMENTS = {
