@@ -1,6 +1,5 @@
 """The shipped models are small, have the stated classes and license, and segment photos."""
 
-import os
 from pathlib import Path
 
 import cv2
@@ -21,7 +20,6 @@ from semref.core.segmentation.tiling import segment
 ROOT = Path(__file__).parents[2]
 MODEL = ROOT / "models" / "sample_area.onnx"
 BUILDINGS = ROOT / "models" / "buildings.onnx"
-DATA = Path(os.environ.get("SEMREF_DATA") or ROOT.parent / "shared" / "data")
 SIZE = 400
 
 
@@ -83,10 +81,9 @@ def test_the_model_of_buildings_is_small_and_states_its_license_and_results():
     assert card.can_be_base
 
 
-def test_the_model_of_buildings_finds_buildings_in_a_drone_photo():
-    path = DATA / "oam_buildings" / "uganda_1.tif"
-    if not path.exists():
-        pytest.skip(f"{path.name} is not here")
+@pytest.mark.real_data
+def test_the_model_of_buildings_finds_buildings_in_a_drone_photo(real_data):
+    path = real_data("oam_buildings/uganda_1.tif")
     model = SegmentationModel(str(BUILDINGS), 1)
     assert (model.classes.names, model.settings.resolution_m) == (("other", "building"), 0.25)
     photo = cv2.resize(cv2.imread(str(path))[:, :, ::-1], None, fx=0.4, fy=0.4, interpolation=cv2.INTER_AREA)

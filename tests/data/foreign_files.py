@@ -3,17 +3,14 @@
 import gzip
 import io
 import pickle
-import zipfile
 
 import numpy as np
-from onboard_blobs import npy
+from onboard_blobs import npy, zipped
 
 
 def zip_of(files: dict) -> bytes:
     file = io.BytesIO()
-    with zipfile.ZipFile(file, "w") as archive:
-        for name, data in files.items():
-            archive.writestr(name, data)
+    zipped(file, files)
     return file.getvalue()
 
 

@@ -146,6 +146,14 @@ def test_a_model_without_class_names_is_refused_without_a_parameter_of_the_plugi
         (["--risk", "0.9"], "--risk: 0.9"),
         (["--state", "flight.state"], "--state: it needs --flight"),
         (["--gga", "udp:http"], "not a UDP port"),
+        *(
+            (["--mavlink", place], "not a MAVLink address")
+            for place in ("udp:0", "tcp:1.2.3.4:5", "serial:", "udp:a..b:14550", "udp:\udcff:14550")
+        ),
+        (["--mavlink-system", "256"], "--mavlink-system: 256"),
+        (["--mavlink-origin", "91", "0"], "--mavlink-origin: the latitude is 91"),
+        (["--mavlink-origin", "nan", "0"], "--mavlink-origin: nan"),
+        (["--camera-yaw", "361"], "--camera-yaw: 361"),
     ],
 )
 def test_a_value_that_is_out_of_range_is_a_wrong_command_line(area, tmp_path, capsys, arguments, said):

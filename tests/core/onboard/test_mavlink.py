@@ -16,7 +16,7 @@ from onboard_blobs import linear
 
 from semref.core.errors import ParameterError
 from semref.core.geometry.lon_lat import fit_lon_lat, local_axes, meters_from
-from semref.core.onboard.command_line import ALL_FIXED, REFUSED, WRONG_USAGE, main
+from semref.core.onboard.command_line import ALL_FIXED, REFUSED, main
 from semref.core.onboard.mavlink import UNKNOWN, MavlinkSink
 
 EXTENT = (600000.0, 5199300.0, 600700.0, 5200000.0)
@@ -209,27 +209,6 @@ def test_watch_sends_positions_to_an_autopilot(area, autopilot, tmp_path):
     row, found = json.loads(fixes.read_text()), heard("COMMAND_INT")
     assert found.x == pytest.approx(row["latitude"] * 1e7, abs=1)
     assert found.y == pytest.approx(row["longitude"] * 1e7, abs=1)
-
-
-@pytest.mark.parametrize(
-    ("arguments", "sentence"),
-    [
-        (["--mavlink", "udp:0"], "not a MAVLink address"),
-        (["--mavlink", "tcp:1.2.3.4:5"], "not a MAVLink address"),
-        (["--mavlink", "serial:"], "not a MAVLink address"),
-        (["--mavlink", "udp:a..b:14550"], "not a MAVLink address"),
-        (["--mavlink", "udp:\udcff:14550"], "not a MAVLink address"),
-        (["--mavlink", "udp:14550", "--mavlink-system", "256"], "--mavlink-system: 256"),
-        (["--mavlink", "udp:14550", "--mavlink-origin", "91", "0"], "--mavlink-origin: the latitude is 91"),
-        (["--mavlink", "udp:14550", "--mavlink-origin", "nan", "0"], "--mavlink-origin: nan"),
-        (["--mavlink", "udp:14550", "--camera-yaw", "361"], "--camera-yaw: 361"),
-    ],
-)
-def test_impossible_options_are_refused_before_any_work(area, tmp_path, capsys, arguments, sentence):
-    with pytest.raises(SystemExit) as ended:
-        main(["watch", str(tmp_path), "--database", area, "--once", *arguments])
-    assert ended.value.code == WRONG_USAGE
-    assert sentence in capsys.readouterr().err
 
 
 def test_a_line_that_is_not_there_is_refused_by_name(mavutil, area, tmp_path, capsys):
