@@ -151,9 +151,30 @@ def run_algorithm(qgis_app):
     def run(algorithm_id: str, parameters: dict, feedback=None) -> dict:
         import processing
 
-        return processing.run(algorithm_id, parameters, feedback=feedback)
+        given = {name: as_parameter(value) for name, value in parameters.items()}
+        return processing.run(algorithm_id, given, feedback=feedback)
 
     return run
+
+
+def as_parameter(value):
+    """Return the text of a path, which QGIS 3.22 does not take as it is; also of each path in a list."""
+    if isinstance(value, list):
+        return [as_parameter(one) for one in value]
+    return str(value) if isinstance(value, Path) else value
+
+
+@pytest.fixture
+def runner(run_algorithm, feedback):
+    """`runner("semref:…", "INPUT", **defaults)` returns `run(input, **parameters)`: the results of the algorithm."""
+
+    def made(algorithm_id: str, *names: str, **defaults):
+        def run(*values, **parameters) -> dict:
+            return run_algorithm(algorithm_id, {**dict(zip(names, values)), **defaults, **parameters}, feedback)
+
+        return run
+
+    return made
 
 
 @pytest.fixture

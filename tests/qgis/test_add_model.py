@@ -21,11 +21,8 @@ GIVEN = {"CLASSES": "building;water;building", "RESOLUTION": 25, "LICENSE": "CC0
 
 
 @pytest.fixture
-def add(run_algorithm, tmp_path):
-    def run(path, **parameters):
-        return run_algorithm(ADD, {"INPUT": str(path), "OUTPUT": str(tmp_path / "added.onnx"), **parameters})
-
-    return run
+def add(runner, tmp_path):
+    return runner(ADD, "INPUT", OUTPUT=tmp_path / "added.onnx")
 
 
 @pytest.fixture

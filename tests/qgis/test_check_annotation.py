@@ -19,15 +19,9 @@ CHECK, RASTERIZE = "semref:checkannotation", "semref:rasterizeannotation"
 
 
 @pytest.fixture
-def check(run_algorithm, feedback, tmp_path):
+def check(runner, tmp_path):
     """`check(layer, **parameters)` returns the results; the issues are in tmp_path/issues.gpkg."""
-
-    def run(layer, **parameters):
-        source = str(layer) if isinstance(layer, Path) else layer
-        defaults = {"CLASS_FIELD": "class", "MINIMUM_AREA": 0, "ISSUES": str(tmp_path / "issues.gpkg")}
-        return run_algorithm(CHECK, {"INPUT": source, **defaults, **parameters}, feedback)
-
-    return run
+    return runner(CHECK, "INPUT", CLASS_FIELD="class", MINIMUM_AREA=0, ISSUES=tmp_path / "issues.gpkg")
 
 
 @pytest.fixture

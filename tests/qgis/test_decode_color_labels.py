@@ -1,7 +1,5 @@
 """semref:decodecolorlabels: every color becomes its class, on the grid of the image."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from made_inputs import CLASSES_CSV, NORTH, WEST, read_pixels, scattered_objects, write_raster, write_text
@@ -28,8 +26,7 @@ def decode(run_algorithm, feedback, tmp_path):
     def run(image, table=CLASSES_CSV, **parameters):
         table = write_text(tmp_path / "classes.csv", table)
         defaults = {"METHOD": NEAREST_COLOR, "OUTPUT": str(tmp_path / "labels.tif"), "CLASS_TABLE": str(table)}
-        source = str(image) if isinstance(image, Path) else image
-        return run_algorithm(DECODE, {"INPUT": source, **defaults, **parameters}, feedback)["OUTPUT"]
+        return run_algorithm(DECODE, {"INPUT": image, **defaults, **parameters}, feedback)["OUTPUT"]
 
     return run
 

@@ -65,12 +65,9 @@ def tiles(qgis_app):
 
 
 @pytest.fixture
-def segment(run_algorithm, model, feedback, tmp_path):
-    def run(layer, **parameters):
-        given = {"INPUT": layer, "MODEL": model, "EXTENT": EXTENT, "OUTPUT": str(tmp_path / "labels.tif")}
-        return gdal.Open(run_algorithm(SEGMENT, {**given, **parameters}, feedback)["OUTPUT"])
-
-    return run
+def segment(runner, model, tmp_path):
+    run = runner(SEGMENT, "INPUT", MODEL=model, EXTENT=EXTENT, OUTPUT=tmp_path / "labels.tif")
+    return lambda layer, **parameters: gdal.Open(run(layer, **parameters)["OUTPUT"])
 
 
 def agreement(raster) -> float:

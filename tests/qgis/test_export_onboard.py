@@ -31,12 +31,8 @@ def database(build_area):
 
 
 @pytest.fixture
-def export(run_algorithm, database, tmp_path, feedback):
-    def run(**parameters):
-        defaults = {"DATABASE": database, "OUTPUT": str(tmp_path / "area.npz")}
-        return run_algorithm(EXPORT, {**defaults, **parameters}, feedback)
-
-    return run
+def export(runner, database, tmp_path):
+    return runner(EXPORT, DATABASE=database, OUTPUT=tmp_path / "area.npz")
 
 
 def test_the_file_has_the_database_within_its_stated_errors(export, database, feedback):

@@ -40,13 +40,11 @@ def photo_of(labels: np.ndarray) -> np.ndarray:
 
 
 @pytest.fixture
-def localize(run_algorithm, folder, tmp_path, feedback):
-    def run(images, **parameters):
-        given = {"DATABASE": str(folder / "area.gpkg"), "MODEL": str(folder / "colors.onnx"), "METHOD": 2}
-        given |= {"OUTPUT": str(tmp_path / "positions.gpkg"), "IMAGES": [str(path) for path in images]}
-        return read_rows(run_algorithm(LOCALIZE, {**given, **parameters}, feedback)["OUTPUT"])
-
-    return run
+def localize(runner, folder, tmp_path):
+    """`localize(images, **parameters)` returns a row for each image."""
+    given = {"DATABASE": folder / "area.gpkg", "MODEL": folder / "colors.onnx", "METHOD": 2}
+    run = runner(LOCALIZE, "IMAGES", **given, OUTPUT=tmp_path / "positions.gpkg")
+    return lambda images, **parameters: read_rows(run(images, **parameters)["OUTPUT"])
 
 
 @pytest.fixture

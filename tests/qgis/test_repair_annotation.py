@@ -12,19 +12,16 @@ FIELDS = [("class", "text"), ("zorder", "integer"), ("note", "text")]
 
 
 @pytest.fixture
-def repair(run_algorithm, feedback, tmp_path):
+def repair(runner, tmp_path):
     """`repair(layer, **parameters)` returns (rows of the output, rows of the changes)."""
+    outputs = {"OUTPUT": tmp_path / "repaired.gpkg", "CHANGES": tmp_path / "changes.gpkg"}
+    run = runner(REPAIR, "INPUT", CLASS_FIELD="class", **outputs)
 
-    def run(layer, **parameters):
-        defaults = {
-            "CLASS_FIELD": "class",
-            "OUTPUT": str(tmp_path / "repaired.gpkg"),
-            "CHANGES": str(tmp_path / "changes.gpkg"),
-        }
-        results = run_algorithm(REPAIR, {"INPUT": str(layer), **defaults, **parameters}, feedback)
+    def repaired(layer, **parameters):
+        results = run(layer, **parameters)
         return read_rows(results["OUTPUT"]), read_rows(results["CHANGES"])
 
-    return run
+    return repaired
 
 
 def test_overlaps_are_resolved_and_attributes_kept(repair, tmp_path):

@@ -20,16 +20,10 @@ def softmax_percent(photo) -> np.ndarray:
 
 
 @pytest.fixture
-def segment(run_algorithm, feedback, tmp_path):
+def segment(runner, tmp_path):
     """`segment(image, **parameters)` returns the results."""
     model = write_model(tmp_path / "colors.onnx")
-
-    def run(image, **parameters):
-        defaults = {"MODEL": str(model), "OUTPUT": str(tmp_path / "labels.tif")}
-        source = image if isinstance(image, QgsRasterLayer) else str(image)
-        return run_algorithm(SEGMENT, {"INPUT": source, **defaults, **parameters}, feedback)
-
-    return run
+    return runner(SEGMENT, "INPUT", MODEL=model, OUTPUT=tmp_path / "labels.tif")
 
 
 @pytest.fixture

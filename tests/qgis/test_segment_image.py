@@ -1,7 +1,5 @@
 """semref:segmentimage: every kind of raster becomes the network's label map, on its own ground."""
 
-from pathlib import Path
-
 import cv2
 import numpy as np
 import pytest
@@ -24,15 +22,10 @@ def model(tmp_path_factory):
 
 
 @pytest.fixture
-def segment(run_algorithm, model, feedback, tmp_path):
+def segment(runner, model, tmp_path):
     """`segment(image, **parameters)` returns the path of the label map."""
-
-    def run(image, **parameters):
-        defaults = {"MODEL": str(model), "OUTPUT": str(tmp_path / "labels.tif")}
-        source = str(image) if isinstance(image, Path) else image
-        return run_algorithm(SEGMENT, {"INPUT": source, **defaults, **parameters}, feedback)["OUTPUT"]
-
-    return run
+    run = runner(SEGMENT, "INPUT", MODEL=model, OUTPUT=tmp_path / "labels.tif")
+    return lambda image, **parameters: run(image, **parameters)["OUTPUT"]
 
 
 def bands_of(photo_hw3: np.ndarray) -> np.ndarray:

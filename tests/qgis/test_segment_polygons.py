@@ -59,13 +59,10 @@ def test_small_regions_go_to_their_largest_neighbor(qgis_app, tmp_path):
 
 
 @pytest.fixture
-def segment(run_algorithm, feedback, tmp_path):
-    def run(image, **parameters):
-        model = write_model(tmp_path / "colors.onnx")
-        outputs = {"OUTPUT": str(tmp_path / "labels.tif"), "POLYGONS": str(tmp_path / "polygons.gpkg")}
-        return run_algorithm(SEGMENT, {"INPUT": str(image), "MODEL": str(model), **outputs, **parameters}, feedback)
-
-    return run
+def segment(runner, tmp_path):
+    model = write_model(tmp_path / "colors.onnx")
+    outputs = {"OUTPUT": tmp_path / "labels.tif", "POLYGONS": tmp_path / "polygons.gpkg"}
+    return runner(SEGMENT, "INPUT", MODEL=model, **outputs)
 
 
 def test_the_algorithm_writes_them_named_and_styled_on_the_images_ground(segment, tmp_path):

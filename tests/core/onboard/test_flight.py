@@ -15,7 +15,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-from onboard_area import MAP, SIZE
+from onboard_area import MAP, NOTHING, SIZE
 
 from semref.core.geometry.camera import Camera, Lens
 from semref.core.geometry.lens_distortion import LensDistortion
@@ -47,15 +47,20 @@ def cut(number):
 @pytest.fixture(autouse=True)
 def home(tmp_path, monkeypatch):
     """Provide a new user with its own secret."""
+    return user_at(tmp_path / "home", monkeypatch)
+
+
+def user_at(home, monkeypatch):
+    """Make the process that of a user whose caches and data are in this folder; returns the folder."""
     for name in ("XDG_CACHE_HOME", "XDG_DATA_HOME", "SEMREF_CACHE"):
-        monkeypatch.setenv(name, str(tmp_path / "home"))
-    return tmp_path / "home"
+        monkeypatch.setenv(name, str(home))
+    return home
 
 
-def put(folder, numbers, blank=()):
+def put(folder, numbers, blank=(), view=cut):
     for number in numbers:
         path = str(folder / f"{number}.png")
-        cv2.imwrite(path, np.full((SIZE, SIZE), 4, np.uint8) if number in blank else cut(number))
+        cv2.imwrite(path, NOTHING if number in blank else view(number))
         os.utime(path, ns=(number * 10**9, number * 10**9))
 
 
@@ -119,9 +124,7 @@ def bent(number):
 def test_a_lens_that_its_image_states_is_straightened_in_a_flight_too(watch, folder, monkeypatch, is_stated):
     camera = Camera(lens=Lens("focal_length_px", 0.95 * SIZE), distortion=LENS if is_stated else None)
     monkeypatch.setattr("semref.core.onboard.cameras.photo_camera", lambda path: camera)
-    for number in range(4):
-        cv2.imwrite(str(folder / f"{number}.png"), bent(number))
-        os.utime(folder / f"{number}.png", ns=(number * 10**9, number * 10**9))
+    put(folder, range(4), view=bent)
     _, records = watch()
     last = records[-1]
     assert last["status"] == "fix"
@@ -198,10 +201,7 @@ def test_a_state_of_another_database_is_not_used(watch, folder, tmp_path, capsys
     state = tmp_path / "flight.npz"
     put(folder, range(1))
     watch("--state", str(state))
-    arrays = arrays_of(state)
-    header = json.loads(arrays["header"].tobytes())
-    header["content_hash"] = "0" * 64
-    write_arrays(state, {**arrays, "header": np.frombuffer(json.dumps(header).encode(), np.uint8)})
+    write_arrays(state, {**arrays_of(state), "header": header(content_hash="0" * 64)})
     _, records = watch("--state", str(state))
     assert len(records) == 1
     assert "another database" in json.loads(capsys.readouterr().err.splitlines()[-1])["reason"]
@@ -217,8 +217,7 @@ def kept(area, tmp_path_factory):
     (made / "incoming").mkdir()
     put(made / "incoming", range(3))
     with pytest.MonkeyPatch.context() as patch:
-        for name in ("XDG_CACHE_HOME", "XDG_DATA_HOME", "SEMREF_CACHE"):
-            patch.setenv(name, str(made / "home"))
+        user_at(made / "home", patch)
         given = ["--database", area, "--once", "--flight", "--state", str(made / "flight.npz")]
         main(["watch", str(made / "incoming"), *given, "--fixes", str(made / "fixes"), "--method", "constellation"])
     return made
@@ -259,8 +258,7 @@ def test_a_state_needs_the_key_that_the_onboard_file_needs(watch, folder, tmp_pa
 def test_the_secret_of_a_user_is_private_and_another_user_s_state_is_not_used(watch, flown, home, capsys, monkeypatch):
     (secret,) = [path for path in home.rglob("*") if path.is_file() and path.stat().st_size == 32]
     assert secret.stat().st_mode & 0o077 == 0 and flown.stat().st_mode & 0o077 == 0
-    for name in ("XDG_CACHE_HOME", "XDG_DATA_HOME", "SEMREF_CACHE"):
-        monkeypatch.setenv(name, str(home / "other"))
+    user_at(home / "other", monkeypatch)
     watch("--state", str(flown))
     (told,) = events(capsys)
     assert told["event"] == "flight_state_not_used" and "secret of this user" in told["reason"]

@@ -2,7 +2,6 @@
 
 import contextlib
 import sqlite3
-from pathlib import Path
 
 import pytest
 from built_database import BUILD, MINIMUM_AREA, SIZE, STRIDE, map_labels
@@ -19,10 +18,9 @@ def build(run_algorithm, tmp_path_factory):
             "WINDOW_SIZE": SIZE,
             "STRIDE": STRIDE,
             "MINIMUM_AREA": MINIMUM_AREA,
-            "DATABASE": str(tmp_path_factory.mktemp("built") / "area.gpkg"),
+            "DATABASE": tmp_path_factory.mktemp("built") / "area.gpkg",
         }
-        source = str(labels) if isinstance(labels, Path) else labels
-        return run_algorithm(BUILD, {"LABELS": source, **defaults, **parameters})
+        return run_algorithm(BUILD, {"LABELS": labels, **defaults, **parameters})
 
     return run
 

@@ -1,7 +1,5 @@
 """Run semref:rasterizeannotation."""
 
-from pathlib import Path
-
 import pytest
 from made_inputs import read_pixels
 from qgis.core import QgsProject
@@ -9,15 +7,9 @@ from rasterized import RASTERIZE
 
 
 @pytest.fixture
-def rasterize(run_algorithm, feedback, tmp_path):
+def rasterize(runner, tmp_path):
     """`rasterize(layer, **parameters)` returns the results; the label map is tmp_path/labels.tif."""
-
-    def run(layer, **parameters):
-        source = str(layer) if isinstance(layer, Path) else layer
-        defaults = {"CLASS_FIELD": "class", "PIXEL_SIZE": 1, "OUTPUT": str(tmp_path / "labels.tif")}
-        return run_algorithm(RASTERIZE, {"INPUT": source, **defaults, **parameters}, feedback)
-
-    return run
+    return runner(RASTERIZE, "INPUT", CLASS_FIELD="class", PIXEL_SIZE=1, OUTPUT=tmp_path / "labels.tif")
 
 
 @pytest.fixture
