@@ -35,16 +35,8 @@ DEADLINE_S = 120
 
 
 def label_map() -> np.ndarray:
-    """Return small rectangles of three classes, far enough apart to stay separate regions."""
-    generator = np.random.default_rng(7)
-    labels = np.zeros((PIXELS, PIXELS), np.uint8)
-    for row in range(5, PIXELS - 20, 25):
-        for column in range(5, PIXELS - 20, 25):
-            if generator.random() < 0.6:
-                height, width = generator.integers(6, 14, 2)
-                top, left = row + generator.integers(0, 8), column + generator.integers(0, 8)
-                labels[top : top + height, left : left + width] = generator.integers(1, 4)
-    return labels
+    """Return small rectangles of three classes, apart from each other."""
+    return made_inputs.scattered_objects(PIXELS, PIXELS, 345, seed=7, background=0)
 
 
 def write_raster(path: Path, labels: np.ndarray, georeferenced: bool) -> str:

@@ -15,7 +15,7 @@ def test_a_window_is_inspected_by_name_with_its_vector_and_its_look_alikes(dock,
     inspect.name.returnPressed.emit()
     wait_until(lambda: inspect.numbers.rowCount(), "the window")
     assert inspect.numbers.rowCount() == 10 and inspect.look_alikes.rowCount() > 0
-    assert inspect.numbers.item(0, 1).text() == "49 m (1.000)" and "° (" in inspect.numbers.item(0, 2).text()
+    assert inspect.numbers.item(0, 1).text() == "48 m (1.000)" and "° (" in inspect.numbers.item(0, 2).text()
     extents = [corners(band.boundingBox()) for band in rubber_bands(iface, "Polygon")]
     assert any(extent == pytest.approx(corners(cut_extent())) for extent in extents)
     assert iface.canvas.extent().contains(cut_extent())

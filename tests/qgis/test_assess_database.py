@@ -5,9 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from made_inputs import NAMES, landmarks_in_the_west, read_rows
-from qgis.core import (
-    QgsVectorLayer,
-)
+from qgis.core import QgsVectorLayer
 
 ASSESS = "semref:assessdatabase"
 LABELS = landmarks_in_the_west()

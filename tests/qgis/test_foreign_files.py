@@ -54,9 +54,9 @@ def refuse_replacing(monkeypatch):
     return refuse
 
 
-def localize(run_algorithm, given: Path, output: Path) -> None:
-    parameters = {"DATABASE": str(given / "area.gpkg"), "IMAGES": [str(given / "photo.png")], "METHOD": 1}
-    run_algorithm(LOCALIZE, {**parameters, "OUTPUT": str(output)})
+def localize(run_algorithm, given: Path, output: object, **more: object) -> None:
+    parameters = {"DATABASE": given / "area.gpkg", "IMAGES": [given / "photo.png"], "METHOD": 1}
+    run_algorithm(LOCALIZE, {**parameters, "OUTPUT": output, **more})
 
 
 def annotation(folder: Path, name: str = "landcover.shp") -> Path:
@@ -65,9 +65,7 @@ def annotation(folder: Path, name: str = "landcover.shp") -> Path:
 
 
 def rasterize(run_algorithm, layer: Path, output: object, **more: object) -> None:
-    run_algorithm(
-        RASTERIZE, {"INPUT": str(layer), "CLASS_FIELD": "class", "PIXEL_SIZE": 1, "OUTPUT": str(output), **more}
-    )
+    run_algorithm(RASTERIZE, {"INPUT": layer, "CLASS_FIELD": "class", "PIXEL_SIZE": 1, "OUTPUT": output, **more})
 
 
 def reads(path: Path, sql: str) -> list:
@@ -123,9 +121,8 @@ def test_a_link_of_the_outputs_name_is_replaced_and_not_followed(run_algorithm, 
 def test_a_linked_folder_is_not_filled(run_algorithm, given, tmp_path):
     (tmp_path / "elsewhere").mkdir()
     (tmp_path / "labels").symlink_to(tmp_path / "elsewhere")
-    parameters = {"DATABASE": str(given / "area.gpkg"), "IMAGES": [str(given / "photo.png")], "OUTPUT": "memory:"}
     with pytest.raises(QgsProcessingException, match="a link; choose a folder"):
-        run_algorithm(LOCALIZE, {**parameters, "LABELS": str(tmp_path / "labels")})
+        localize(run_algorithm, given, "memory:", LABELS=tmp_path / "labels")
     assert list((tmp_path / "elsewhere").iterdir()) == []
 
 

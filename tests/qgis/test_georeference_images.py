@@ -233,9 +233,4 @@ def test_each_pixel_is_where_a_camera_without_distortion_saw_it(photo, tmp_path,
 
 def test_a_missing_image_is_reported(tmp_path):
     with pytest.raises(LabelMapError, match="missing.tif"):
-        write_draped(
-            str(tmp_path / "missing.tif"),
-            str(tmp_path / "x.vrt"),
-            WKT,
-            footprint_of(0, 0),
-        )
+        write_draped(str(tmp_path / "missing.tif"), str(tmp_path / "x.vrt"), WKT, footprint_of(0, 0))

@@ -172,13 +172,6 @@ def test_a_georeference_is_not_needed_and_not_used(localize, tmp_path):
     assert localize([str(path)])[0][0]["window"] == "160_200"
 
 
-def test_one_row_images_and_single_pixels_are_no_crash(localize, tmp_path):
-    line = image(tmp_path, "line.png", np.ones((1, 50), np.uint8))
-    pixel = image(tmp_path, "pixel.png", np.ones((1, 1), np.uint8))
-    found, _ = localize([line, pixel])
-    assert [row["status"] for row in found] == ["too_few_references"] * 2
-
-
 # --- outputs ---
 
 

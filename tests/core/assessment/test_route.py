@@ -29,10 +29,7 @@ def test_a_route_without_length_is_refused(lines):
         route_points(lines, 10.0)
 
 
-@pytest.mark.parametrize(
-    "spacing, said",
-    [(0.0, "between points is 0"), (float("nan"), "is nan"), (1e-3, "or more")],
-)
+@pytest.mark.parametrize("spacing, said", [(0.0, "between points is 0"), (float("nan"), "is nan"), (1e-3, "or more")])
 def test_an_impossible_spacing_is_refused(spacing, said):
     with pytest.raises(ParameterError, match=said):
         route_points([BENT], spacing)

@@ -28,20 +28,16 @@ WIDTH, HEIGHT = 2400, 2000
 
 def patches(seed: int) -> np.ndarray:
     """Return (HEIGHT, WIDTH) uint8 patches of classes 2 to 6 around random points."""
-    labels = made_labels.patches(seed, (HEIGHT // 4, WIDTH // 4), 500, first=2)
+    return enlarged(made_labels.patches(seed, (HEIGHT // 4, WIDTH // 4), 500, first=2))
+
+
+def enlarged(labels: np.ndarray) -> np.ndarray:
     return cv2.resize(labels, (WIDTH, HEIGHT), interpolation=cv2.INTER_NEAREST)
 
 
-def houses(seed: int, count: int = 700) -> np.ndarray:
+def houses(seed: int) -> np.ndarray:
     """Return (HEIGHT, WIDTH) bool: houses apart from each other."""
-    rng = np.random.default_rng(seed)
-    mask = np.zeros((HEIGHT, WIDTH), bool)
-    for _ in range(count):
-        left, top = int(rng.integers(3, WIDTH - 40)), int(rng.integers(3, HEIGHT - 40))
-        width, height = rng.integers(10, 28, 2)
-        if not mask[top - 3 : top + height + 3, left - 3 : left + width + 3].any():
-            mask[top : top + height, left : left + width] = True
-    return mask
+    return enlarged(made_labels.scattered_objects(HEIGHT // 2, WIDTH // 2, 650, seed, background=0)) > 0
 
 
 GROUND, HOUSES = patches(1), houses(2)

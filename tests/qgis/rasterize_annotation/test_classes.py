@@ -7,9 +7,7 @@ import numpy as np
 import pytest
 from made_inputs import read_pixels, square, write_layer, write_text
 from osgeo import ogr
-from qgis.core import (
-    QgsRasterLayer,
-)
+from qgis.core import QgsRasterLayer
 from qgis.PyQt.QtGui import QColor
 from rasterized import category_names, stored_table, styled_layer
 
