@@ -14,6 +14,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..geometry.radius import CIRCLE_95
 from ..localization import LIKELY_RISK, RISK, CorrelationPeaks, Status, risk_of
 from ..sentences import Sentence
 from .settings import CORRELATION, CorrelationSettings
@@ -190,9 +191,9 @@ def decide_accuracy(
 
 
 def position_error_95(
-    covariance_m2: np.ndarray, score: float, overview_pixel_m: float, settings: CorrelationSettings = CORRELATION
+    covariance_m2: np.ndarray, overview_pixel_m: float, settings: CorrelationSettings = CORRELATION
 ) -> float:
-    """Return the 95 % radius of a position, m.
+    """Return the 95 % radius of a position from its larger axis, m.
 
     Args:
         covariance_m2: (2, 2) of the position.
@@ -201,8 +202,7 @@ def position_error_95(
     if not np.isfinite(covariance_m2).all():
         return float("inf")
     deviation = float(np.sqrt(max(np.linalg.eigvalsh(covariance_m2).max(), 0.0)))
-    factor = settings.error_factor * noise_ratio(score, settings)
-    return float(np.hypot(factor * deviation, settings.error_floor_px * overview_pixel_m))
+    return float(np.hypot(CIRCLE_95 * deviation, settings.error_floor_px * overview_pixel_m))
 
 
 def noise_ratio(score: float, settings: CorrelationSettings) -> float:

@@ -49,7 +49,7 @@ def full_pose_covariance(  # noqa: PLR0913 - a fit, what it was made on, and wha
 
     Args:
         pose: With its score.
-        covariance: (4, 4) of ``pose_covariance``, already calibrated by ``noise_factor``.
+        covariance: (4, 4) of ``pose_covariance``, already calibrated by ``noise_factor``, with that of leaning roofs.
         edge_m: Of the ground that the image shows.
         overview_pixel_m: Pixel size of the map's overview.
         errors: Of the map and of the labels.

@@ -33,6 +33,9 @@ DAMPING = 1e-4
 """Added to the normal equations, as a share of their trace. Parameters with less effect are undetermined: for example
 the place along a straight shore that crosses the image."""
 
+SCALE = 3
+"""Number of the parameter of the pixel size."""
+
 NOT_COMPARABLE = -1.0
 """Score if the map has too few labels under the image, or if either is uniform."""
 
@@ -149,22 +152,17 @@ def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose,
         (4, 4) of x in image pixels right, y down, heading in radians and ln pixel size; infinite if the image does not
         determine the whole pose.
     """
-    fit = _compare(image, pyramid, pose, quiet)
-    if fit.gain <= 0:
+    fit = fit_at(image, pyramid, pose, quiet)
+    if fit is None:
         return np.full((4, 4), np.inf)
-    pull = _pull(image, fit)
-    strengths = np.linalg.eigvalsh(_normal(pull))
-    damping = DAMPING
-    if strengths[0] <= damping * strengths.sum():
-        return np.full((4, 4), np.inf)
-    inverse, units = _inverse(pull, damping), parameter_units(image)
+    (pull, inverse), units = fit, parameter_units(image)
     height, width = image.known.shape
     pulls = clustered_covariance(pull.slopes * pull.residual, (height, width), pyramid.settings.blocks)
     return inverse @ pulls @ inverse * np.outer(units, units)
 
 
 @dataclass(frozen=True)
-class _Pull:
+class Pull:
     """Gradient of a pose.
 
     Attributes:
@@ -213,10 +211,10 @@ def _compare(
     return _Fit(product / np.sqrt(norm * (energy + quiet * known.size)), product / norm, seen, there)
 
 
-def _pull(image: EvidenceLevel, fit: _Fit) -> _Pull:
+def _pull(image: EvidenceLevel, fit: _Fit) -> Pull:
     """Return the gradient of a pose with a gain."""
     slopes = slopes_of(image, fit.there + fit.gain * fit.seen)
-    return _Pull(slopes.reshape(4, -1), (fit.there - fit.gain * fit.seen).ravel())
+    return Pull(slopes.reshape(4, -1), (fit.there - fit.gain * fit.seen).ravel())
 
 
 def slopes_of(image: EvidenceLevel, both: np.ndarray) -> np.ndarray:
@@ -254,24 +252,34 @@ def gradients(planes: np.ndarray, channels: int) -> np.ndarray:
     return found
 
 
-def _normal(pull: _Pull) -> np.ndarray:
+def fit_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> tuple[Pull, np.ndarray] | None:
+    """Return a pose's gradient and the (4, 4) inverse of its normal equations; None if the pose is undetermined."""
+    fit = _compare(image, pyramid, pose, quiet)
+    if fit.gain <= 0:
+        return None
+    pull = _pull(image, fit)
+    strengths = np.linalg.eigvalsh(_normal(pull))
+    return None if strengths[0] <= DAMPING * strengths.sum() else (pull, _inverse(pull))
+
+
+def _normal(pull: Pull) -> np.ndarray:
     """Return (4, 4) of the normal equations."""
     # OpenCV's product and inverse: BLAS and LAPACK would start threads that keep spinning.
     return cv2.mulTransposed(pull.slopes, False, dtype=cv2.CV_64F)
 
 
-def _inverse(pull: _Pull, damping: float) -> np.ndarray:
+def _inverse(pull: Pull) -> np.ndarray:
     """Return the (4, 4) inverse of the normal equations, slightly damped."""
     normal = _normal(pull)
-    damped = damping * max(float(np.trace(normal)), 1e-30)
+    damped = DAMPING * max(float(np.trace(normal)), 1e-30)
     return cv2.invert(normal + damped * np.eye(4), flags=cv2.DECOMP_CHOLESKY)[1]
 
 
-def _move(pull: _Pull, image: EvidenceLevel) -> np.ndarray:
+def _move(pull: Pull, image: EvidenceLevel) -> np.ndarray:
     """Return the (4,) Gauss–Newton step: x, y in image pixels, radians, ln scale."""
     descent = np.einsum("ik,k->i", pull.slopes, pull.residual).astype(np.float64)
     limit = np.array(LARGEST_STEP) * np.array([*image.pixel, 1, 1])
-    return np.clip(-(_inverse(pull, DAMPING) @ descent) * parameter_units(image), -limit, limit)
+    return np.clip(-(_inverse(pull) @ descent) * parameter_units(image), -limit, limit)
 
 
 def clustered_covariance(pulls: np.ndarray, shape_hw: tuple[int, int], blocks: int) -> np.ndarray:
@@ -280,9 +288,14 @@ def clustered_covariance(pulls: np.ndarray, shape_hw: tuple[int, int], blocks: i
     Gradients are summed in blocks × blocks parts of the image, which count as independent (cluster-robust "sandwich"
     covariance, Liang & Zeger 1986): a patch of a wrong class is one error, not a thousand.
     """
-    height, width = shape_hw
-    rows, columns = (np.linspace(0, edge, min(blocks, edge), endpoint=False).astype(int) for edge in (height, width))
-    sums = pulls.reshape(len(pulls), height, width, -1).sum(axis=3)
-    sums = np.add.reduceat(np.add.reduceat(sums, rows, axis=1), columns, axis=2).reshape(len(pulls), -1)
+    sums = block_sums(pulls, shape_hw, blocks).reshape(len(pulls), -1)
     sums = sums - sums.mean(axis=1, keepdims=True)
     return np.einsum("ik,jk->ij", sums, sums)
+
+
+def block_sums(values: np.ndarray, shape_hw: tuple[int, int], blocks: int) -> np.ndarray:
+    """Return (P, at most blocks, at most blocks) sums of (P, h·w·C) values in blocks × blocks parts of the image."""
+    height, width = shape_hw
+    rows, columns = (np.linspace(0, edge, min(blocks, edge), endpoint=False).astype(int) for edge in (height, width))
+    sums = values.reshape(len(values), height, width, -1).sum(axis=3)
+    return np.add.reduceat(np.add.reduceat(sums, rows, axis=1), columns, axis=2)

@@ -26,6 +26,7 @@ from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, mirror_lev
 from .decision import decide, decide_accuracy, position_error_95, rank, risk_of_peaks
 from .detail import detail_at
 from .exactness import covariance_on_map, full_pose_covariance, noise_factor
+from .leaning import leaning_covariance
 from .parts import disagreeing_part
 from .places import (
     ChanceLevels,
@@ -93,13 +94,14 @@ def localize(  # noqa: PLR0913 - an image by its labels and their shares, the ma
     height, width = labels_hw.shape
     diagonal_m = float(np.hypot(height, width)) * pose.pixel_size_m
     errors, factor = errors or SharedErrors(), noise_factor(peaks.score, settings)
+    covariance = factor**2 * covariance + leaning_covariance(decided, pyramid, pose, errors.settings)
     effect = view_effect(decided, pyramid, pose, factor, errors)
     pose = pose if effect is None else effect.correct(pose)
     found = _result(pyramid, [pose, *poses[1:]], covariance, peaks, (diagonal_m, allowed_risk), is_held)
     if found.is_fix:
         found = replace(found, reason=disagreeing_part(decided, pyramid, pose))
     edge_m = float(np.sqrt(height * width)) * pose.pixel_size_m
-    known = full_pose_covariance(pose, factor**2 * covariance, edge_m, pyramid.frame.pixel_size, errors, effect)
+    known = full_pose_covariance(pose, covariance, edge_m, pyramid.frame.pixel_size, errors, effect)
     return replace(found, covariance=known, error_95_m=np.inf if known.radius_95 is None else known.radius_95)
 
 
@@ -192,7 +194,7 @@ def _result(  # noqa: PLR0913 - poses, what is known of the first, and what was 
     asked: tuple[float, float],
     is_held: bool,
 ) -> Localization:
-    """Return the localization for poses, best first; the first pose has a ``pose_covariance``.
+    """Return the localization for poses, best first; ``covariance`` is that of the first.
 
     ``asked``: diagonal of the image on the ground in meters, and the maximum error probability. ``is_held``: the first
     pose is at the map's edge, not where it matches best.
@@ -202,7 +204,7 @@ def _result(  # noqa: PLR0913 - poses, what is known of the first, and what was 
     settings = pyramid.settings
     spread = covariance_on_map(pose, covariance)[:2, :2] if np.isfinite(covariance).all() else np.full((2, 2), np.inf)
     # The accuracy of the image only: an inaccurate map makes no place doubtful.
-    error_95 = position_error_95(spread, peaks.score, pyramid.frame.pixel_size, settings)
+    error_95 = position_error_95(spread, pyramid.frame.pixel_size, settings)
     status, reason = decide(peaks, allowed_risk, settings)
     exactness, looseness = decide_accuracy(error_95, diagonal_m, is_held, settings)
     if status is Status.FIX:

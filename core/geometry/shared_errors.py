@@ -94,7 +94,7 @@ def refined_pose(matched: MatchedPoints, pose: Pose, errors: SharedErrors) -> tu
     phase = phase_deviation(moved.turn, errors.map_pixel_size, matched.diagonal)
     full = _on_map(covariance, pose.turn / abs(pose.turn), scale)
     full[:2, :2] += phase**2 * np.eye(2)
-    full[3, 3] += errors.settings.leaning**2
+    full[3, 3] += errors.settings.leaning(2 * scale) ** 2
     parts = system.parts(weights, variances, float(np.trace(full[:2, :2]) / 2), phase)
     return moved, covariance_of(full, abs(moved.turn), parts)
 
