@@ -176,6 +176,12 @@ def test_what_is_no_log_of_this_flight_is_refused(localize, tmp_path, text, sent
         localize(LOG=str(write_text(tmp_path / "geo.txt", text)))
 
 
+def test_an_odometry_table_of_other_images_stops_before_any_work(localize, tmp_path):
+    table = write_text(tmp_path / "table.csv", "image,dx_m,dy_m,dheading_deg\nother1,,,\nother2,1,1,0\n")
+    with pytest.raises(QgsProcessingException, match="no motion between two of these images"):
+        localize(ODOMETRY=str(table))
+
+
 @pytest.mark.slow
 def test_reading_a_long_log_ends_at_a_cancel_and_its_thread_with_it(localize, tmp_path):
     zeros = b"ULog\x01\x12\x35\x01" + bytes(60_000_000)

@@ -162,6 +162,15 @@ def test_a_models_bias_is_taken_off_and_without_one_the_radius_is_larger(localiz
     assert "class offset" in silent["reason"]
 
 
+def test_a_bias_of_shadows_turns_with_the_sun(localize, off_by, photo):
+    (silent,) = localize([photo])
+    (turned,) = localize([photo], MODEL=off_by(0.0, 2.0, sun=180), SUN_DIRECTION=270)
+    np.testing.assert_allclose(position(turned) - position(silent), [2.0, 0.0], atol=0.1)
+    (unknown,) = localize([photo], MODEL=off_by(0.0, 2.0, sun=180))
+    np.testing.assert_allclose(position(unknown), position(silent), atol=0.1)
+    assert unknown["error_95"] > silent["error_95"] > turned["error_95"]
+
+
 def test_a_label_map_carries_the_bias_of_the_network_that_made_it(run_algorithm, localize, off_by, photo, tmp_path):
     labels = str(tmp_path / "labels.tif")
     run_algorithm("semref:segmentimage", {"INPUT": str(photo), "MODEL": off_by(2.0, -1.0), "OUTPUT": labels})

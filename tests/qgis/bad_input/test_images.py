@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from bad_input import BUILD, DECODE, DESCRIBE, LABELS, LOCALIZE, RASTERIZE, SEGMENT, sentence_of
+from bad_input import BUILD, DECODE, DESCRIBE, LABELS, LOCALIZE, OUTPUT_NAMES, RASTERIZE, SEGMENT, sentence_of
 from made_inputs import read_rows, write_raster, write_text
 from made_models import brightest_color, metadata, write_model
 from osgeo import gdal
@@ -131,12 +131,29 @@ def test_no_speed_is_reported_if_the_network_saw_no_photo(run_algorithm, default
     assert found["FIX_COUNT"] == 0 and "DEVICE" not in found and "per second" not in feedback.textLog()
 
 
-def test_a_missing_onnxruntime_is_reported_with_how_to_install_it(qgis_app, monkeypatch):
-    find_spec = importlib.util.find_spec
-    monkeypatch.setattr(
-        importlib.util, "find_spec", lambda name, *a: None if name == "onnxruntime" else find_spec(name, *a)
-    )
-    create = QgsApplication.processingRegistry().createAlgorithmById
+@pytest.fixture
+def lacking(qgis_app, monkeypatch):
+    """`lacking(module)` makes Python find no such module; returns a maker of algorithms by id."""
+
+    def of(module):
+        find_spec = importlib.util.find_spec
+        monkeypatch.setattr(
+            importlib.util, "find_spec", lambda name, *a: None if name == module else find_spec(name, *a)
+        )
+        return QgsApplication.processingRegistry().createAlgorithmById
+
+    return of
+
+
+def test_a_missing_opencv_is_reported_by_every_algorithm(lacking):
+    create = lacking("cv2")
+    for algorithm in OUTPUT_NAMES:
+        possible, reason = create(algorithm).canExecute()
+        assert not possible and "pip install" in reason and "opencv-python-headless>=" in reason
+
+
+def test_a_missing_onnxruntime_is_reported_with_how_to_install_it(lacking):
+    create = lacking("onnxruntime")
     possible, reason = create(SEGMENT).canExecute()
     # Which command fits which release: test_components.py.
     assert not possible and re.search('install --no-deps [^“”]*"onnxruntime', reason)
