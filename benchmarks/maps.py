@@ -191,8 +191,10 @@ def read_photo(path: Path) -> np.ndarray:
 
 
 def spoil_lines(path: Path, missing: float, spurious: float) -> None:
-    """Remove a share of the lines of a file, and add turned and moved copies of a share; the same ones every time."""
+    """Remove a share of the lines of a file, and add turned copies of a share, moved by up to MOVED_M."""
     from osgeo import ogr
+    from shapely.affinity import rotate, translate
+    from shapely.geometry import LineString
 
     data = ogr.Open(str(path), 1)
     layer, rng = data.GetLayer(0), np.random.default_rng(MOVED_M)
@@ -200,26 +202,17 @@ def spoil_lines(path: Path, missing: float, spurious: float) -> None:
     layer.StartTransaction()
     for number, feature in lines.items():
         if rng.random() < spurious:
+            line = np.array(feature.GetGeometryRef().GetPoints())[:, :2]
+            angle, middle = rng.uniform(0, 360), tuple(line.mean(axis=0))
+            turned = rotate(LineString(line), -angle, origin=middle)
+            moved = translate(turned, *rng.uniform(-MOVED_M, MOVED_M, 2))
             copy = feature.Clone()
             copy.SetFID(-1)
-            copy.SetGeometry(_turned(feature.GetGeometryRef(), rng))
+            copy.SetGeometry(ogr.CreateGeometryFromWkb(moved.wkb))
             layer.CreateFeature(copy)
         if rng.random() < missing:
             layer.DeleteFeature(number)
     layer.CommitTransaction()
-
-
-def _turned(line: Any, rng: np.random.Generator) -> Any:
-    """Return a line turned by any angle around its middle and moved by up to MOVED_M."""
-    from osgeo import ogr
-
-    points = np.array(line.GetPoints())[:, :2]
-    angle, middle = rng.uniform(0, 2 * np.pi), points.mean(axis=0)
-    turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
-    turned = ogr.Geometry(ogr.wkbLineString)
-    for x, y in (points - middle) @ turn + middle + rng.uniform(-MOVED_M, MOVED_M, 2):
-        turned.AddPoint_2D(x, y)
-    return turned
 
 
 def write_sample(folder: Path, seed: int = 1671) -> None:

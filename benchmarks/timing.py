@@ -7,6 +7,7 @@ import os
 import sys
 import time
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -16,11 +17,10 @@ import numpy as np
 from benchmarks import plain_build
 from benchmarks.accuracy import GOAL
 from benchmarks.child import run_in_child
-from benchmarks.ground import Ground, Wanted
+from benchmarks.ground import Ground, Wanted, chosen
 from benchmarks.maps import World, build_parameters, read, run_algorithm, settings
 from benchmarks.photos import SHIPPED
 from benchmarks.results import ROOT, Table, rate, size
-from benchmarks.set_up import set_up
 from benchmarks.tile_by_tile import TileByTile
 from benchmarks.turns import on_processor, ratios, spread, take_turns
 from semref.core.localization import Method, Prior
@@ -56,22 +56,15 @@ def one_fix(world: World, scenario: dict[str, Any]) -> list[Table]:
 
 def with_copies(ground: Ground, landmarks: int) -> Ground:
     """Return the same ground with a database that also has changed copies of its landmarks."""
-    from dataclasses import replace
-
-    from semref.core.database.model import MapLandmarks
-
     known, rng = ground.references, np.random.default_rng(SEED)
-    parts, width = [known], ground.frame.extent[2] - ground.frame.extent[0]
+    many = chosen(known, np.arange(landmarks) % len(known))
+    width = ground.frame.extent[2] - ground.frame.extent[0]
     for number in range(1, -(-landmarks // len(known))):
-        moved = known.positions + rng.normal(0, 15, known.positions.shape) + (number * 1.1 * width, 0)
-        areas = known.areas_m2 * np.exp(rng.normal(0, 0.3, len(known)))
-        parts.append(replace(known, positions=moved, areas_m2=areas))
-    columns = {
-        name: np.concatenate([getattr(part, name) for part in parts])[:landmarks]
-        for name, column in vars(known).items()
-        if column is not None
-    }
-    database = replace(ground.database, references=MapLandmarks(**columns))
+        copy = slice(number * len(known), (number + 1) * len(known))
+        count = len(many.areas_m2[copy])
+        many.positions[copy] += rng.normal(0, 15, known.positions.shape)[:count] + (number * 1.1 * width, 0)
+        many.areas_m2[copy] *= np.exp(rng.normal(0, 0.3, len(known)))[:count]
+    database = replace(ground.database, references=many)
     other = Ground(ground.labels_hw, database, size_px=ground.size_px)
     other.extent, other.references = ground.extent, known
     return other
@@ -459,7 +452,6 @@ def update(world: World, scenario: dict[str, Any]) -> list[Table]:
 
 
 MEASUREMENTS = {
-    "set up": set_up,
     "one fix": one_fix,
     "correlation": correlation,
     "build": build,

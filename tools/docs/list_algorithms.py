@@ -3,17 +3,12 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 from example_calls import ELSEWHERE, in_python, in_terminal
 
 GROUPS = ("annotation", "referencedatabase", "localization")
-HEAD = """# Algorithms
-
-Every algorithm with its id, its parameters and an example on the [sample area](../tutorials/first_fix.md). Run the
-examples in a folder that has copies of `sample` and of `models/sample_area.onnx` from the plugin's folder.
-[Toolbox](../how-to/toolbox.md) explains how to run them. A key in brackets is optional. `processing.run` and
-`qgis_process` take choices by number.
-"""
+HEAD = Path(__file__).with_name("heads").joinpath("algorithms.md").read_text(encoding="utf-8")
 
 
 def page(provider) -> str:

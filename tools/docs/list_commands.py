@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import argparse
+from pathlib import Path
 
-HEAD = """# Command line
-
-`pip install` of SemRef's wheel adds the command `semref`. Without installation, run `python -m core` in the plugin's
-folder. [On board](../how-to/on_board.md) explains how to use it in an aircraft.
-"""
+HEAD = Path(__file__).with_name("heads").joinpath("command_line.md").read_text(encoding="utf-8")
 
 
 def page() -> str:

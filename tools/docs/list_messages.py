@@ -15,15 +15,11 @@ from typing import NamedTuple
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.append(str(ROOT / "tools" / "release"))
 
-from update_translations import MAKERS, ROOMS, name_of, templates_of  # noqa: E402
+from update_translations import MAKERS, ROOMS, calls_in, name_of, templates_of  # noqa: E402
 
 NOTES = Path(__file__).with_name("troubleshooting_notes.txt")
 
-HEAD = """# Messages
-
-Search this page for a few words of a message. Names and numbers are *in italics* here. In other languages the order
-of the sections is the same. If QGIS shows an error that is not on this page, [report it](../how-to/no_position.md).
-"""
+HEAD = Path(__file__).with_name("heads").joinpath("messages.md").read_text(encoding="utf-8")
 
 SECTIONS = {
     "An image has no position": ("core/constellation", "core/correlation", "core/localization", "core/localizer"),
@@ -82,10 +78,9 @@ def _made() -> Iterator[tuple[str, str, str]]:
     """Yield the class of each message, its template and its file."""
     for room in ROOMS:
         for path in sorted((ROOT / room).rglob("*.py")):
-            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-                if isinstance(node, ast.Call) and name_of(node.func) in MAKERS:
-                    for template in _without_singular(node):
-                        yield name_of(node.func), template, path.relative_to(ROOT).as_posix()
+            for call in calls_in(path.read_text(encoding="utf-8")):
+                for template in _without_singular(call) if name_of(call.func) in MAKERS else ():
+                    yield name_of(call.func), template, path.relative_to(ROOT).as_posix()
 
 
 def _without_singular(call: ast.Call) -> list[str]:

@@ -1,6 +1,6 @@
 """The reference page of the solvers' settings, from their classes.
 
-settings_head.md has the introduction and the commands of the trials. The docstring of a class describes each field as
+heads/settings.md has the introduction and the commands of the trials. The docstring of a class describes each field as
 "meaning [what it was set on; trials]".
 """
 
@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from dataclasses import is_dataclass
 from pathlib import Path
 
-HEAD = Path(__file__).with_name("settings_head.md").read_text(encoding="utf-8")
+HEAD = Path(__file__).with_name("heads").joinpath("settings.md").read_text(encoding="utf-8")
 COMMANDS = dict(re.findall(r"^\| (.+) \| (.+) \|$", HEAD, re.MULTILINE)[1:])
 """The command that repeats each group of trials, by the name that docstrings use."""
 

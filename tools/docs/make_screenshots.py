@@ -14,14 +14,10 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
 import shutil
-import signal
 import subprocess
 import sys
-import sysconfig
 import tempfile
-import time
 import zipfile
 from dataclasses import dataclass
 from pathlib import Path
@@ -29,10 +25,13 @@ from pathlib import Path
 from small_pictures import films, join, shrink
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "tests" / "data"))
+
+from desktop_qgis import make_package, run_desktop  # noqa: E402
+
 SESSION = Path(__file__).with_name("screenshot_session.py")
 IMAGES = ROOT / "docs" / "images"
 SCREEN_PX = 2800, 2600
-LIMIT_S, TIME_TO_QUIT_S = 900, 20
 LARGEST_BYTES, LARGEST_FILM_BYTES = 250_000, 900_000
 SAMPLE = "semref_sample"
 CHINESE_FONT = "fonts-wqy-microhei"
@@ -89,19 +88,13 @@ def main() -> None:
     arguments.output.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix="semref-screenshots-") as folder:
         work = Path(folder)
-        package = package_plugin(work)
+        package = work / "semref.zip"
+        make_package(ROOT, package)
         for number, variant in enumerate(variants):
-            sample = sample_folder(work / "samples", variant.language)
+            sample = work / "samples" / str(number) / SAMPLE
+            sample.mkdir(parents=True)
             seen = in_desktop(variant, package, work / str(number), {"sample": str(sample)})
             keep([work / str(number) / "pictures" / name for name in seen["taken"]], arguments.output)
-
-
-def package_plugin(folder: Path) -> Path:
-    """Return the plugin's zip of this working tree."""
-    package = folder / "semref.zip"
-    tool = ROOT / "tools" / "release" / "package.py"
-    subprocess.run([sys.executable, str(tool), "--output", str(package)], check=True)
-    return package
 
 
 def keep(pictures: list[Path], folder: Path) -> None:
@@ -115,16 +108,6 @@ def keep(pictures: list[Path], folder: Path) -> None:
         target = folder / picture.name
         shrink(picture, target, LARGEST_BYTES)
         print(f"{target} ({target.stat().st_size / 1000:.0f} kB)", flush=True)
-
-
-def sample_folder(samples: Path, language: str) -> Path:
-    """Return the folder of the sample project; for another language a copy without the project file."""
-    folder = samples / language / SAMPLE
-    made = next(samples.glob(f"*/{SAMPLE}/*.qgz"), None)
-    if not folder.exists() and made is not None:
-        shutil.copytree(made.parent, folder, ignore=shutil.ignore_patterns("*.qgz"))
-    folder.mkdir(parents=True, exist_ok=True)
-    return folder
 
 
 def chosen(only: list[str], languages: list[str]) -> list[Variant]:
@@ -151,7 +134,7 @@ def say_what_is_missing(variants: list[Variant]) -> None:
             sys.exit(f"No font has Chinese characters: apt-get install {CHINESE_FONT}")
 
 
-def in_desktop(variant: Variant, package: Path, home: Path, job: dict, limit_s: int = LIMIT_S) -> dict:
+def in_desktop(variant: Variant, package: Path, home: Path, job: dict) -> dict:
     """Run the scenes in desktop QGIS with a new profile and return the result of the session; exit at a failure.
 
     Args:
@@ -159,48 +142,26 @@ def in_desktop(variant: Variant, package: Path, home: Path, job: dict, limit_s: 
         package: The plugin's zip.
         home: Folder of the user, also for ``pictures``.
         job: Further keys of the job (screenshot_session.py).
-        limit_s: Time limit of the session.
     """
-    profile = home / "profiles" / "default"
-    runtime, temporary, result = home / "runtime", home / "tmp", home / "result.json"
-    for folder in (profile / "QGIS", profile / "python" / "plugins", home / "pictures", temporary):
+    profile, pictures, temporary = home / "profiles" / "default", home / "pictures", home / "tmp"
+    for folder in (profile / "QGIS", profile / "python" / "plugins", pictures, temporary):
         folder.mkdir(parents=True)
-    runtime.mkdir(mode=0o700)
     with zipfile.ZipFile(package) as archive:
         archive.extractall(profile / "python" / "plugins")
     (profile / "QGIS" / "QGIS3.ini").write_text(settings(variant), encoding="utf-8")
-    job |= {"tools": str(SESSION.parent), "pictures": str(home / "pictures"), "result": str(result)}
-    (home / "job.json").write_text(json.dumps({**job, "scenes": variant.scenes}), encoding="utf-8")
-    environment = {
-        "PATH": os.environ["PATH"],
-        "LANG": "C.UTF-8",
-        "HOME": str(home),
-        "XDG_RUNTIME_DIR": str(runtime),
+    job |= {"tools": str(SESSION.parent), "pictures": str(pictures), "scenes": variant.scenes}
+    (home / "job.json").write_text(json.dumps(job), encoding="utf-8")
+    variables = {
         # Not the folder of the sample: QGIS would mark its layers as temporary.
         "TMPDIR": str(temporary),
-        # OpenCV of the virtual environment, because QGIS runs the system's Python.
-        "PYTHONPATH": sysconfig.get_path("purelib"),
         "SEMREF_SCREENSHOTS": str(home / "job.json"),
+        # Faster than for tests.
+        "MALLOC_PERTURB_": "0",
     }
-    command = [
-        "xvfb-run",
-        "--auto-servernum",
-        f"--server-args=-screen 0 {SCREEN_PX[0]}x{SCREEN_PX[1]}x24",
-        "qgis",
-        "--nologo",
-        "--noversioncheck",
-        "--profiles-path",
-        str(home),
-        "--code",
-        str(SESSION),
-    ]
-    said = run(command, environment, home / "output.txt", result, limit_s)
-    if not result.exists():
-        sys.exit(f"QGIS ended without a result. Its output:\n{said}")
-    seen = json.loads(result.read_text(encoding="utf-8"))
-    problems = [seen.get("error", ""), *seen["messages"]]
-    if any(problems):
-        sys.exit("\n".join(filter(None, problems)))
+    screen = f"--server-args=-screen 0 {SCREEN_PX[0]}x{SCREEN_PX[1]}x24"
+    seen = run_desktop(home, "", SESSION, variables, ("xvfb-run", "--auto-servernum", screen))
+    if seen["messages"]:
+        sys.exit("\n".join(seen["messages"]))
     return seen
 
 
@@ -213,23 +174,6 @@ def settings(variant: Variant) -> str:
         "[qgis]\ncheckVersion=false\naskToSaveProjectChanges=false\n"
         "\n[app]\naskToSaveMemoryLayers=false\n"
     )
-
-
-def run(command: list[str], environment: dict[str, str], log: Path, result: Path, limit_s: int) -> str:
-    """Return the output of the command. After the result exists, the command gets a little time and is then ended."""
-    with log.open("wb") as stream:
-        process = subprocess.Popen(
-            command, env=environment, stdin=subprocess.DEVNULL, stdout=stream, stderr=stream, start_new_session=True
-        )
-        end = time.monotonic() + limit_s
-        while process.poll() is None and time.monotonic() < end and not result.exists():
-            time.sleep(0.5)
-        try:
-            process.wait(TIME_TO_QUIT_S)
-        except subprocess.TimeoutExpired:
-            os.killpg(process.pid, signal.SIGKILL)
-            process.wait()
-    return log.read_text(encoding="utf-8", errors="replace")
 
 
 if __name__ == "__main__":

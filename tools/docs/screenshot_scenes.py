@@ -24,7 +24,8 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import Qt, QTimer
 from qgis.PyQt.QtWidgets import QApplication, QTreeView
-from screenshot_window import DOCK_WIDTH, WINDOW, Session, failures, settle, wait_until
+from screenshot_window import DOCK_WIDTH, WINDOW, Session, failures
+from walking import settle, wait_until
 
 LOCALIZE, INSPECT, CORRECT = range(3)
 NARROW = 100

@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 
 import qgis.utils
 from qgis.core import QgsProject
-from qgis.PyQt.QtCore import QCoreApplication, QPoint, QRect, Qt
+from qgis.PyQt.QtCore import QPoint, QRect, Qt
 from qgis.PyQt.QtGui import QGuiApplication
 from qgis.PyQt.QtWidgets import QDockWidget, QToolBar
 from small_pictures import frame_name
+from walking import settle, wait_until
 
 WINDOW = 1280, 900
 """Size of QGIS's window, in device-independent pixels."""
 
 DOCK_WIDTH = 400
-LIMIT_S = 300
 # Toolbars that SemRef's users do not need.
 KEPT_TOOLBARS = ("mFileToolBar", "mMapNavToolBar", "mAttributesToolBar", "mPluginToolBar")
 
@@ -143,22 +142,6 @@ class Session:
         if picture.isNull() or not picture.save(str(file)):
             raise RuntimeError(f"{file} could not be written")
         self.taken.append(file.name)
-
-
-def settle(seconds: float) -> None:
-    """Run the event loop of the window for some time."""
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        QCoreApplication.processEvents()
-        time.sleep(0.01)
-
-
-def wait_until(condition, what: str, limit_s: float = LIMIT_S) -> None:
-    end = time.monotonic() + limit_s
-    while not condition():
-        if time.monotonic() > end:
-            raise RuntimeError(f"{what} did not appear within {limit_s:g} s")
-        settle(0.1)
 
 
 def failures() -> list:

@@ -3,8 +3,8 @@
     .venv/bin/python tools/docs/time_walk.py --place banepa [--minutes 3 --python PYTHON_WITH_TORCH] [--write]
 
 The walk uses the dialog *Set up an area* in a new profile with the packaged plugin on a virtual screen. The ground is
-the sample area, or a real place, which walk_ground.py cuts from the real data. Without the data or torch, the script
-prints a message and exits. --write replaces table and pictures of the docs; otherwise they go to --pictures.
+the sample area, or a real place, which walk_ground.py cuts from the real data. --write replaces table and pictures of
+the docs; otherwise they go to --pictures.
 """
 
 from __future__ import annotations
@@ -12,24 +12,22 @@ from __future__ import annotations
 import argparse
 import json
 import shutil
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-from make_screenshots import IMAGES, ROOT, Variant, in_desktop, keep, package_plugin, say_what_is_missing
+from make_screenshots import IMAGES, ROOT, Variant, in_desktop, keep, make_package, say_what_is_missing
 
 sys.path.append(str(ROOT / "tools"))
 from plugin_package import load_plugin_package
 
 load_plugin_package()
-from walk_ground import PLACES, fill, lacks  # noqa: E402
+from walk_ground import PLACES, fill  # noqa: E402
 
 from benchmarks import results  # noqa: E402
 
 GUIDE = ROOT / "docs" / "tutorials" / "own_area_and_photos.md"
 SECTION = "own area walk"
-LIMIT_S = 7200
 SAMPLE_MODEL = "models/sample_area.onnx"
 STEPS = {
     "layers": "Drop orthophoto and map on QGIS, open *Set up an area…*",
@@ -50,10 +48,6 @@ def main() -> None:
     parser.add_argument("--write", action="store_true", help="write table and pictures into the docs")
     arguments = parser.parse_args()
     place = PLACES.get(arguments.place)
-    missing = (place and lacks(place, arguments.data)) or (arguments.minutes and lacks_torch(arguments.python))
-    if missing:
-        print(missing)
-        return
     say_what_is_missing([Variant(())])
     with tempfile.TemporaryDirectory(prefix="semref-", dir=arguments.folder) as folder:
         work, ground = Path(folder), None
@@ -61,7 +55,9 @@ def main() -> None:
             ground = work / "ground"
             ground.mkdir()
             fill(place, arguments.data, ground)
-        seen = walk(package_plugin(work), work / "home", ground, arguments.python, arguments.minutes)
+        package = work / "semref.zip"
+        make_package(ROOT, package)
+        seen = walk(package, work / "home", ground, arguments.python, arguments.minutes)
         target = IMAGES if arguments.write else arguments.pictures
         if target is not None:
             target.mkdir(parents=True, exist_ok=True)
@@ -77,15 +73,6 @@ def main() -> None:
         results.write_section(GUIDE, f"{SECTION}, {arguments.place}, {arguments.minutes:g} minutes", body)
 
 
-def lacks_torch(python: str) -> str:
-    """Return a message if this Python cannot train; otherwise an empty text."""
-    try:
-        found = subprocess.run([python, "-c", "import torch"], check=False, capture_output=True).returncode == 0
-    except OSError:
-        found = False
-    return "" if found else f"Not walked: {python} is no Python with torch."
-
-
 def walk(package: Path, home: Path, ground: Path | None, python: str, minutes: float) -> dict:
     """Run the session and return its result; exit at an error."""
     work, made = home / "work", home / "ground"
@@ -95,7 +82,7 @@ def walk(package: Path, home: Path, ground: Path | None, python: str, minutes: f
     job = {"ground": str(ground or made), "work": str(work), "python": str(python), "minutes": minutes}
     job |= {"polygons": "buildings.gpkg" if ground else "landcover.shp"}
     job |= {"model": "" if ground else str(ROOT / SAMPLE_MODEL)}
-    return in_desktop(Variant((("walk_session.walk", ""),)), package, home, job, LIMIT_S)
+    return in_desktop(Variant((("walk_session.walk", ""),)), package, home, job)
 
 
 def walk_table(seen: dict, minutes: float) -> str:

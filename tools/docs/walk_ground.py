@@ -57,12 +57,6 @@ PLACES = {
 }
 
 
-def lacks(place: RealPlace, data: Path) -> str:
-    """Return a message about missing data; empty if everything exists."""
-    missing = [name for name in (place.photo, place.polygons) if not (data / name).is_file()]
-    return f"Not walked: there is no {missing[0]} in {data}." if missing else ""
-
-
 def fill(ground: RealPlace, data: Path, folder: Path) -> None:
     """Write orthophoto.tif, buildings.gpkg, photos and photos.csv."""
     source = gdal.Open(str(data / ground.photo))

@@ -26,20 +26,29 @@ from qgis.PyQt.QtCore import QMimeData, QPointF, Qt, QUrl
 from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QAction, QApplication, QLineEdit
-from screenshot_window import WINDOW, Session, settle, wait_until
+from screenshot_window import WINDOW, Session
+from walking import settle, wait_until
 
-DIALOG_PX, LIMIT_S = (620, 480), 3600
+DIALOG_PX = (620, 480)
 
 
 def walk(session: Session) -> None:
-    Walk(session).go()
+    # The training environment is installed.
+    QgsSettings().setValue("semref/options/training_python", session.job["python"])
+    steps = Walk(session)
+    steps.open_layers()
+    steps.set_up()
+    steps.look()
 
 
-class Hand:
-    """Operate the window like a person, and count each click, drop and text field."""
+class Walk:
+    """The steps of the walk. It operates the window like a person, and counts each click, drop and text field."""
 
-    def __init__(self) -> None:
-        self.clicks = 0
+    def __init__(self, session: Session) -> None:
+        self.session, self.job, self.clicks = session, session.job, 0
+        self.ground, self.work = Path(self.job["ground"]), Path(self.job["work"])
+        self.seen = session.seen
+        self.steps = self.seen["steps"] = []
 
     def click(self, widget) -> None:
         self.clicks += 1
@@ -68,36 +77,19 @@ class Hand:
         QApplication.sendEvent(widget, QDropEvent(middle, *how))
         settle(0.3)
 
-
-class Walk:
-    """The steps of the walk."""
-
-    def __init__(self, session: Session) -> None:
-        self.session, self.job, self.hand = session, session.job, Hand()
-        self.ground, self.work = Path(self.job["ground"]), Path(self.job["work"])
-        self.seen = session.seen
-        self.steps = self.seen["steps"] = []
-
     @contextmanager
     def step(self, name: str):
-        begun, before, processor = time.monotonic(), self.hand.clicks, processor_seconds()
+        begun, before, processor = time.monotonic(), self.clicks, processor_seconds()
         yield
         used = round(processor_seconds() - processor, 1)
-        self.steps.append([name, self.hand.clicks - before, round(time.monotonic() - begun, 1), used])
-
-    def go(self) -> None:
-        # The training environment is installed.
-        QgsSettings().setValue("semref/options/training_python", self.job["python"])
-        self.open_layers()
-        self.set_up()
-        self.look()
+        self.steps.append([name, self.clicks - before, round(time.monotonic() - begun, 1), used])
 
     def open_layers(self) -> None:
         with self.step("layers"):
-            self.hand.drop(self.session.window, [self.ground / "orthophoto.tif", self.ground / self.job["polygons"]])
+            self.drop(self.session.window, [self.ground / "orthophoto.tif", self.ground / self.job["polygons"]])
             wait_until(lambda: len(QgsProject.instance().mapLayers()) == 2, "the layers")
             # Menu, submenu and entry.
-            self.hand.clicks += 3
+            self.clicks += 3
             self.session.window.findChild(QAction, "SemRefSetUpAction").trigger()
             wait_until(lambda: self.session.dock.setting_up is not None, "the dialog")
         self.session.resize(*WINDOW)
@@ -106,18 +98,19 @@ class Walk:
         dialog = self.session.dock.setting_up
         dialog.setGeometry(0, 0, *DIALOG_PX)
         with self.step("fields"):
-            self.hand.write(dialog.photos.findChild(QLineEdit), str(self.ground / "photos"))
+            self.write(dialog.photos.findChild(QLineEdit), str(self.ground / "photos"))
             if self.job["minutes"]:
-                self.hand.write(dialog.minutes, f"{self.job['minutes']:g}")
+                self.write(dialog.minutes, f"{self.job['minutes']:g}")
             if self.job["model"]:
-                self.hand.write(dialog.model.findChild(QLineEdit), self.job["model"])
-            self.hand.write(dialog.folder.findChild(QLineEdit), str(self.work / "results"))
+                self.write(dialog.model.findChild(QLineEdit), self.job["model"])
+            self.write(dialog.folder.findChild(QLineEdit), str(self.work / "results"))
             wait_until(dialog.start.isEnabled, "the summary")
         self.seen["summary"] = dialog.summary.text()
         self.session.take("own_area_dialog", dialog)
         with self.step("run"):
-            self.hand.click(dialog.start)
-            wait_until(lambda: not dialog.isVisible() or not dialog._run.running, "the end of the run", LIMIT_S)
+            self.click(dialog.start)
+            while dialog.isVisible() and dialog._run.running:
+                settle(1)
         if dialog.isVisible():
             raise RuntimeError(dialog.summary.text())
         report = (self.work / "results" / "report.html").read_text(encoding="utf-8")
@@ -129,7 +122,7 @@ class Walk:
         self.seen |= compared(findings, self.ground / "photos.csv")
         fixes = [row for row, finding in enumerate(findings) if finding.status == "fix"]
         with self.step("look"):
-            self.hand.clicks += 1
+            self.clicks += 1
             tab.results.list.setCurrentRow(fixes[0] if fixes else 0)
         if fixes:
             wait_until(lambda: tab.results.image.canvas.scene().items(), "the selected image")

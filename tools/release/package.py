@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import importlib.util
 import shutil
 import subprocess
 import sys
@@ -14,6 +13,10 @@ from pathlib import Path
 from metadata import placeholders, plugin_version, shipped_metadata
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "tools" / "docs"))
+
+from build_site import is_up_to_date  # noqa: E402
+
 SHIPPED_FILES = (
     *("metadata.txt", "LICENSE", "README.md", "CHANGELOG.md", "CITATION.cff"),
     *("__init__.py", "plugin.py", "program.py"),
@@ -39,13 +42,7 @@ def shipped_paths(root: Path = ROOT) -> list[Path]:
 
 def has_guide(root: Path) -> bool:
     """Return whether help/ was built from the current docs; otherwise print a warning."""
-    tool = root / "tools" / "docs" / "build_site.py"
-    spec = importlib.util.spec_from_file_location("build_site", tool)
-    sys.path.append(str(tool.parent))
-    build_site = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(build_site)
-    sys.path.remove(str(tool.parent))
-    if build_site.is_up_to_date(root / HELP, root):
+    if is_up_to_date(root / HELP, root):
         return True
     print("The zip has no help pages, because help/ is missing or old. Run tools/docs/build_site.py.", file=sys.stderr)
     return False

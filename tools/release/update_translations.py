@@ -9,6 +9,7 @@ from __future__ import annotations
 import ast
 import re
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -37,44 +38,39 @@ def makers() -> frozenset[str]:
 MAKERS = makers()
 
 
+def literals(node: ast.expr) -> list[str]:
+    """Return a text literal, both of ``"…" if … else "…"``, or an empty list for a variable."""
+    if isinstance(node, ast.IfExp):
+        return literals(node.body) + literals(node.orelse)
+    return [node.value] if isinstance(node, ast.Constant) and isinstance(node.value, str) and node.value else []
+
+
 def templates_of(call: ast.Call) -> list[str]:
-    """Return the template literals of a call: both of ``"…" if … else "…"``, or an empty list for a variable."""
-
-    def literals(node: ast.expr) -> list[str]:
-        if isinstance(node, ast.IfExp):
-            return literals(node.body) + literals(node.orelse)
-        return [node.value] if isinstance(node, ast.Constant) and isinstance(node.value, str) else []
-
+    """Return the template literals of a call."""
     return literals(call.args[0]) if call.args else []
+
+
+def calls_in(source: str) -> Iterator[ast.Call]:
+    """Yield all calls of a source text."""
+    return (node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Call))
 
 
 def sentence_texts(source: str) -> list[str]:
     """Return the templates of all sentences and errors, except those that are a single value."""
-    calls = [node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Call)]
-    found = [text for call in calls if name_of(call.func) in MAKERS for text in templates_of(call)]
+    found = [text for call in calls_in(source) if name_of(call.func) in MAKERS for text in templates_of(call)]
     return [text for text in found if not re.fullmatch(r"\{\w+\}", text)]
 
 
 def texts_of(source: str) -> list[str]:
     """Return the literals of all ``tr("…")`` calls."""
-    found = []
-    for node in ast.walk(ast.parse(source)):
-        is_call = isinstance(node, ast.Call) and getattr(node.func, "id", getattr(node.func, "attr", "")) == "tr"
-        text = node.args[0] if is_call and len(node.args) == 1 else None
-        if isinstance(text, ast.Constant) and isinstance(text.value, str):
-            found.append(text.value)
-    return found
+    calls = [call for call in calls_in(source) if name_of(call.func) == "tr" and len(call.args) == 1]
+    return [text for call in calls for text in literals(call.args[0])]
 
 
 def step_texts(source: str) -> list[str]:
     """Return the texts of ``yield "text", share``. The caller translates them."""
-    found = []
-    for node in ast.walk(ast.parse(source)):
-        if isinstance(node, ast.Yield) and isinstance(node.value, ast.Tuple):
-            first = node.value.elts[0]
-            if isinstance(first, ast.Constant) and isinstance(first.value, str):
-                found.append(first.value)
-    return found
+    yields = [node.value for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Yield)]
+    return [text for value in yields if isinstance(value, ast.Tuple) for text in literals(value.elts[0])]
 
 
 def title_texts(source: str) -> list[str]:

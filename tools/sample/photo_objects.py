@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import cv2
 import numpy as np
@@ -95,31 +94,19 @@ def build_roofs(rng: np.random.Generator, scene: Scene, features: Sequence[Featu
             part = np.s_[top:bottom, left:right]
             mine = scene.owner[part] == index
             y, x = np.mgrid[top:bottom, left:right]
-            roof = make_roof(rng, polygon, west + (x + 0.5) * px, north - (y + 0.5) * px)
-            scene.color[part][mine] = (roof.color * np.exp(0.06 * grain[part] + roof.streaks)[..., None])[mine]
-            scene.relief[part][mine] = roof.relief[mine]
-            scene.height[part][mine] = (roof.eaves + roof.relief)[mine]
+            color, eaves, relief, streaks = make_roof(rng, polygon, west + (x + 0.5) * px, north - (y + 0.5) * px)
+            scene.color[part][mine] = (color * np.exp(0.06 * grain[part] + streaks)[..., None])[mine]
+            scene.relief[part][mine] = relief[mine]
+            scene.height[part][mine] = (eaves + relief)[mine]
 
 
-@dataclass(frozen=True)
-class Roof:
-    """What the roof of one building looks like.
+def make_roof(rng: np.random.Generator, polygon: Polygon, x: np.ndarray, y: np.ndarray) -> tuple:
+    """The roof of one building at map coordinates x, y (h, w).
 
-    Attributes:
-        color: (3,) linear red, green, blue.
-        eaves: Height of the eaves, meters.
-        relief: (h, w) height above the eaves, meters.
-        streaks: (h, w) change of light by courses and skylights.
+    Returns:
+        (3,) linear color; height of the eaves, m; (h, w) height above them, m; (h, w) change of light by courses and
+        skylights.
     """
-
-    color: np.ndarray
-    eaves: float
-    relief: np.ndarray
-    streaks: np.ndarray
-
-
-def make_roof(rng: np.random.Generator, polygon: Polygon, x: np.ndarray, y: np.ndarray) -> Roof:
-    """The roof of one building at map coordinates x, y (h, w)."""
     corners = shapes.corners_xy(polygon.minimum_rotated_rectangle)[:4]
     edges = np.diff(corners, axis=0)
     longest = edges[np.argmax(np.hypot(*edges[:2].T))]
@@ -131,9 +118,9 @@ def make_roof(rng: np.random.Generator, polygon: Polygon, x: np.ndarray, y: np.n
     if polygon.area > FLAT_FROM_M2 or rng.uniform() < 0.08:
         color = tinted(rng, FLAT_ROOFS[rng.integers(len(FLAT_ROOFS))], 0.12)
         skylights = np.where((np.mod(along, 9) < 1.6) & (across < 0.3 * np.sqrt(polygon.area)), 0.25, 0)
-        return Roof(color, HALL_HEIGHT_M, np.zeros_like(x, np.float32), courses + skylights * rng.integers(0, 2))
+        return color, HALL_HEIGHT_M, np.zeros_like(x, np.float32), courses + skylights * rng.integers(0, 2)
     half = across.max()
     pitch = rng.uniform(0.45, 0.95)
     relief = (pitch * np.clip(half - across, 0, None)).astype(np.float32)
     color = tinted(rng, ROOFS[rng.choice(len(ROOFS), p=(0.22, 0.2, 0.14, 0.14, 0.12, 0.1, 0.08))], 0.10)
-    return Roof(color, rng.uniform(*HOUSE_HEIGHTS_M) - 1.5, relief, courses)
+    return color, rng.uniform(*HOUSE_HEIGHTS_M) - 1.5, relief, courses

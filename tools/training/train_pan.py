@@ -4,8 +4,8 @@
 
 The script uses the code of semref:trainmodel (training/), but all settings can be changed. TILES are folders of
 exported tiles with the same classes. The folder MODEL.training next to the model has the curves (curves.csv), the best
-weights and the state for --resume. --test measures the model on tiles of another place, in torch and in
-onnxruntime. Run bash tools/training/setup_training.sh first; docs/how-to/train_a_network.md has more.
+weights and the state for --resume. --test measures the model on tiles of another place. Run
+bash tools/training/setup_training.sh first; docs/how-to/train_a_network.md has more.
 """
 
 from __future__ import annotations
@@ -85,31 +85,22 @@ def say(event: str, **values: object) -> None:
 def say_test(folder: Path, trainer: object, job: Job) -> None:
     """Print a table of IoU per class on the tiles of a folder."""
     import numpy as np
-    import torch
 
     from semref.training import export, metrics, tiles
     from semref.training.train import read_tiles
 
     ground = read_tiles(job)
     mean, deviation = (getattr(trainer, name).flatten().cpu().numpy() for name in ("mean", "deviation"))
+    scores_of = export.scoring(Path(job.output), mean, deviation)
     (test,) = tiles.open_folders([folder])
     values = [c.value for c in ground.classes]
     reader = tiles.TileReader(test.tiles("train") + test.tiles("validation"), values, job.learn_unlabeled)
-    network, scores_of = trainer.network.cpu().eval(), export.scoring(Path(job.output), mean, deviation)
-    count, same = len(values), []
-    by_torch, by_onnx = (np.zeros((count, count), np.int64) for _ in range(2))
-    for index in range(len(reader)):
-        image, labels = reader(index)
-        with torch.inference_mode():
-            first = network(torch.from_numpy(tiles.standardized(image, mean, deviation))).argmax(1)[0].numpy()
-        second = scores_of(image).argmax(0)
-        by_torch += metrics.confusion_matrix(labels, first, count)
-        by_onnx += metrics.confusion_matrix(labels, second, count)
-        same.append((first == second).mean())
-    print(f"\n{folder}, {len(reader)} tiles, {np.mean(same):.4%} of the pixels equal in torch and onnxruntime\n")
-    print("| class | IoU in torch | IoU in onnxruntime |\n|---|---|---|")
-    pairs = zip(ground.class_names, *(metrics.intersection_over_union(m) for m in (by_torch, by_onnx)))
-    print("\n".join(f"| {name} | {a:.4f} | {b:.4f} |" for name, a, b in pairs if np.isfinite(a)))
+    found = ((labels, scores_of(image).argmax(0)) for image, labels in map(reader, range(len(reader))))
+    confusion = sum(metrics.confusion_matrix(labels, predicted, len(values)) for labels, predicted in found)
+    print(f"\n{folder}, {len(reader)} tiles\n\n| class | IoU |\n|---|---|")
+    for name, iou in zip(ground.class_names, metrics.intersection_over_union(confusion)):
+        if np.isfinite(iou):
+            print(f"| {name} | {iou:.4f} |")
 
 
 if __name__ == "__main__":
