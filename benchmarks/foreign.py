@@ -18,9 +18,8 @@ if TYPE_CHECKING:
 
 EDGE_PX = 1280
 SCALES = (0.8, 1.25)
-CLASS_VALUES = (1, 2, 3)
 FIELDS = (4, 5, 6, 7)
-"""Values of landmarks and background classes in the map of Liechtenstein."""
+"""Background classes in the map of Liechtenstein."""
 
 AERIAL_CLASSES = {1: 1, 2: 2, 3: 7, 4: 6, 5: 3}
 """Classes of Dubai's label maps, and the similar classes of the map."""

@@ -21,11 +21,10 @@ FISHPOND_ROWS = 4
 
 @dataclass(frozen=True)
 class Rivers:
-    """Center lines (LineString) and surfaces (one polygon each) of the running waters."""
+    """Running waters: center line of the river, and one surface of each."""
 
     river_line: LineString
     river: BaseGeometry
-    stream_line: LineString
     stream: BaseGeometry
 
     @property
@@ -54,7 +53,6 @@ def make_rivers(rng: np.random.Generator, size_xy: tuple[float, float]) -> River
     return Rivers(
         LineString(points),
         banked(rng, points, 34.0, 0.25),
-        LineString(stream_points),
         banked(rng, stream_points, 8.0, 0.2),
     )
 
