@@ -94,14 +94,15 @@ def localize(  # noqa: PLR0913 - an image by its labels and their shares, the ma
     height, width = labels_hw.shape
     diagonal_m = float(np.hypot(height, width)) * pose.pixel_size_m
     errors, factor = errors or SharedErrors(), noise_factor(peaks.score, settings)
-    covariance = factor**2 * covariance + leaning_covariance(decided, pyramid, pose, errors.settings)
+    covariance = factor**2 * covariance
+    leaning = leaning_covariance(decided, pyramid, pose, errors.settings)
     effect = view_effect(decided, pyramid, pose, factor, errors)
     pose = pose if effect is None else effect.correct(pose)
     found = _result(pyramid, [pose, *poses[1:]], covariance, peaks, (diagonal_m, allowed_risk), is_held)
     if found.is_fix:
         found = replace(found, reason=disagreeing_part(decided, pyramid, pose))
     edge_m = float(np.sqrt(height * width)) * pose.pixel_size_m
-    known = full_pose_covariance(pose, covariance, edge_m, pyramid.frame.pixel_size, errors, effect)
+    known = full_pose_covariance(pose, covariance + leaning, edge_m, pyramid.frame.pixel_size, errors, effect)
     return replace(found, covariance=known, error_95_m=np.inf if known.radius_95 is None else known.radius_95)
 
 
@@ -203,7 +204,7 @@ def _result(  # noqa: PLR0913 - poses, what is known of the first, and what was 
     pose, *others = poses
     settings = pyramid.settings
     spread = covariance_on_map(pose, covariance)[:2, :2] if np.isfinite(covariance).all() else np.full((2, 2), np.inf)
-    # The accuracy of the image only: an inaccurate map makes no place doubtful.
+    # The accuracy of the fit only: an inaccurate map and leaning roofs make no place doubtful.
     error_95 = position_error_95(spread, pyramid.frame.pixel_size, settings)
     status, reason = decide(peaks, allowed_risk, settings)
     exactness, looseness = decide_accuracy(error_95, diagonal_m, is_held, settings)
