@@ -113,8 +113,8 @@ def localize_with(
 ) -> ImageResult:
     """Localize an image with a given prior and leveling.
 
-    A photo without a position is labeled again, more thoroughly, if that is possible. The published method is not
-    changed by this: it takes the first labels.
+    A photo without a position is labeled again, more thoroughly, if that is possible. The second labels decide; the
+    first ones can confirm them. The published method takes the first labels.
 
     Args:
         search: Method, and whether to return matches.
@@ -122,20 +122,17 @@ def localize_with(
         prior: Prior of the image's center; with a range of pixel sizes if the image is leveled.
         leveling: How to level the image; None to use it as taken. The method must find heading and pixel size.
     """
-    look_again, seen = seen.look_again, replace(seen, look_again=None)
-    result = _localized_once(localizer, search, seen, prior, leveling)
-    if look_again is None or result.level.is_fix or search.method is Method.TOPOLOGY_VECTOR:
+    known = prior if leveling is None else of_leveled(prior, leveling)
+
+    def look(seen: SeenLabels, earlier: Localization | None = None) -> ImageResult:
+        level = seen if leveling is None else level_labels(seen, leveling)
+        found = _found(localizer, search, level, known, leveling, earlier)
+        return ImageResult(seen.labels_hw, level, leveling, known, found)
+
+    result = look(replace(seen, look_again=None))
+    if seen.look_again is None or result.level.is_fix or search.method is Method.TOPOLOGY_VECTOR:
         return result
-    return _localized_once(localizer, search, look_again(), prior, leveling)
-
-
-def _localized_once(
-    localizer: Localizer, search: Search, seen: SeenLabels, prior: Prior, leveling: Leveling | None
-) -> ImageResult:
-    labels_hw = seen.labels_hw
-    if leveling is not None:
-        seen, prior = level_labels(seen, leveling), of_leveled(prior, leveling)
-    return ImageResult(labels_hw, seen, leveling, prior, _found(localizer, search, seen, prior, leveling))
+    return look(seen.look_again(), result.level)
 
 
 def localize_again(localizer: Localizer, search: Search, result: ImageResult, prior: Prior) -> ImageResult:
@@ -143,10 +140,16 @@ def localize_again(localizer: Localizer, search: Search, result: ImageResult, pr
     return replace(result, prior=prior, level=_found(localizer, search, result.seen, prior, result.leveling))
 
 
-def _found(
-    localizer: Localizer, search: Search, seen: SeenLabels, prior: Prior, leveling: Leveling | None
+def _found(  # noqa: PLR0913 - as ``localize_with``, and an earlier result for the same photo
+    localizer: Localizer,
+    search: Search,
+    seen: SeenLabels,
+    prior: Prior,
+    leveling: Leveling | None,
+    earlier: Localization | None = None,
 ) -> Localization:
     if leveling is not None:
         localizer = localizer.with_view(leveling.view)
-    found = localizer.localize(seen.labels_hw, search.method, prior, search.with_matches, seen.shares, seen.biases)
+    asked = search.method, prior, search.with_matches
+    found = localizer.localize(seen.labels_hw, *asked, seen.shares, seen.biases, earlier)
     return name_network(found, seen.trained_on, localizer.landmark_classes)

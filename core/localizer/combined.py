@@ -92,6 +92,30 @@ def _risk_of_agreement(
     return risk_of(log_odds_of(objects.risk) + log_odds_of(areas.risk) + settings.agreement_worth)
 
 
+def confirm_by_earlier(
+    found: Localization, earlier: Localization, shorter_edge_px: int, settings: LocalizerSettings = LOCALIZER
+) -> Localization:
+    """Return a result with the evidence of an earlier look at the same photo, whose labels have other errors.
+
+    Wrong places differ between the looks more often than right ones, so the same place is evidence (``looks_curve``).
+    Another place is none: the later labels are better.
+
+    Args:
+        found: From labels averaged over all orientations, not yet shown as likely.
+        earlier: From the labels of one orientation, without a fix.
+        settings: Tolerance for the same position, and the maximum error probability.
+    """
+    if earlier.risk is None or not earlier.is_doubted or not (found.is_fix or found.is_doubted):
+        return found
+    # The radii of two looks at one photo say nothing about their distance.
+    if found.best is None or not _same(found.best, replace(earlier, error_95_m=None), shorter_edge_px, settings):
+        return found
+    offset, slope = settings.looks_curve
+    alone = log_odds_of(found.risk)
+    risk = risk_of(max(alone, offset + slope * (alone + log_odds_of(earlier.risk))))
+    return _as_fix(found, risk) if risk <= settings.allowed_risk else replace(found, risk=risk)
+
+
 def _as_fix(found: Localization, risk: float) -> Localization:
     """Return a candidate as a fix with an error probability; a remark about a part of the image is kept."""
     remark = found.reason if found.is_fix else None

@@ -39,6 +39,7 @@ from .combined import (
     combine_agreeing,
     combine_without_fix,
     confirm,
+    confirm_by_earlier,
     prior_near,
     show_likely,
     with_search_range,
@@ -372,6 +373,7 @@ class Localizer:
         with_matches: bool = False,
         shares: ClassShares | None = None,
         biases: KnownBiases = UNBIASED,
+        earlier: Localization | None = None,
     ) -> Localization:
         """Localize an image.
 
@@ -381,6 +383,7 @@ class Localizer:
                 constellation always returns them.
             shares: Probable shares of classes, for map correlation.
             biases: Class offsets of the labels; ignored by the topology vector.
+            earlier: From other labels of the same photo, without a fix; ignored by the topology vector.
 
         Returns:
             A fix or likely position has its footprint.
@@ -397,6 +400,8 @@ class Localizer:
             found = self.localize_automatically(labels_hw, prior, shares, biases)
         else:
             found = self.localize_by_constellation(labels_hw, prior, biases)
+        if earlier is not None:
+            found = confirm_by_earlier(found, earlier, min(_shape(labels_hw)), self.settings)
         found = show_likely(found, self.settings)
         place = found.place
         if place is None:

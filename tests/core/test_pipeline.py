@@ -35,7 +35,7 @@ class Localizer:
     def pixel_sizes(self, shape_hw, scales):
         return tuple(scale * 100 / min(shape_hw) for scale in scales)
 
-    def localize(self, labels_hw, method, prior, with_matches, shares, biases):
+    def localize(self, labels_hw, method, prior, with_matches, shares, biases, earlier=None):
         self.asked.append((labels_hw.shape, method, prior, with_matches, shares, biases))
         return Localization(
             Status.NO_MATCH, method, reason=Sentence("No place on the map has triangles of landmarks like the image's.")
@@ -145,6 +145,7 @@ class Finder(Localizer):
     """Localizer that finds labels of 1."""
 
     def localize(self, labels_hw, method, *known):
+        self.earlier = known[-1]
         return FIX if labels_hw.all() else super().localize(labels_hw, method, *known)
 
 
@@ -159,8 +160,11 @@ class Finder(Localizer):
 )
 def test_a_photo_without_a_position_is_labeled_again(name, method, looks):
     reader = Photographed()
-    result = Pipeline(Finder(), Search(method), reader).run(name, Camera())
+    finder = Finder()
+    result = Pipeline(finder, Search(method), reader).run(name, Camera())
     assert reader.looks == looks
+    # The second look knows the result of the first.
+    assert (finder.earlier is not None) == (looks == 1)
     assert result.localization.is_fix == bool(result.labels_hw.all()) == (method is Method.AUTOMATIC)
     # The photo itself is not kept.
     assert result.seen.look_again is None

@@ -12,7 +12,14 @@ from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
 from semref.core.localization import Localization, Method, Place, Prior, Status
-from semref.core.localizer.combined import check_by_areas, combine_agreeing, combine_without_fix, confirm, prior_near
+from semref.core.localizer.combined import (
+    check_by_areas,
+    combine_agreeing,
+    combine_without_fix,
+    confirm,
+    confirm_by_earlier,
+    prior_near,
+)
 from semref.core.localizer.localizer import Localizer
 from semref.core.localizer.settings import LOCALIZER
 from semref.core.sentences import Sentence
@@ -222,6 +229,34 @@ def test_two_independent_methods_with_one_place_lower_the_risk():
     # Across north, 359.5° and 0.2° differ by 0.7°.
     north, beside = (replace(PLACE, heading_deg=heading) for heading in (0.2, 359.5))
     assert combine_agreeing(replace(stars, best=north), replace(areas, best=beside), 1000).is_fix
+
+
+def test_two_looks_at_a_photo_with_one_place_lower_the_risk():
+    found, earlier = doubted(AREAS, 0.01), doubted(AREAS, 0.05)
+    offset, slope = LOCALIZER.looks_curve
+    expected = offset + slope * (np.log(99) + np.log(19))
+    both = confirm_by_earlier(found, earlier, 1000)
+    assert both.risk == pytest.approx(1 / (1 + np.exp(expected))) and not both.is_fix
+    assert confirm_by_earlier(found, earlier, 1000, replace(LOCALIZER, allowed_risk=0.01)).is_fix
+    # A look that is nearly certain needs no help, and a poor earlier look takes nothing away.
+    assert confirm_by_earlier(doubted(AREAS, 1e-9), earlier, 1000).is_fix
+    assert confirm_by_earlier(found, doubted(AREAS, 0.99), 1000).risk == pytest.approx(found.risk)
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [{"position": (130.0, 204.0)}, {"heading_deg": 60.0}, {"pixel_size_m": 1.2}],
+)
+def test_two_looks_at_a_photo_with_other_places_are_no_evidence(changed):
+    found, earlier = doubted(AREAS, 0.01), doubted(AREAS, 0.05, replace(AREAS.best, **changed))
+    assert confirm_by_earlier(found, replace(earlier, error_95_m=500.0), 1000) == found
+
+
+def test_an_inaccurate_place_is_not_confirmed_by_an_earlier_look():
+    found, earlier = doubted(AREAS, 0.01), doubted(AREAS, 0.05)
+    inaccurate = replace(found, is_doubted=False)
+    assert confirm_by_earlier(inaccurate, earlier, 1000) == inaccurate
+    assert confirm_by_earlier(found, replace(earlier, is_doubted=False), 1000) == found
 
 
 def test_the_constellation_searches_again_at_the_place_of_map_correlation():

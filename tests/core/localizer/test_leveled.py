@@ -28,7 +28,7 @@ class Made:
     def with_view(self, view):
         return self
 
-    def localize(self, labels_hw, method, prior, with_matches, shares, biases):
+    def localize(self, labels_hw, method, prior, with_matches, shares, biases, earlier=None):
         self.shape, self.prior, self.shares = labels_hw.shape, prior, shares
         return self.found
 
