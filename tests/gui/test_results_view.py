@@ -23,13 +23,13 @@ from dock_area import (
 from made_inputs import write_raster
 from made_models import RGB, metadata, painted, write_model
 from qgis.core import QgsApplication
-from qgis.PyQt.QtCore import QLocale, Qt
+from qgis.PyQt.QtCore import QLocale, QRect, QSize, Qt
 from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import QGraphicsPixmapItem
+from qgis.PyQt.QtWidgets import QGraphicsPixmapItem, QStyle, QStyleOptionViewItem
 
 from semref.processing.inspection.image import ImageInspector
-from semref.ui.tabs.localize.results_list import _ICON_AND_MARGINS_PX, fit_name
+from semref.ui.tabs.localize.results_list import fit_name
 
 pytestmark = pytest.mark.slow  # a dock is made for each test; test_localize_tab.py has results, too
 
@@ -64,13 +64,28 @@ def test_a_row_has_two_lines_with_position_radius_and_error_probability(dock, if
 def test_how_surely_it_was_found_is_never_cut_off(dock, iface, found, odds, width):
     as_wide_as(dock, iface, width)
     results = found.results.list
-    metrics, room = results.fontMetrics(), results.viewport().width() - _ICON_AND_MARGINS_PX
+    metrics, room = results.fontMetrics(), results.viewport().width() - 40
     for name in ("photo_01.jpg", "DJI_20261122_143201_0018_Wide_Mission_7.JPG"):
         text = f"{name} · Position · {odds}\n9.69348, 48.95194 ± 2.2 m"
         above, below = fit_name(text, name, metrics, room).split("\n")
         assert above.endswith(f" · {odds}") and above[:2] == name[:2]
         assert max(metrics.horizontalAdvance(line) for line in (above, below)) <= room
     assert not results.horizontalScrollBar().isVisible()
+
+
+@pytest.mark.parametrize("icon", [16, 28])
+def test_the_first_line_fits_beside_an_icon_of_any_size(found, icon):
+    results = found.results.list
+    index, option = results.model().index(0, 0), QStyleOptionViewItem()
+    option.widget, option.decorationSize = results, QSize(icon, icon)
+    for width in range(270, 400, 3):
+        option.rect = QRect(0, 0, width, 60)
+        results.itemDelegate().initStyleOption(option, index)
+        first = option.text.split("\u2028")[0]
+        shown = results.style().subElementRect(QStyle.SubElement.SE_ItemViewItemText, option, results)
+        margins = 2 * (results.style().pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin) + 1)
+        assert first.endswith("error below 1 in 10,000")
+        assert results.fontMetrics().horizontalAdvance(first) <= shown.width() - margins
 
 
 @pytest.mark.parametrize("status", ["Position", "Position trouvée", "Posición encontrada"])

@@ -7,7 +7,7 @@ import os
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QModelIndex, QSize, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QColor, QFontMetrics, QIcon, QPaintEvent
-from qgis.PyQt.QtWidgets import QListWidget, QListWidgetItem, QStyledItemDelegate, QStyleOptionViewItem
+from qgis.PyQt.QtWidgets import QListWidget, QListWidgetItem, QStyle, QStyledItemDelegate, QStyleOptionViewItem
 
 from ....core.annotation import findings as annotation
 from ....core.localization import Status
@@ -31,7 +31,6 @@ _LIKELY_ROW.setAlpha(50)
 """Transparent, so that the text can be read on light and dark themes."""
 
 _DEGREE_DECIMALS = 5
-_ICON_AND_MARGINS_PX = 32
 _NAME_LEAST_PX = 48
 _NAME_LETTERS = 12
 """Letters of a name that distinguish most photos."""
@@ -100,14 +99,20 @@ class TwoLines(QStyledItemDelegate):
 
     def initStyleOption(self, option: QStyleOptionViewItem, index: QModelIndex) -> None:
         super().initStyleOption(option, index)
-        room = option.rect.width() - _ICON_AND_MARGINS_PX
-        lines = fit_name(index.data(), index.data(NAME_ROLE), option.fontMetrics, room)
+        lines = fit_name(index.data(), index.data(NAME_ROLE), option.fontMetrics, _room_px(option))
         # Qt converts line ends to this character before this call.
         option.text = lines.replace("\n", "\u2028")
 
     def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex) -> QSize:
         # The view makes each row as wide as itself.
         return QSize(0, _row_height(option.fontMetrics))
+
+
+def _room_px(option: QStyleOptionViewItem) -> int:
+    """Return the width for a row's text beside its icon, which each style draws in another size."""
+    style, widget = option.widget.style(), option.widget
+    margin = style.pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin, option, widget) + 1
+    return style.subElementRect(QStyle.SubElement.SE_ItemViewItemText, option, widget).width() - 2 * margin
 
 
 def _row_height(metrics: QFontMetrics) -> int:
