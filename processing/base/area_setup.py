@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-import os
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from statistics import median
@@ -30,6 +30,7 @@ from ...core.errors import AnnotationError, ParameterError, SemRefError
 from ...core.labels.class_colors import is_usual_landmark
 from ...core.labels.openstreetmap import Rules, tags_of
 from ...core.labels.photo_camera import photo_camera
+from ...core.tables import stem_of
 from ...storage.photo_position import photo_lon_lat
 from ...storage.rasters import image_files, open_raster
 from ..compat import LINE_GEOMETRY, is_null
@@ -46,6 +47,9 @@ RATIO = 0.75
 
 LEAST_MARGIN_M, MARGIN_PHOTOS = 300.0, 3.0
 """Ground around the photos' GPS positions that the database covers: at least this, or this number of photo widths."""
+
+_VIEW_DEG = 2 * math.degrees(math.atan(0.5))
+"""Field of view of a camera whose height is the ground width of its photos."""
 
 _WIDTHS_READ = 2000
 _CHECK_EVERY = 500
@@ -135,14 +139,14 @@ class AreaPhotos:
 
     Attributes:
         size_m: (width, height) of the ground, m.
-        unknown: (file, pixel size in m) of photos without height, lens or georeference.
+        unknown: Photos without height, lens or georeference.
         places: (longitude, latitude) of photos with a GPS position, degrees.
         is_assumed: Whether the size follows from the pixels of the imagery.
     """
 
     files: Sequence[str]
     size_m: tuple[float, float]
-    unknown: Sequence[tuple[str, float]] = ()
+    unknown: Sequence[str] = ()
     places: Sequence[tuple[float, float]] = ()
     is_assumed: bool = False
 
@@ -187,7 +191,7 @@ def read_photos(
         )
     typical_m = width_m or median(known or [imagery_pixel_m * width for _, width in shapes.values()])
     ratio = median([height / width for height, width in shapes.values()]) if shapes else RATIO
-    unknown = [(path, typical_m / shapes[path][1]) for path, size in sizes.items() if not size]
+    unknown = [path for path, size in sizes.items() if not size]
     return AreaPhotos(files, (typical_m, typical_m * ratio), unknown, places, is_assumed)
 
 
@@ -364,6 +368,7 @@ def _extent(
 
 def camera_table(photos: AreaPhotos) -> str:
     """Return a camera table (CSV) that gives photos without camera data the ground width of a typical photo."""
-    width_m = photos.size_m[0]
-    rows = {os.path.basename(path): f"{width_m:.6g},{width_m / size:.6g}" for path, size in photos.unknown}
-    return "\n".join(["image,height,focal_length_px", *(f'"{name}",{row}' for name, row in rows.items()), ""])
+    # A field of view, because photos of one name in several folders or formats share a row, but not their pixels.
+    lens = f"{photos.size_m[0]:.6g},{_VIEW_DEG:.8g}"
+    names = sorted({stem_of(path).replace('"', '""') for path in photos.unknown})
+    return "\n".join(["image,height,field_of_view", *(f'"{name}",{lens}' for name in names), ""])

@@ -15,9 +15,11 @@ from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsRasterLa
 from tile_server import tile_server
 
 from semref.core.errors import ParameterError
+from semref.core.flight.cameras import read_cameras
 from semref.processing.algorithms import set_up_area
 from semref.processing.algorithms.build_database import BuildDatabase
 from semref.processing.algorithms.train_model import TrainModel
+from semref.processing.base.area_setup import camera_table, read_photos
 from semref.processing.packages import training_environment
 from semref.processing.reports.setup_report import expectation_of
 
@@ -44,6 +46,17 @@ def true_places(sample: Path) -> dict[str, np.ndarray]:
 
 def positions(results: dict) -> list:
     return list(QgsVectorLayer(results["POSITIONS"], "", "ogr").getFeatures())
+
+
+def test_photos_of_one_name_in_two_formats_and_folders_have_the_stated_ground_width(qgis_app, tmp_path):
+    (tmp_path / "day 2").mkdir()
+    shapes = {"one.jpg": (32, 24), "day 2/one.jpg": (64, 48), 'a "b".jpg': (40, 30)}
+    photos = [write_photo(tmp_path / name, size_wh) for name, size_wh in shapes.items()]
+    photos.append(str(write_raster(tmp_path / "one.tif", np.zeros((20, 80), np.uint8), transform=None)))
+    read = read_photos(photos, 160.0, None, QgsProcessingFeedback())
+    table = write_text(tmp_path / "cameras.csv", camera_table(read))
+    sizes = zip(read_cameras(photos, str(table)), [(24, 32), (48, 64), (30, 40), (20, 80)])
+    assert [camera.pixel_size(shape) for camera, shape in sizes] == pytest.approx([5, 2.5, 4, 2])
 
 
 @pytest.mark.slow
