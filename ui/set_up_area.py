@@ -151,9 +151,9 @@ class SetUpAreaDialog(QDialog):
         return {
             SetUpArea.PHOTOS: [path for path in photos if path],
             SetUpArea.PHOTO_WIDTH: self.width_m.value() or None,
-            SetUpArea.ANNOTATION: self.map.currentLayer() or self.map.value(),
-            SetUpArea.LINES: self.lines.currentLayer() or self.lines.value(),
-            SetUpArea.IMAGERY: self.imagery.currentLayer() or self.imagery.value(),
+            SetUpArea.ANNOTATION: self.map.value(),
+            SetUpArea.LINES: self.lines.value(),
+            SetUpArea.IMAGERY: self.imagery.value(),
             SetUpArea.MINUTES: self.minutes.value(),
             SetUpArea.MODEL: self.model.filePath().strip(),
             SetUpArea.FOLDER: self.folder.filePath().strip(),
@@ -240,7 +240,7 @@ def add_area(results: dict, given: dict, project: QgsProject) -> str:
         The file with the photos' positions; empty without photos.
     """
     area = given[SetUpArea.ANNOTATION]
-    if isinstance(area, str):
+    if isinstance(area, str) and os.path.exists(area.partition("|")[0]):
         project.addMapLayer(QgsVectorLayer(area, os.path.splitext(os.path.basename(area))[0], "ogr"))
     if not database_layers(results[SetUpArea.DATABASE], project):
         add_database_to_map(results[SetUpArea.DATABASE], project)

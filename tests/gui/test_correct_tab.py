@@ -306,6 +306,36 @@ def test_a_layer_that_can_t_be_edited_is_reported_and_not_repaired(dock, iface, 
     assert ["The layer cover cannot be edited" in text for text in messages(iface)] == [True]
 
 
+@pytest.fixture
+def repairing(dock, annotation, found, monkeypatch):
+    """The tab while it repairs the land-cover layer, which is in edit mode."""
+    settle()
+    annotation.startEditing()
+    dock.content.correct.layer.setLayer(found)
+    monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Yes)
+    dock.content.correct.repair.click()
+    assert dock.content.correct.repair.run.running
+    return dock.content.correct
+
+
+def end_of_repair(tab) -> None:
+    wait_until(lambda: not tab.repair.run.running, "the end of the repair")
+    settle()
+
+
+def test_a_land_cover_layer_may_be_removed_during_its_repair(repairing, annotation):
+    QgsProject.instance().removeMapLayer(annotation.id())
+    end_of_repair(repairing)
+    assert repairing.text.text() == "Canceled." and repairing.repair.text() == "Repair all (2)…"
+
+
+def test_removing_the_places_cancels_their_repair(repairing, annotation, found):
+    before = shapes(annotation)
+    QgsProject.instance().removeMapLayer(found.id())
+    end_of_repair(repairing)
+    assert shapes(annotation) == before and repairing.repair.text() == "Repair all…"
+
+
 def test_places_are_listed_by_kind_with_their_number(dock, issues):
     tab = dock.content.correct
     second = QgsFeature(next(issues.getFeatures()))

@@ -160,6 +160,28 @@ def test_a_canceled_update_leaves_the_database_as_it_is(dock, box, annotation, d
     assert box.state.text_shown == "Canceled." and box.button.isEnabled()
 
 
+def test_a_land_cover_layer_may_be_removed_while_it_is_rasterized(dock, iface, box, annotation, database):
+    QgsProject.instance().addMapLayer(QgsRasterLayer(database.replace(".gpkg", ".tif"), "Label map"))
+    correct(annotation)
+    removed = annotation.id()
+    box.run.textChanged.connect(
+        lambda text: text == "Rasterizing polygons" and QgsProject.instance().removeMapLayer(removed)
+    )
+    press(dock, box)
+    assert QgsProject.instance().mapLayer(removed) is None
+    # Without the layer, the label map cannot be rasterized again.
+    assert messages(iface) == [] and "up to date" in box.state.text_shown
+
+
+def test_an_update_whose_layer_is_removed_before_it_is_read_states_that(dock, iface, box, annotation, database):
+    box.button.click()
+    QgsProject.instance().removeMapLayer(annotation.id())
+    with logged() as reports:
+        wait_until(lambda: not box.run.running, "the update")
+        settle()
+    assert messages(iface) == ["The land-cover layer can't be read. Choose a polygon layer."] and reports == []
+
+
 def test_layers_of_databases_and_of_places_are_no_annotation(dock, box, annotation, issues):
     dock.content.database.add_to_map.click()
     settle()

@@ -1,12 +1,13 @@
 """The dialog *Set up an area* of the dock: it shows the derived sizes, runs in the background and fills the project."""
 
+import re
 import shutil
 from pathlib import Path
 
 import pytest
 from dock_area import messages, wait_until
 from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
-from qgis.PyQt.QtWidgets import QFileDialog
+from qgis.PyQt.QtWidgets import QCheckBox, QFileDialog
 
 
 @pytest.fixture
@@ -59,7 +60,21 @@ def test_the_only_map_and_orthophoto_of_the_project_are_chosen(project_map, dock
     project.addMapLayer(QgsRasterLayer(str(sample / "orthophoto.tif"), "orthophoto"))
     dock.set_up_area()
     given = dock.setting_up.parameters()
-    assert (given["ANNOTATION"].name(), given["IMAGERY"].name(), given["LINES"]) == ("land cover", "orthophoto", None)
+    names = [project.mapLayer(given[key]).name() for key in ("ANNOTATION", "IMAGERY")]
+    assert names == ["land cover", "orthophoto"] and given["LINES"] is None
+
+
+def test_only_the_selected_polygons_are_read_if_the_user_wants_that(project_map, dialog, repository):
+    (layer,) = QgsProject.instance().mapLayersByName("land cover")
+    layer.selectByExpression("class = 'building'", QgsVectorLayer.SetSelection)
+    layer.selectByIds(layer.selectedFeatureIds()[:40])
+    dialog.model.setFilePath(str(repository / "models" / "sample_area.onnx"))
+    dialog.width_m.setValue(640)
+    (selected_only,) = dialog.map.findChildren(QCheckBox)
+    selected_only.setChecked(True)
+    shows(dialog, "(building)")
+    (count,) = re.findall(r"(\d+) polygons", dialog.summary.text())
+    assert 0 < int(count) <= 40
 
 
 @pytest.mark.slow

@@ -95,12 +95,14 @@ class AlgorithmRun(QObject):
             return False
         self._cancel_asked = False
         self._context = QgsProcessingContext()
-        self._context.setTransformContext(QgsProject.instance().transformContext())
+        self._context.setProject(QgsProject.instance())
         self._feedback = _Feedback()
         self._feedback.textChanged.connect(self.textChanged)
         self._feedback.logged.connect(self.logged)
         self._feedback.progressChanged.connect(self.progressed)
         self._task = QgsProcessingAlgRunnerTask(algorithm, parameters, self._context, self._feedback, *_flags())
+        # Layers are found here, where the task is prepared. Its thread must not search a project that may change.
+        self._context.setProject(None)
         self._task.setDescription(title)
         # The task uses both until it ends, possibly after this object is deleted.
         self._feedback.setParent(self._task)

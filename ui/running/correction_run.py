@@ -59,8 +59,8 @@ class Correction:
 
     @property
     def parameters(self) -> dict[str, Any]:
-        """Layer and classes as parameters of an algorithm."""
-        given = {"INPUT": self.annotation, "CLASS_FIELD": self.class_field, "CLASS": self.class_of_all}
+        """Layer and classes as parameters of an algorithm; an id, because QGIS crashes at a layer that was removed."""
+        given = {"INPUT": self.annotation.id(), "CLASS_FIELD": self.class_field, "CLASS": self.class_of_all}
         return {**given, "PRIORITY_FIELD": self.priority_field} if self.priority_field else given
 
 
@@ -164,13 +164,14 @@ class CorrectionRun(QObject):
         grounds = [LayerGround(one.name(), one.extent(), one.crs()) for one in layers]
         fields = [layer.fields().indexOf(name) for name in (wanted.class_field, wanted.priority_field)]
         features = QgsVectorLayerFeatureSource(layer), [index for index in fields if index >= 0]
+        of = database, layer.id(), layer.crs(), wanted.class_field, wanted.priority_field, wanted.class_of_all
+        parameters = wanted.parameters
         where = database, grounds, folder, QgsProject.instance().transformContext()
         plan = yield partial(self._reader.read, tr("Reading the database"), plan_rasterizing, *where, *features)
 
-        of = database, layer.id(), layer.crs(), wanted.class_field, wanted.priority_field, wanted.class_of_all
         part, changed = self._changed_part(plan, of)
         labels = os.path.join(folder, "labels.tif")
-        self.rasterizing = {**wanted.parameters, "OUTPUT": labels, **plan.grid}
+        self.rasterizing = {**parameters, "OUTPUT": labels, **plan.grid}
         title, self._first_percent = tr("Rasterizing the corrected layer"), 0
         parameters = self.rasterizing if part is None else {**self.rasterizing, "EXTENT": part}
         yield partial(self._run.start_algorithm, RASTERIZE, parameters, title)

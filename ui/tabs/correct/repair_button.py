@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from typing import Callable
 
-from qgis.core import QgsProcessingContext, QgsProject, QgsVectorLayer
+from qgis.core import QgsProcessingContext, QgsProject
 from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtWidgets import QMessageBox, QPushButton
 
@@ -36,7 +36,7 @@ class RepairButton(QPushButton):
         super().__init__()
         self._messages, self._annotation = messages, annotation
         self._kinds: Counter = Counter()
-        self._layer: QgsVectorLayer | None = None
+        self._layer_id = ""
         self.run = AlgorithmRun(self)
         self.run.done.connect(self._apply)
         working = tr("Repairing: {percent} %")
@@ -75,7 +75,7 @@ class RepairButton(QPushButton):
             return
         if QMessageBox.question(self.window(), tr("Repair all"), self._question(wanted)) != _YES:
             return
-        self._layer = wanted.annotation
+        self._layer_id = wanted.annotation.id()
         parameters = {**wanted.parameters, "OUTPUT": "memory:", "CHANGES": "memory:"}
         self.run.start_algorithm(REPAIR, parameters, tr("Repairing the land-cover layer"))
         self._show()
@@ -90,8 +90,10 @@ class RepairButton(QPushButton):
 
     def _apply(self, results: dict, context: QgsProcessingContext) -> None:
         self._show()
-        project, layer = QgsProject.instance(), self._layer
-        if layer is None or layer.id() not in project.mapLayers():
+        project = QgsProject.instance()
+        layer = project.mapLayer(self._layer_id)
+        if layer is None:
+            self.textChanged.emit(tr("Canceled."))
             return
         repaired, changes = (context.takeResultLayer(results[key]) for key in ("OUTPUT", "CHANGES"))
         try:

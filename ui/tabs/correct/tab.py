@@ -119,6 +119,8 @@ class CorrectTab(QWidget):
     # --- the layer ---
 
     def _use_layer(self) -> None:
+        # A repair is of the places that are listed.
+        self.repair.run.cancel()
         self._layer = self.layer.currentLayer()
         stored = "" if self._layer is None else self._layer.customProperty(DONE_PROPERTY, "")
         self._done = set(json.loads(stored)) if stored else set()

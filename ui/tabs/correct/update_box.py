@@ -158,9 +158,11 @@ class UpdateBox(FoldingBox):
         self._show_end(tr("The database is up to date. The previous file is kept next to it."))
         self._reload(path)
         grid = self.run.rasterizing
+        if QgsProject.instance().mapLayer(grid["INPUT"]) is None:
+            return
         for layer in label_maps_of(QgsProject.instance(), grid["EXTENT"], grid["PIXEL_SIZE"])[:1]:
             # The file belongs to the user, so only the user replaces it.
-            again = {**grid, "INPUT": grid["INPUT"].id(), "OUTPUT": layer_file(layer)}
+            again = {**grid, "OUTPUT": layer_file(layer)}
             sentence = tr("The label map “{layer}” is now older than the database.").format(layer=layer.name())
             self._messages.success_with(sentence, tr("Rasterize it again…"), partial(self._rasterize, again))
 
