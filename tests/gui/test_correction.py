@@ -2,6 +2,7 @@
 
 import contextlib
 import sqlite3
+import threading
 from pathlib import Path
 
 import pytest
@@ -10,6 +11,7 @@ from qgis.core import QgsGeometry, QgsMapRendererSequentialJob, QgsMapSettings, 
 from qgis.PyQt.QtCore import QSize
 from qgis.PyQt.QtWidgets import QDialog, QPushButton
 
+from semref.storage.database import undo
 from semref.ui.running import correction_run
 from semref.ui.running.algorithm_run import AlgorithmRun
 
@@ -180,6 +182,26 @@ def test_an_update_whose_layer_is_removed_before_it_is_read_states_that(dock, if
         wait_until(lambda: not box.run.running, "the update")
         settle()
     assert messages(iface) == ["The land-cover layer can't be read. Choose a polygon layer."] and reports == []
+
+
+def test_it_is_too_late_to_cancel_while_the_database_is_replaced(dock, box, annotation, database, monkeypatch):
+    begun, go_on, replace = threading.Event(), threading.Event(), undo.replace_keeping
+
+    def replace_slowly(*given):
+        begun.set()
+        go_on.wait(10)
+        return replace(*given)
+
+    monkeypatch.setattr(undo, "replace_keeping", replace_slowly)
+    before = landmarks(database)
+    correct(annotation)
+    box.button.click()
+    wait_until(begun.is_set, "the last step")
+    box.button.click()
+    go_on.set()
+    wait_until(lambda: not box.run.running, "the update")
+    settle()
+    assert landmarks(database) != before and "up to date" in box.state.text_shown
 
 
 def test_layers_of_databases_and_of_places_are_no_annotation(dock, box, annotation, issues):

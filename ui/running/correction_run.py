@@ -102,6 +102,7 @@ class CorrectionRun(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self.running = False
+        self._is_replacing = False
         self._steps: Generator[Callable, Any, str] | None = None
         self._workplace: Batch | None = None
         self._first_percent = 0
@@ -132,10 +133,10 @@ class CorrectionRun(QObject):
         self._go_on(None)
 
     def cancel(self) -> None:
-        """Cancel; the database does not change."""
+        """Cancel; the database does not change. While it is being replaced, it is too late."""
         if self._run.running:
             self._run.cancel()
-        elif self.running:
+        elif self.running and not self._is_replacing:
             self._reader.forget()
             self._end_early(self.canceled)
 
@@ -186,6 +187,7 @@ class CorrectionRun(QObject):
         if changed is not None:
             self.asked["CHANGED"] = changed
         yield partial(self._run.start_algorithm, UPDATE, self.asked, title)
+        self._is_replacing = True
         checksums = yield partial(self._reader.read, title, replace_keeping, database, updated, plan.checksums)
         self._known = replace(self._known, checksums=checksums)
         return database
@@ -219,7 +221,7 @@ class CorrectionRun(QObject):
             return ""
 
     def _stop(self) -> None:
-        self.running = False
+        self.running = self._is_replacing = False
         # The steps hold a source of the layer's features, which may keep its file open.
         self._steps = None
         if self._workplace is not None:
