@@ -7408,6 +7408,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>„{layer}“ zeigt in der Ausdehnung nichts. Wählen Sie eine andere Ausdehnung oder prüfen Sie, ob der Server antwortet.</translation>
   </message>
   <message>
+   <source>“{layer}” was edited during the repair, so nothing was repaired. Repair it again.</source>
+   <translation>„{layer}“ wurde während der Reparatur bearbeitet, deshalb wurde nichts repariert. Reparieren Sie den Layer noch einmal.</translation>
+  </message>
+  <message>
    <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million. Choose a smaller extent, or download the image as a file from its provider.</source>
    <translation>„{layer}“ würde mit {width} × {height} Pixeln gezeichnet, mehr als {most_million} Millionen. Wählen Sie eine kleinere Ausdehnung oder laden Sie das Bild als Datei vom Anbieter herunter.</translation>
   </message>

@@ -7408,6 +7408,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>“{layer}” no muestra nada en la extensión. Elija otra extensión o compruebe si su servidor responde.</translation>
   </message>
   <message>
+   <source>“{layer}” was edited during the repair, so nothing was repaired. Repair it again.</source>
+   <translation>“{layer}” se editó durante la reparación, por lo que no se reparó nada. Repare la capa de nuevo.</translation>
+  </message>
+  <message>
    <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million. Choose a smaller extent, or download the image as a file from its provider.</source>
    <translation>“{layer}” se dibujaría con {width} × {height} píxeles, más de {most_million} millones. Elija una extensión menor o descargue la imagen como archivo de su proveedor.</translation>
   </message>

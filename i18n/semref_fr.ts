@@ -7408,6 +7408,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>« {layer} » n’affiche rien dans l’emprise. Choisissez une autre emprise, ou vérifiez si son serveur répond.</translation>
   </message>
   <message>
+   <source>“{layer}” was edited during the repair, so nothing was repaired. Repair it again.</source>
+   <translation>« {layer} » a été modifiée pendant la réparation ; rien n’a donc été réparé. Réparez la couche à nouveau.</translation>
+  </message>
+  <message>
    <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million. Choose a smaller extent, or download the image as a file from its provider.</source>
    <translation>« {layer} » serait dessinée avec {width} × {height} pixels, soit plus de {most_million} millions. Choisissez une emprise plus petite, ou téléchargez l’image sous forme de fichier auprès de son fournisseur.</translation>
   </message>

@@ -7408,6 +7408,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>“{layer}”在范围内没有任何内容。请选择其他范围，或检查其服务器是否响应。</translation>
   </message>
   <message>
+   <source>“{layer}” was edited during the repair, so nothing was repaired. Repair it again.</source>
+   <translation>“{layer}”在修复期间被编辑，因此没有修复任何内容。请重新修复该图层。</translation>
+  </message>
+  <message>
    <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million. Choose a smaller extent, or download the image as a file from its provider.</source>
    <translation>“{layer}”将以 {width} × {height} 像元绘制，超过 {most_million} 百万。请选择更小的范围，或从其提供者处下载影像文件。</translation>
   </message>

@@ -323,6 +323,17 @@ def end_of_repair(tab) -> None:
     settle()
 
 
+def test_a_polygon_that_is_drawn_during_a_repair_stays(repairing, annotation):
+    drawn = QgsFeature(annotation.fields())
+    drawn.setAttributes([None, "building", "new"])
+    drawn.setGeometry(QgsGeometry.fromRect(QgsRectangle(551000, 5420000, 551010, 5420010)))
+    annotation.addFeature(drawn)
+    edited = shapes(annotation)
+    end_of_repair(repairing)
+    assert shapes(annotation) == edited and "new" in {note for note, *_ in edited}
+    assert "“cover” was edited during the repair" in repairing.text.text()
+
+
 def test_a_land_cover_layer_may_be_removed_during_its_repair(repairing, annotation):
     QgsProject.instance().removeMapLayer(annotation.id())
     end_of_repair(repairing)

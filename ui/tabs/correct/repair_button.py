@@ -37,6 +37,7 @@ class RepairButton(QPushButton):
         self._messages, self._annotation = messages, annotation
         self._kinds: Counter = Counter()
         self._layer_id = ""
+        self._is_edited = False
         self.run = AlgorithmRun(self)
         self.run.done.connect(self._apply)
         working = tr("Repairing: {percent} %")
@@ -75,7 +76,8 @@ class RepairButton(QPushButton):
             return
         if QMessageBox.question(self.window(), tr("Repair all"), self._question(wanted)) != _YES:
             return
-        self._layer_id = wanted.annotation.id()
+        self._layer_id, self._is_edited = wanted.annotation.id(), False
+        wanted.annotation.layerModified.connect(self._note_edit)
         parameters = {**wanted.parameters, "OUTPUT": "memory:", "CHANGES": "memory:"}
         self.run.start_algorithm(REPAIR, parameters, tr("Repairing the land-cover layer"))
         self._show()
@@ -88,12 +90,20 @@ class RepairButton(QPushButton):
             "class. It does not save the edits, so you can undo them."
         ).format(count=number_text(sum(self._kinds.values())), layer=wanted.annotation.name(), kinds=kinds)
 
+    def _note_edit(self) -> None:
+        self._is_edited = True
+
     def _apply(self, results: dict, context: QgsProcessingContext) -> None:
         self._show()
         project = QgsProject.instance()
         layer = project.mapLayer(self._layer_id)
         if layer is None:
             self.textChanged.emit(tr("Canceled."))
+            return
+        if self._is_edited:
+            # The repaired copy lacks these edits, and would undo them.
+            sentence = tr("“{layer}” was edited during the repair, so nothing was repaired. Repair it again.")
+            self.textChanged.emit(sentence.format(layer=layer.name()))
             return
         repaired, changes = (context.takeResultLayer(results[key]) for key in ("OUTPUT", "CHANGES"))
         try:
