@@ -10,9 +10,10 @@ import signal
 import socket
 import traceback
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Callable
+
+from semref.core.errors import SemRefError
 
 LIMIT_S, LIMIT_BYTES, LONGEST_MESSAGE = 5, 1 << 30, 3000
 ACCEPTED, REFUSED = "accepted", "refused"
@@ -44,31 +45,22 @@ def require_message(text: str) -> None:
     text.encode("utf-8")
 
 
-@dataclass
 class World:
     """A folder for inputs, and what no input may touch: a file outside, a host, other files in the folder.
 
     Attributes:
         folder: The folder for inputs.
         secret: A raster outside, which inputs name.
-        listener: A port of this computer, which inputs name.
+        listener: A port of this computer, which inputs name by ``url``.
     """
 
-    folder: Path
-    secret: Path
-    listener: socket.socket
-    _names: set[str] = field(default_factory=set)
-
-    @classmethod
-    def create(cls, folder: Path) -> World:
-        (folder / "inside").mkdir(parents=True)
-        secret = folder / "secret.asc"
-        secret.write_text("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 1\n1 1\n", encoding="ascii")
-        return cls(folder / "inside", secret, socket.create_server(("127.0.0.1", 0)))
-
-    @property
-    def url(self) -> str:
-        return f"http://127.0.0.1:{self.listener.getsockname()[1]}/asked"
+    def __init__(self, root: Path) -> None:
+        self.folder, self.secret = root / "inside", root / "secret.asc"
+        self.folder.mkdir(parents=True)
+        self.secret.write_text("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 1\n1 1\n", encoding="ascii")
+        self.listener = socket.create_server(("127.0.0.1", 0))
+        self.url = f"http://127.0.0.1:{self.listener.getsockname()[1]}/asked"
+        self.reset()
 
     def reset(self) -> None:
         """Take the present files as the allowed ones; the secret counts as unread."""
@@ -132,14 +124,14 @@ def limited_time() -> Iterator[None]:
         signal.signal(signal.SIGPROF, before)
 
 
-def judge(attempt: Callable[[Any], None], made: Any, world: World, refusals: tuple) -> tuple[str, str]:
+def judge(attempt: Callable[[Any], None], made: Any, world: World) -> tuple[str, str]:
     """Return the outcome of an input: ACCEPTED, REFUSED, or the fault that broke the contract; and its traceback."""
     outcome = ACCEPTED
     try:
         with limited_time():
             try:
                 attempt(made)
-            except (*refusals, Refused) as error:
+            except (SemRefError, Refused) as error:
                 outcome = REFUSED
                 require_message(str(error))
         world.check()

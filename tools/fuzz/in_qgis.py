@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import functools
 import hashlib
 import math
 import shutil
@@ -11,7 +13,7 @@ from pathlib import Path
 from random import Random
 from typing import Any
 
-from .contract import Refused, World, require, require_message
+from .contract import Refused, World, require
 from .mutator import WORDS, changed_text
 from .readers import SAMPLES, Reader, Trial, of_files
 
@@ -22,59 +24,57 @@ LEFT_OUT = ("trainmodel", "setuparea")
 """They need a Python with torch; tests/qgis/test_train_model.py tests bad inputs."""
 
 TOOLS = Path(__file__).resolve().parents[1]
-_held: list[Any] = []
+_SESSION = contextlib.ExitStack()
+"""QGIS without windows, which lasts as long as the process."""
 
 
-def provider() -> Any:
-    """Return SemRef's provider in a QGIS without windows, which lasts as long as the process."""
+@functools.cache
+def algorithms_by_name() -> dict[str, Any]:
+    """Start QGIS and return SemRef's algorithms."""
     from qgis_session import qgis_session
 
-    if not _held:
-        session = qgis_session()
-        _held.extend((session, session.__enter__()))
-    return _held[1]
+    return {algorithm.name(): algorithm for algorithm in _SESSION.enter_context(qgis_session()).algorithms()}
 
 
-class Runner:
-    """Runs algorithms like QGIS, but in this thread and with visible errors."""
+def run(name: str, parameters: dict[str, Any], out: Path) -> None:
+    """Run an algorithm like QGIS, but in this thread and with visible errors.
 
-    def __init__(self, world: World) -> None:
-        self.algorithms = {algorithm.name(): algorithm for algorithm in provider().algorithms()}
-        self.out = world.folder.parent / "out"
+    Args:
+        name: Name of the algorithm.
+        parameters: Its parameters.
+        out: Folder of its outputs, which exists only during the run.
 
-    def __call__(self, name: str, parameters: dict[str, Any]) -> None:
-        """Raise Refused with QGIS's message; other errors are faults."""
-        from qgis.core import QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback
+    Raises:
+        Refused: With QGIS's message; other errors are faults.
+    """
+    from qgis.core import QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback
 
-        class Impatient(QgsProcessingFeedback):
-            begun = time.monotonic()
+    class Impatient(QgsProcessingFeedback):
+        begun = time.monotonic()
 
-            def isCanceled(self) -> bool:
-                return time.monotonic() - self.begun > CANCELED_AFTER_S
+        def isCanceled(self) -> bool:
+            return time.monotonic() - self.begun > CANCELED_AFTER_S
 
-        self.out.mkdir()
-        try:
-            algorithm, context, feedback = self.algorithms[name].create(), QgsProcessingContext(), Impatient(False)
-            possible, reason = algorithm.checkParameterValues(parameters, context)
-            if not possible:
-                raise Refused(reason)
-            try:
-                algorithm.prepareAlgorithm(parameters, context, feedback)
-                results = algorithm.processAlgorithm(parameters, context, feedback)
-            except QgsProcessingException as error:
-                raise Refused(str(error)) from None
-            for value in results.values():
-                require(not isinstance(value, float) or math.isfinite(value), f"a result is {value}")
-        except Refused as error:
-            require_message(str(error))
-            raise
-        finally:
-            shutil.rmtree(self.out)
+    out.mkdir()
+    try:
+        algorithm = algorithms_by_name()[name].create()
+        context, feedback = QgsProcessingContext(), Impatient(False)
+        possible, reason = algorithm.checkParameterValues(parameters, context)
+        if not possible:
+            raise Refused(reason)
+        algorithm.prepareAlgorithm(parameters, context, feedback)
+        results = algorithm.processAlgorithm(parameters, context, feedback)
+        for value in results.values():
+            require(not isinstance(value, float) or math.isfinite(value), f"a result is {value}")
+    except QgsProcessingException as error:
+        raise Refused(str(error)) from None
+    finally:
+        shutil.rmtree(out)
 
 
 def algorithms(world: World) -> Trial:
     """The example calls of the reference page with changed values."""
-    run, base = Runner(world), example_calls()
+    known, base, out = algorithms_by_name(), example_calls(), world.folder.parent / "out"
     inputs = [path for path in Path().rglob("*") if path.is_file() and path.suffix in (".tif", ".shp", ".csv", ".npz")]
     # QGIS opens GeoPackages with a journal, which touches them; GDAL keeps statistics beside rasters.
     state = {path: digest(path) for path in inputs}
@@ -86,18 +86,18 @@ def algorithms(world: World) -> Trial:
         name = random.choice(sorted(base))
         changed = dict(base[name])
         for _ in range(random.randint(1, 3)):
-            keys = [definition.name() for definition in run.algorithms[name].parameterDefinitions()]
+            keys = [definition.name() for definition in known[name].parameterDefinitions()]
             changed[random.choice(keys)] = random.choice(random.choice((paths, numbers, others, WORDS)))
         # Other places of outputs: tests/qgis/test_outputs.py.
-        for target in run.algorithms[name].destinationParameterDefinitions():
+        for target in known[name].destinationParameterDefinitions():
             value = changed.get(target.name())
             if isinstance(value, str):
-                changed[target.name()] = str(run.out / value.replace("/", "_").replace("\0", ""))
+                changed[target.name()] = str(out / value.replace("/", "_").replace("\0", ""))
         return name, changed
 
     def attempt(made: tuple[str, dict[str, Any]]) -> None:
         try:
-            run(*made)
+            run(*made, out)
         finally:
             if str(world.secret) in map(str, made[1].values()):
                 world.excuse_reading()
@@ -137,17 +137,18 @@ def digest(path: Path) -> str:
 
 
 def layers(world: World) -> Trial:
-    run = Runner(world)
+    algorithms_by_name()  # starts QGIS
+    out = world.folder.parent / "out"
     calls = (
-        ("checkannotation", {"PIXEL_SIZE": 1, "ISSUES": str(run.out / "y.gpkg")}),
-        ("rasterizeannotation", {"PIXEL_SIZE": 1, "OUTPUT": str(run.out / "x.tif")}),
-        ("repairannotation", {"OUTPUT": str(run.out / "x.gpkg")}),
+        ("checkannotation", {"PIXEL_SIZE": 1, "ISSUES": str(out / "y.gpkg")}),
+        ("rasterizeannotation", {"PIXEL_SIZE": 1, "OUTPUT": str(out / "x.tif")}),
+        ("repairannotation", {"OUTPUT": str(out / "x.gpkg")}),
     )
 
     def read(path: str) -> None:
         name, outputs = calls[Path(path).stat().st_size % len(calls)]
         try:
-            run(name, {"INPUT": path, "CLASS_FIELD": "class", **outputs})
+            run(name, {"INPUT": path, "CLASS_FIELD": "class", **outputs}, out)
         finally:
             for left in set(world.folder.iterdir()) - {Path(path)}:
                 left.unlink()
@@ -157,7 +158,7 @@ def layers(world: World) -> Trial:
 
 def projects(world: World) -> Trial:
     """What the dock keeps in a project."""
-    provider()
+    algorithms_by_name()  # starts QGIS
     from qgis.core import QgsProject
 
     from semref.ui.project_state import read_state

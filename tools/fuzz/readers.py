@@ -16,12 +16,35 @@ from random import Random
 from typing import Any
 
 import numpy as np
+from osgeo import gdal
+
+from semref.core.errors import SemRefError
+from semref.core.flight.cameras import read_cameras
+from semref.core.flight.links import links_by_image
+from semref.core.flight.logs.files import read_log
+from semref.core.flight.odometry import odometry_links, read_odometry
+from semref.core.flight.telemetry import log_cameras, log_links
+from semref.core.labels import image_files
+from semref.core.labels.class_table import class_table_from_csv
+from semref.core.onboard.format import digest
+from semref.core.onboard.read import read_onboard
+from semref.core.segmentation.model import SegmentationModel
+from semref.core.segmentation.onnx_file import read_header, with_metadata
+from semref.core.segmentation.resampling import at_resolution
+from semref.storage.database.reader import read_database, read_stored_database, stored_style
+from semref.storage.images import GdalImage
+from semref.storage.label_images import read_label_image
+from semref.storage.label_maps import GdalLabels, RasterFile, class_table_of_map
+from semref.storage.rasters import open_raster, require_own_pixels
+from semref.storage.route_files import read_waypoint_file
+from semref.storage.text_tables import read_class_table
 
 from .contract import Refused, World, placed, require
 from .mutator import changed_text, mutated, npy, zip_of
 
 SAMPLES = Path(__file__).with_name("samples")
 KEPT = Path(__file__).resolve().parents[2] / "tests" / "data" / "kept" / "v1"
+CLASSES = class_table_from_csv("value,name,color,role\n1,building,#ff0000,reference\n2,water,#0000ff,background\n")
 Trial = tuple[Callable[[Random], Any], Callable[[Any], None]]
 """Makes an input from random numbers; reads it and checks the result."""
 
@@ -55,8 +78,6 @@ def of_files(samples: Path, read: Callable[[str], None], change: Callable[[Rando
             with placed(world.folder / made[0], made[1]) as path:
                 read(path)
 
-        from semref.core.errors import SemRefError
-
         for file in files:  # what this imports does not count
             with contextlib.suppress(SemRefError, Refused):
                 attempt(file)
@@ -74,18 +95,13 @@ def require_finite(*numbers: Any) -> None:
     require(all(np.isfinite(np.array(some, np.float64)).all() for some in numbers), "a number is not finite")
 
 
-def read_classes(path: str) -> None:
-    from semref.core.labels.class_table import class_table_from_csv
-    from semref.storage.text_tables import read_class_table
-
+def check_classes(path: str) -> None:
     table = read_class_table(path)
     require(all(0 <= c.value <= 255 and 0 < len(c.name) <= 255 for c in table), "an invalid class")
     require(not len(table) or class_table_from_csv(table.to_csv()) == table, "it is written differently")
 
 
-def read_cameras(path: str) -> None:
-    from semref.core.flight.cameras import read_cameras
-
+def check_cameras(path: str) -> None:
     for camera in read_cameras(["a.png", "/x/b.png", "c.png"], path):
         require_finite(camera.time_s or 0)
         found = camera.leveling((90, 120))
@@ -94,27 +110,19 @@ def read_cameras(path: str) -> None:
             require(all(1 <= size <= 20_000 for size in found.shape_hw), "the leveled image has an invalid size")
 
 
-def read_odometry(path: str) -> None:
-    from semref.core.flight.links import links_by_image
-    from semref.core.flight.odometry import odometry_links, read_odometry
-
+def check_odometry(path: str) -> None:
     links = odometry_links(read_odometry(path), ["a.png", "b.png", "c.png", "d.png"])
     for link in links_by_image(links, 4).values():
         require_finite(link.translation, link.turn, link.log_scale, link.covariance)
 
 
-def read_route(path: str) -> None:
-    from semref.storage.route_files import read_waypoint_file
-
+def check_route(path: str) -> None:
     for line in read_waypoint_file(path):
         require(line.ndim == 2 and line.shape[1] == 2, "a line without coordinates")
         require((np.abs(line) <= (180, 90)).all(), "a place off the Earth")
 
 
-def read_flight_log(path: str) -> None:
-    from semref.core.flight.logs.files import read_log
-    from semref.core.flight.telemetry import log_cameras, log_links
-
+def check_flight_log(path: str) -> None:
     found, stems = read_log(path), ["a", "b", "c"]
     require_finite(found.times_s)
     require(len(found.times_s) <= 16 * 200_000, "more entries than the limit")
@@ -125,38 +133,24 @@ def read_flight_log(path: str) -> None:
     log_links(found, stems, moments)
 
 
-def class_table() -> Any:
-    from semref.core.labels.class_table import class_table_from_csv
-
-    return class_table_from_csv("value,name,color,role\n1,building,#ff0000,reference\n2,water,#0000ff,background\n")
-
-
 def require_labels(labels: np.ndarray) -> None:
     require(labels.dtype == np.uint8 and labels.ndim == 2 and labels.size > 0, "no labels")
 
 
-def read_label_image_on_board(path: str) -> None:
-    from semref.core.labels.image_files import read_label_image
-
-    require_labels(read_label_image(path, class_table()))
+def check_label_image_on_board(path: str) -> None:
+    require_labels(image_files.read_label_image(path, CLASSES))
 
 
-def read_label_map(path: str) -> None:
-    from semref.storage.label_images import read_label_image
-    from semref.storage.label_maps import GdalLabels, RasterFile, class_table_of_map
-
+def check_label_map(path: str) -> None:
     labels = GdalLabels(path)
     height, width = labels.shape_hw
     class_table_of_map(labels, RasterFile(path))
     require_finite(labels.dataset.GetGeoTransform(can_return_null=True) or (0,))
     require_labels(labels.read(0, 0, min(width, 512), min(height, 512)))
-    require_labels(read_label_image(path, class_table()))
+    require_labels(read_label_image(path, CLASSES))
 
 
-def read_photo_in_qgis(path: str) -> None:
-    from semref.core.flight.cameras import read_cameras
-    from semref.storage.images import GdalImage
-
+def check_photo_in_qgis(path: str) -> None:
     image = GdalImage(path)
     height, width = image.shape_hw
     pixels, _ = image.read(0, 0, min(width, 512), min(height, 512))
@@ -167,11 +161,8 @@ def read_photo_in_qgis(path: str) -> None:
     require(level is None or min(level.shape_hw) > 0, "the leveled image has no pixels")
 
 
-def read_photo_on_board(path: str) -> None:
-    from semref.core.labels.image_files import read_photo
-    from semref.core.segmentation.resampling import at_resolution
-
-    photo = read_photo(path)
+def check_photo_on_board(path: str) -> None:
+    photo = image_files.read_photo(path)
     height, width = photo.image.shape_hw
     pixels, _ = photo.image.read(0, 0, width, height)
     require(pixels.shape == (height, width, 3) and pixels.dtype == np.uint8, "no photo")
@@ -183,12 +174,8 @@ def read_photo_on_board(path: str) -> None:
     resampled.read(0, 0, min(width, 64), min(height, 64))
 
 
-def read_beside(path: str) -> None:
+def check_side_file(path: str) -> None:
     """Read a valid raster with a file of metadata, overviews or a mask beside it."""
-    from osgeo import gdal
-
-    from semref.storage.rasters import open_raster, require_own_pixels
-
     gdal.SetConfigOption("GDAL_HTTP_TIMEOUT", "1")  # the host never answers
     raster = Path(path.partition(".tif")[0] + ".tif")
     with placed(raster, (SAMPLES / "images" / "class_table.tif").read_bytes()):
@@ -210,18 +197,14 @@ def require_sound(database: Any) -> None:
         require(inside.all(), "a place off the map")
 
 
-def read_database(path: str) -> None:
-    from semref.storage.database.reader import read_database, read_stored_database, stored_style
-
+def check_database(path: str) -> None:
     stored_style(path, "windows")
     require_sound(read_database(path, with_overview=True))
     stored = read_stored_database(path)
     require(len(stored.window_fids) == len(stored.database.windows), "windows without rows")
 
 
-def read_onboard_file(path: str) -> None:
-    from semref.core.onboard.read import read_onboard
-
+def check_onboard_file(path: str) -> None:
     onboard = read_onboard(path)
     require_sound(onboard.database)
     require_finite([onboard.position_error, onboard.area_error, onboard.vector_error])
@@ -232,8 +215,6 @@ def read_onboard_file(path: str) -> None:
 
 def with_new_hash(random: Random, data: bytes) -> bytes:
     """Return a changed onboard file with its correct hash."""
-    from semref.core.onboard.format import digest
-
     data = mutated(random, data)
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
@@ -244,9 +225,7 @@ def with_new_hash(random: Random, data: bytes) -> bytes:
     return zip_of({**members, "content_hash.npy": npy(found)})
 
 
-def read_network(path: str) -> None:
-    from semref.core.segmentation.model import SegmentationModel
-
+def check_network(path: str) -> None:
     model = SegmentationModel(path, 1)
     height, width = model.tile_hw
     require(len(model.classes.names) == len(model.classes.values), "classes of other channels")
@@ -256,8 +235,6 @@ def read_network(path: str) -> None:
 
 def with_other_metadata(random: Random, data: bytes) -> bytes:
     """Return a network with one changed text in its metadata, or with changed bytes."""
-    from semref.core.segmentation.onnx_file import read_header, with_metadata
-
     if random.randrange(3) == 0:
         return mutated(random, data)
     texts = read_header(data).texts
@@ -281,19 +258,19 @@ def dying(world: World) -> Trial:
 
 
 READERS = (
-    Reader("classes", of_files(SAMPLES / "classes", read_classes)),
-    Reader("cameras", of_files(SAMPLES / "cameras", read_cameras)),
-    Reader("odometry", of_files(SAMPLES / "odometry", read_odometry)),
-    Reader("routes", of_files(SAMPLES / "routes", read_route)),
-    Reader("logs", of_files(SAMPLES / "logs", read_flight_log)),
-    Reader("label_images", of_files(SAMPLES / "images", read_label_image_on_board)),
-    Reader("label_maps", of_files(SAMPLES / "images", read_label_map)),
-    Reader("photos", of_files(SAMPLES / "images", read_photo_in_qgis)),
-    Reader("photos_on_board", of_files(SAMPLES / "images", read_photo_on_board)),
-    Reader("side_files", of_files(SAMPLES / "side_files", read_beside)),
-    Reader("databases", of_files(KEPT / "database.gpkg.gz", read_database), 0.1),
-    Reader("onboard", of_files(KEPT / "onboard.npz", read_onboard_file, with_new_hash), 0.5),
-    Reader("networks", of_files(SAMPLES / "networks", read_network, with_other_metadata), 0.1),
+    Reader("classes", of_files(SAMPLES / "classes", check_classes)),
+    Reader("cameras", of_files(SAMPLES / "cameras", check_cameras)),
+    Reader("odometry", of_files(SAMPLES / "odometry", check_odometry)),
+    Reader("routes", of_files(SAMPLES / "routes", check_route)),
+    Reader("logs", of_files(SAMPLES / "logs", check_flight_log)),
+    Reader("label_images", of_files(SAMPLES / "images", check_label_image_on_board)),
+    Reader("label_maps", of_files(SAMPLES / "images", check_label_map)),
+    Reader("photos", of_files(SAMPLES / "images", check_photo_in_qgis)),
+    Reader("photos_on_board", of_files(SAMPLES / "images", check_photo_on_board)),
+    Reader("side_files", of_files(SAMPLES / "side_files", check_side_file)),
+    Reader("databases", of_files(KEPT / "database.gpkg.gz", check_database), 0.1),
+    Reader("onboard", of_files(KEPT / "onboard.npz", check_onboard_file, with_new_hash), 0.5),
+    Reader("networks", of_files(SAMPLES / "networks", check_network, with_other_metadata), 0.1),
 )
 FAULTY = (Reader("faulty", faulty), Reader("dying", dying))
 """Faults of each kind, to show that they are found."""
