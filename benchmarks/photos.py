@@ -190,11 +190,12 @@ class SamplePhotos(Photos):
 @lru_cache(maxsize=1)
 def _sample() -> tuple[Ground, np.ndarray]:
     from sample.classes import CLASSES
-    from sample.files import rasterize, render_photo
+    from sample.files import rasterize
     from sample.landscape import make_landscape
+    from sample.photo import render
 
     landscape = make_landscape(SAMPLE_SEED)
     rows = [f"{c.value},{c.name},{c.color},{c.role}" for c in CLASSES]
     table = "\n".join(["value,name,color,role", *rows])
     ground = memory_ground(rasterize(landscape), table, (640, 160, 50))
-    return ground, render_photo(landscape)
+    return ground, render(landscape)

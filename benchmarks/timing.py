@@ -268,13 +268,13 @@ def write_photo(path: Path, edge: int) -> Path:
     """Write an RGB GeoTIFF of (edge, edge) pixels of 1 m, tiled and compressed: the sample area, mirrored."""
     from osgeo import gdal, gdal_array
 
-    from sample.files import render_photo
     from sample.landscape import make_landscape
+    from sample.photo import render
 
     if path.exists():
         return path
     landscape = make_landscape(SEED)
-    photo = render_photo(landscape)
+    photo = render(landscape)
     missing = [(0, max(0, edge - length)) for length in photo.shape[:2]]
     pixels = np.pad(photo, (*missing, (0, 0)), mode="symmetric")[:edge, :edge]
     options = ["TILED=YES", "COMPRESS=DEFLATE", "ZLEVEL=1", "PHOTOMETRIC=RGB", "INTERLEAVE=PIXEL"]

@@ -20,7 +20,6 @@ from semref.core.segmentation.tiling import segment
 ROOT = Path(__file__).parents[2]
 MODEL = ROOT / "models" / "sample_area.onnx"
 BUILDINGS = ROOT / "models" / "buildings.onnx"
-SIZE = 400
 
 
 @pytest.fixture(scope="module")
@@ -50,10 +49,9 @@ def test_the_model_is_small_and_has_the_classes_of_the_sample(model):
 def test_it_sees_what_a_photo_of_a_made_up_area_shows(model):
     features = tuple(landscape.Feature(*row) for row in drawn_area())
     area = landscape.Landscape(features, shapely.Polygon(), (0.0, 0.0, 400.0, 400.0), 25832, 77)
-    frame = (0.0, 400.0, SIZE, SIZE)
-    picture = photo.render(area, frame, 1.0)
+    picture = photo.render(area)
     ordered = sorted(features, key=lambda feature: feature.zorder)
-    truth = photo.draw_scene(ordered, area, frame, 1.0).kind
+    truth = photo.draw_scene(ordered, area).kind
     found = [rows for _, rows in segment(model, ArrayImage(picture), model.classes.values, 0.15)]
     labels = np.concatenate([rows.labels_hw for rows in found if rows is not None])
     assert (labels == truth).mean() > 0.7

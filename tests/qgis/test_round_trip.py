@@ -10,6 +10,7 @@ from qgis.core import QgsProcessingException
 
 from sample import files as sample_files
 from sample import landscape as landscape_module
+from sample import photo as sample_photo
 from sample.classes import CLASSES
 
 pytestmark = pytest.mark.slow
@@ -28,10 +29,10 @@ def folder(run_algorithm, tmp_path_factory):
         patch.setattr(landscape_module, "SIZE_XY", SIZE_XY)
         patch.setattr(landscape_module, "FILL_WINDOW_M", min(SIZE_XY))
         landscape = landscape_module.make_landscape(3)
-    photo_hw3 = sample_files.render_photo(landscape, 1.0)
+    photo_hw3 = sample_photo.render(landscape)
     sample_files.write_shapefile(landscape, folder)
     sample_files.write_classes(folder / "classes.csv")
-    sample_files.write_orthophoto(landscape, 1.0, photo_hw3, folder / "orthophoto.tif")
+    sample_files.write_orthophoto(landscape, photo_hw3, folder / "orthophoto.tif")
     west, _, _, north, _, _ = gdal.Open(str(folder / "orthophoto.tif")).GetGeoTransform()
     extent = f"{west},{west + SIZE_XY[0]},{north - SIZE_XY[1]},{north}"
     forget_building(folder, extent)

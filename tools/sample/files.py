@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import json
-import math
 from collections.abc import Iterable
 from datetime import datetime, timedelta, timezone
 from pathlib import Path
@@ -32,23 +31,17 @@ FLIGHT_START, SECONDS_BETWEEN = datetime(2025, 5, 9, 10, tzinfo=timezone.utc), 1
 MARKER = "sample.json"
 """Distinguishes a folder of ours from somebody's data."""
 
-PIXEL_SIZE_M = 1.0
 _FIELDS = (("class", ogr.OFTString, 20), ("class_id", ogr.OFTInteger, 4), ("zorder", ogr.OFTInteger, 4))
 _SHAPEFILE_OPTIONS = ["ENCODING=UTF-8", "DBF_DATE_LAST_UPDATE=2025-05-09"]
 """With a fixed day: the format stores one, and the same seed is to give the same file."""
-
-
-def render_photo(landscape: Landscape, pixel_size: float = PIXEL_SIZE_M) -> np.ndarray:
-    """(H, W, 3) uint8 RGB photo of the whole landscape, on the grid of its label map."""
-    return photo.render(landscape, grid_of(landscape, pixel_size), pixel_size)
 
 
 def write_sample(folder: Path, landscape: Landscape) -> None:
     """Write all files of the sample into an existing folder."""
     write_shapefile(landscape, folder)
     write_classes(folder / CLASSES_FILE)
-    photo_hw3 = render_photo(landscape)
-    write_orthophoto(landscape, PIXEL_SIZE_M, photo_hw3, folder / ORTHOPHOTO_FILE)
+    photo_hw3 = photo.render(landscape)
+    write_orthophoto(landscape, photo_hw3, folder / ORTHOPHOTO_FILE)
     views = pictures.plan_photos(photo_hw3.shape[:2], landscape.seed)
     flight = pictures.plan_flight(photo_hw3.shape[:2])
     for name, taken in ((PHOTOS_FOLDER, views), (FLIGHT_FOLDER, flight)):
@@ -58,7 +51,7 @@ def write_sample(folder: Path, landscape: Landscape) -> None:
             write_jpeg(folder / name / view.name, np.moveaxis(shown_hw3, 2, 0))
     write_truth(landscape, views, folder / PHOTOS_TRUTH_FILE)
     write_truth(landscape, flight, folder / FLIGHT_FILE, timed=True)
-    about = {"made_by": "semref", "seed": landscape.seed, "pixel_size": PIXEL_SIZE_M, "photos": len(views)}
+    about = {"made_by": "semref", "seed": landscape.seed, "pixel_size": 1.0, "photos": len(views)}
     (folder / MARKER).write_text(json.dumps(about, indent=2) + "\n", encoding="utf-8")
 
 
@@ -116,32 +109,25 @@ def write_classes(path: Path) -> None:
             rows.writerow([c.value, c.name, c.color, c.role, *limits])
 
 
-def grid_of(landscape: Landscape, pixel_size: float) -> tuple[float, float, int, int]:
-    """West, north, width and height in pixels of the map, on multiples of the pixel size (gdal_rasterize -tap)."""
-    x0, y0, x1, y1 = (v / pixel_size for v in landscape.extent)
-    west, south, east, north = math.floor(x0 + 1e-6), math.floor(y0 + 1e-6), math.ceil(x1 - 1e-6), math.ceil(y1 - 1e-6)
-    return west * pixel_size, north * pixel_size, east - west, north - south
-
-
-def rasterize(landscape: Landscape, pixel_size: float = PIXEL_SIZE_M) -> np.ndarray:
+def rasterize(landscape: Landscape) -> np.ndarray:
     """Label map (h, w) uint8 of the landscape, higher zorder on top, 0 where nothing is drawn."""
-    west, north, width, height = grid_of(landscape, pixel_size)
+    west, north, width, height = landscape.frame
     drawn = [f for f in landscape.features if f.geometry is not None]
     polygons = [BurnPolygon(to_wkb(f.geometry), f.class_value, f.zorder, f.geometry.bounds) for f in drawn]
-    frame = MapFrame.at((west, north), pixel_size, (height, width))
+    frame = MapFrame.at((west, north), 1.0, (height, width))
     return BurnLayer(polygons, "").rasterize(frame, gdal.GDT_Byte)
 
 
-def write_orthophoto(landscape: Landscape, pixel_size: float, photo_hw3: np.ndarray, path: Path) -> None:
+def write_orthophoto(landscape: Landscape, photo_hw3: np.ndarray, path: Path) -> None:
     """The whole photo as a georeferenced GeoTIFF, compressed as JPEG."""
-    west, north, width, height = grid_of(landscape, pixel_size)
+    west, north, width, height = landscape.frame
     options = ["COMPRESS=JPEG", "PHOTOMETRIC=YCBCR", f"JPEG_QUALITY={JPEG_QUALITY}", "TILED=YES"]
     rows = np.ascontiguousarray(np.moveaxis(photo_hw3, 2, 0))
     with require_written(path):
         dataset = gdal.GetDriverByName("GTiff").Create(str(path), width, height, 3, gdal.GDT_Byte, options)
         if dataset is not None:
             dataset.SetProjection(_crs(landscape).ExportToWkt())
-            dataset.SetGeoTransform((west, pixel_size, 0, north, 0, -pixel_size))
+            dataset.SetGeoTransform((west, 1, 0, north, 0, -1))
             dataset.WriteRaster(0, 0, width, height, rows.tobytes(), band_list=[1, 2, 3])
         close(dataset)
         del dataset
@@ -153,13 +139,12 @@ def write_truth(landscape: Landscape, views: Iterable[pictures.Picture], path: P
     ``rotation_deg`` is the heading of the image's top, clockwise from grid north; ``scale`` is map pixels per image
     pixel. ``timed``: with the time of each, as a camera table has it.
     """
-    west, north, _, _ = grid_of(landscape, PIXEL_SIZE_M)
+    west, north, _, _ = landscape.frame
     with path.open("w", newline="", encoding="utf-8") as file:
         rows = csv.writer(file, lineterminator="\n")
         header = ["image", "kind", "column", "row", "x", "y", "rotation_deg", "scale", "window"]
         rows.writerow([*header, "time"] if timed else header)
         for number, v in enumerate(views):
-            x, y = west + v.column * PIXEL_SIZE_M, north - v.row * PIXEL_SIZE_M
             when = [(FLIGHT_START + timedelta(seconds=number * SECONDS_BETWEEN)).isoformat()] if timed else []
-            place = round(x, 4), round(y, 4)
+            place = round(west + v.column, 4), round(north - v.row, 4)
             rows.writerow([v.name, v.kind, v.column, v.row, *place, v.heading_deg, v.scale, v.window, *when])

@@ -64,6 +64,12 @@ class Landscape:
     epsg: int
     seed: int
 
+    @property
+    def frame(self) -> tuple[float, float, int, int]:
+        """West and north edge in map units, width and height in pixels of 1 m: the grid of label map and photo."""
+        west, south, east, north = self.extent
+        return west, north, round(east - west), round(north - south)
+
 
 # Old versions of GEOS compute with heights that are not there, and numpy would warn of it.
 @np.errstate(invalid="ignore")

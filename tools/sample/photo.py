@@ -7,15 +7,13 @@ the same photo. Arrays are (rows, columns), colors linear red, green, blue in 0â
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import cv2
 import numpy as np
 import numpy.typing as npt
 
 from . import shapes
 from .landscape import Landscape
-from .photo_ground import Frame, draw_scene, linear, paint_ground
+from .photo_ground import draw_scene, linear, paint_ground
 from .photo_objects import build_roofs, plant_forest, plant_trees
 from .pictures import WINDOW_PX, Picture
 
@@ -24,70 +22,53 @@ SATURATION = 0.84  # of colors through air and a cheap lens
 SHADOW_LIGHT = np.array([0.34, 0.40, 0.50], np.float32)  # the sky alone, bluer than the sun
 
 
-@dataclass(frozen=True)
-class Sun:
-    """Direction on the image from which the light comes (right, down), and its height above the horizon."""
-
-    toward: tuple[float, float]
-    elevation: float
-
-    @property
-    def slope(self) -> float:
-        """Meters of height a meter of shadow."""
-        return float(np.tan(self.elevation))
-
-
-def render(landscape: Landscape, frame: Frame, pixel_m: float) -> np.ndarray:
-    """The photo of the whole landscape.
-
-    Args:
-        landscape: What is seen.
-        frame: West and north edge in map units, width and height in pixels, as the label map has them.
-        pixel_m: Edge of a pixel, meters.
-
-    Returns:
-        (H, W, 3) uint8 RGB.
-    """
+def render(landscape: Landscape) -> np.ndarray:
+    """Return the photo of the whole landscape, (H, W, 3) uint8 RGB, on the grid of its label map."""
     rng = np.random.default_rng([landscape.seed, SEED_OFFSET])
     azimuth = np.deg2rad(rng.uniform(120, 240))  # clockwise from north: a flight around noon
-    sun = Sun((float(np.sin(azimuth)), float(-np.cos(azimuth))), float(np.deg2rad(rng.uniform(38, 58))))
+    toward, elevation = (float(np.sin(azimuth)), float(-np.cos(azimuth))), float(np.deg2rad(rng.uniform(38, 58)))
     features = sorted((f for f in landscape.features if f.geometry is not None), key=lambda f: f.zorder)
-    scene = draw_scene(features, landscape, frame, pixel_m)
+    scene = draw_scene(features, landscape)
     paint_ground(rng, scene, features)
     plant_forest(rng, scene)
     plant_trees(rng, scene)
-    build_roofs(rng, scene, features, frame)
-    light, shade = shading(scene.relief, sun, pixel_m), shadow(scene.height, sun, pixel_m)
-    return developed(rng, scene.color, light, shade, pixel_m)
+    build_roofs(rng, scene, features, landscape.frame)
+    light, shade = shading(scene.relief, toward, elevation), shadow(scene.height, toward, elevation)
+    return developed(rng, scene.color, light, shade)
 
 
-def shading(relief: np.ndarray, sun: Sun, pixel_m: float) -> np.ndarray:
-    """(H, W) light of slopes, 1 on level ground: Lambert's cosine law."""
-    down, right = (cv2.Sobel(relief, cv2.CV_32F, *axes, ksize=3, scale=1 / (8 * pixel_m)) for axes in ((0, 1), (1, 0)))
-    level = np.sin(sun.elevation)
-    cosine = level - np.cos(sun.elevation) * (right * sun.toward[0] + down * sun.toward[1])
+def shading(relief: np.ndarray, toward: tuple[float, float], elevation: float) -> np.ndarray:
+    """Return the (H, W) light of slopes, 1 on level ground: Lambert's cosine law.
+
+    Args:
+        relief: (H, W) heights, meters.
+        toward: Direction to the sun on the image (right, down).
+        elevation: Height of the sun above the horizon, radians.
+    """
+    down, right = (cv2.Sobel(relief, cv2.CV_32F, *axes, ksize=3, scale=1 / 8) for axes in ((0, 1), (1, 0)))
+    level = np.sin(elevation)
+    cosine = level - np.cos(elevation) * (right * toward[0] + down * toward[1])
     return np.clip(cosine / np.sqrt(1 + right**2 + down**2) / level, 0.0, 1.7)
 
 
-def shadow(height: np.ndarray, sun: Sun, pixel_m: float) -> np.ndarray:
+def shadow(height: np.ndarray, toward: tuple[float, float], elevation: float) -> np.ndarray:
     """(H, W) 0â€¦1: how much of the sun each pixel misses behind what is higher towards the sun."""
-    reach = int(np.ceil(float(height.max()) / sun.slope / pixel_m))
+    slope = float(np.tan(elevation))  # meters of height a meter of shadow
+    reach = int(np.ceil(float(height.max()) / slope))
     horizon = np.full(height.shape, -1e3, np.float32)
     for step in range(1, reach + 1):
-        move = np.array([[1, 0, -step * sun.toward[0]], [0, 1, -step * sun.toward[1]]], np.float32)
+        move = np.array([[1, 0, -step * toward[0]], [0, 1, -step * toward[1]]], np.float32)
         moved = cv2.warpAffine(height, move, height.shape[::-1], flags=cv2.INTER_LINEAR)
-        np.maximum(horizon, moved - np.float32(step * pixel_m * sun.slope), out=horizon)
+        np.maximum(horizon, moved - np.float32(step * slope), out=horizon)
     return cv2.GaussianBlur(np.clip((horizon - height) / 0.8, 0, 1), (0, 0), 0.6)
 
 
-def developed(
-    rng: np.random.Generator, color: np.ndarray, light: np.ndarray, shade: np.ndarray, pixel_m: float
-) -> np.ndarray:
+def developed(rng: np.random.Generator, color: np.ndarray, light: np.ndarray, shade: np.ndarray) -> np.ndarray:
     """Light on color, seen through air and lens, as (H, W, 3) uint8 sRGB."""
     sky = np.float32(0.30)
     direct = (light * (1 - shade))[..., None]
     seen = color * (sky * SHADOW_LIGHT / SHADOW_LIGHT.mean() + (1 - sky) * direct)
-    drift = shapes.noise(rng, color.shape[:2], 900 / pixel_m, 2)  # thin clouds, mosaic of several flights
+    drift = shapes.noise(rng, color.shape[:2], 900, 2)  # thin clouds, mosaic of several flights
     seen *= np.exp(0.05 * drift + rng.normal(0, 0.08))[..., None]
     seen = cv2.GaussianBlur(seen, (0, 0), 0.55)
     haze = linear((150, 165, 185)) * np.float32(rng.uniform(0.02, 0.07))

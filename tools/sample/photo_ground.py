@@ -14,9 +14,6 @@ from . import shapes
 from .classes import BARE_LAND, BUILDING, CULTIVATED, FOREST, GRASS, WATER
 from .landscape import ZORDER, Feature, Landscape
 
-Frame = tuple[float, float, int, int]
-"""West and north edge in map units, width and height in pixels."""
-
 SUBPIXEL_BITS = 4  # of OpenCV's polygon corners
 
 # sRGB 0…255 as one sees them in summer photos of Central Europe
@@ -39,7 +36,6 @@ class Scene:
         owner: (H, W) int32 index of the uppermost feature, −1 without a feature.
         kind: (H, W) uint8 class value, 0 without a class.
         road: (H, W) uint8, 1 on roads.
-        pixel_m: Edge of a pixel, meters.
         color: (H, W, 3) linear red, green, blue.
         relief: (H, W) height of surfaces that the sun shades, meters.
         height: (H, W) height of what throws a shadow, meters.
@@ -48,37 +44,35 @@ class Scene:
     owner: np.ndarray
     kind: np.ndarray
     road: np.ndarray
-    pixel_m: float
     color: np.ndarray
     relief: np.ndarray
     height: np.ndarray
 
 
-def draw_scene(features: Sequence[Feature], landscape: Landscape, frame: Frame, pixel_m: float) -> Scene:
+def draw_scene(features: Sequence[Feature], landscape: Landscape) -> Scene:
     """Features burnt in their order; roads over water (bridges), under houses."""
-    _, _, width, height = frame
+    west, north, width, height = landscape.frame
     owner = np.full((height, width), -1, np.int32)
     for index, feature in enumerate(features):
-        for ring_set in outlines(feature.geometry, frame, pixel_m):
+        for ring_set in outlines(feature.geometry, west, north):
             cv2.fillPoly(owner, ring_set, index, cv2.LINE_8, SUBPIXEL_BITS)
     kinds = np.array([f.class_value for f in features] + [0], np.uint8)  # −1 picks the last
     kind = kinds[owner]
     road = np.zeros((height, width), np.uint8)
-    for ring_set in outlines(landscape.road_surface, frame, pixel_m):
+    for ring_set in outlines(landscape.road_surface, west, north):
         cv2.fillPoly(road, ring_set, 1, cv2.LINE_8, SUBPIXEL_BITS)
     road[kind == BUILDING] = 0
     kind[road > 0] = 0
     flat = np.zeros((2, height, width), np.float32)
-    return Scene(owner, kind, road, pixel_m, np.zeros((height, width, 3), np.float32), *flat)
+    return Scene(owner, kind, road, np.zeros((height, width, 3), np.float32), *flat)
 
 
-def outlines(geometry: BaseGeometry | None, frame: Frame, pixel_m: float) -> Iterator[list[np.ndarray]]:
+def outlines(geometry: BaseGeometry | None, west: float, north: float) -> Iterator[list[np.ndarray]]:
     """For each polygon its rings, holes included, as OpenCV's corners: pixel centers, with SUBPIXEL_BITS."""
-    west, north, _, _ = frame
     for polygon in shapes.polygons_of(geometry):
         rings = []
         for ring in (polygon.exterior, *polygon.interiors):
-            corners = (shapes.corners_xy(ring) - (west, north)) / (pixel_m, -pixel_m) - 0.5
+            corners = (shapes.corners_xy(ring) - (west, north)) * (1, -1) - 0.5
             rings.append(np.round(corners * 2**SUBPIXEL_BITS).astype(np.int32))
         yield rings
 
@@ -95,12 +89,12 @@ def tinted(rng: np.random.Generator, rgb: npt.ArrayLike, strength: float) -> np.
 
 def paint_ground(rng: np.random.Generator, scene: Scene, features: Sequence[Feature]) -> None:
     """Paint everything flat: fields with rows and tramlines, grass, water, gravel, roads."""
-    shape, px, color = scene.owner.shape, scene.pixel_m, scene.color
+    shape, color = scene.owner.shape, scene.color
     base = np.array([feature_color(rng, f) for f in features] + [linear(VERGE)], np.float32)
     color[:] = base[scene.owner]
-    fine = shapes.noise(rng, shape, 3 / px, 2)
-    middle = shapes.noise(rng, shape, 24 / px, 4)
-    coarse = shapes.noise(rng, shape, 260 / px, 3)
+    fine = shapes.noise(rng, shape, 3, 2)
+    middle = shapes.noise(rng, shape, 24, 4)
+    coarse = shapes.noise(rng, shape, 260, 3)
     grain = {0: (0.06, 0.07), BARE_LAND: (0.09, 0.12), WATER: (0.015, 0.03), CULTIVATED: (0.045, 0.07)}
     grain |= {GRASS: (0.06, 0.12), FOREST: (0.05, 0.10), BUILDING: (0.03, 0.02)}
     weights = np.zeros((256, 2), np.float32)
@@ -133,15 +127,14 @@ def feature_color(rng: np.random.Generator, feature: Feature) -> np.ndarray:
 
 def rows_of(rng: np.random.Generator, scene: Scene, features: Sequence[Feature]) -> np.ndarray:
     """(H, W) change of light by drilled rows and tramlines, along the longer side of each field."""
-    px, count = scene.pixel_m, len(features)
-    angle, period, strength, lane = (np.zeros(count + 1, np.float32) for _ in range(4))
+    angle, period, strength, lane = (np.zeros(len(features) + 1, np.float32) for _ in range(4))
     for index, feature in enumerate(features):
         if feature.class_value == CULTIVATED:
             east, north = shapes.longest_side(feature.geometry)
             angle[index] = np.arctan2(-north, east)  # image rows run down
             period[index], strength[index] = rng.uniform(2.8, 5.5), rng.uniform(0, 0.05)
             lane[index] = rng.choice([0, 15, 18, 21, 24, 27])
-    y, x = np.indices(scene.owner.shape, np.float32) * np.float32(px)
+    y, x = np.indices(scene.owner.shape, np.float32)
     across = y * np.cos(angle)[scene.owner] - x * np.sin(angle)[scene.owner]
     change = strength[scene.owner] * np.sin(2 * np.pi * across / np.maximum(period[scene.owner], 1))
     lanes = lane[scene.owner]
@@ -153,17 +146,17 @@ def rows_of(rng: np.random.Generator, scene: Scene, features: Sequence[Feature])
 def shore(scene: Scene) -> None:
     """Water is lighter and browner where it is shallow, and its edge is dark with reeds."""
     water = (scene.kind == WATER).astype(np.uint8)
-    depth = cv2.distanceTransform(water, cv2.DIST_L2, 3) * np.float32(scene.pixel_m)
+    depth = cv2.distanceTransform(water, cv2.DIST_L2, 3)
     shallow = np.exp(-depth / 4.0) * water
     scene.color[:] += shallow[..., None] * (linear((92, 96, 70)) - scene.color) * 0.4
-    bank = cv2.GaussianBlur(water.astype(np.float32), (0, 0), 1.6 / scene.pixel_m)
+    bank = cv2.GaussianBlur(water.astype(np.float32), (0, 0), 1.6)
     edge = bank * (1 - water) * np.isin(scene.kind, (GRASS, CULTIVATED, 0)) * (scene.road == 0)
     scene.color[:] *= (1 - 0.75 * edge)[..., None]
 
 
 def pave(rng: np.random.Generator, scene: Scene, fine: np.ndarray, middle: np.ndarray) -> None:
     """Asphalt, more or less worn, with paler edges; away from roads what no class covers stays verge and track."""
-    inside = cv2.distanceTransform(scene.road, cv2.DIST_L2, 3) * np.float32(scene.pixel_m)
+    inside = cv2.distanceTransform(scene.road, cv2.DIST_L2, 3)
     worn = np.exp(0.10 * middle + 0.04 * fine + 0.16 * np.exp(-inside / 0.9))
     asphalt = tinted(rng, ASPHALT, 0.10) * worn[..., None]
     road = scene.road > 0

@@ -11,7 +11,7 @@ from shapely.geometry import Polygon
 from . import shapes
 from .classes import BUILDING, FOREST, GRASS
 from .landscape import Feature
-from .photo_ground import LEAVES, Frame, Scene, linear, tinted
+from .photo_ground import LEAVES, Scene, linear, tinted
 
 # sRGB 0…255 as one sees them in summer photos of Central Europe
 ROOFS = ((150, 84, 62), (134, 74, 58), (160, 98, 76), (112, 66, 54), (92, 88, 88), (74, 72, 76), (120, 114, 108))
@@ -26,17 +26,17 @@ MEADOW_TREE_SHARE = 0.13  # of that, elsewhere on grass
 
 def plant_forest(rng: np.random.Generator, scene: Scene) -> None:
     """Draw the crowns of the forest: groups of conifers and of broad-leaved trees, each tree a little different."""
-    shape, px = scene.owner.shape, scene.pixel_m
+    shape = scene.owner.shape
     forest = scene.kind == FOREST
-    stand = shapes.noise(rng, shape, 170 / px, 3)
+    stand = shapes.noise(rng, shape, 170, 3)
     conifers = 1 / (1 + np.exp(-6 * (stand - rng.normal(0, 0.5))))
-    crowns = blended(crown_relief(rng, shape, 3.4 / px), crown_relief(rng, shape, 2.1 / px), conifers)
-    tone = shapes.noise(rng, shape, 6 / px, 1)
+    crowns = blended(crown_relief(rng, shape, 3.4), crown_relief(rng, shape, 2.1), conifers)
+    tone = shapes.noise(rng, shape, 6, 1)
     tree = linear(LEAVES) + conifers[..., None] * (linear(CONIFERS) - linear(LEAVES))
     gaps = np.clip(0.45 + 0.75 * crowns, 0.25, 1.15)
     tree = tree * (gaps * np.exp(0.13 * tone))[..., None]
     scene.color[forest] = tree[forest]
-    edge = np.clip(cv2.distanceTransform(forest.astype(np.uint8), cv2.DIST_L2, 3) * px / 3, 0, 1)
+    edge = np.clip(cv2.distanceTransform(forest.astype(np.uint8), cv2.DIST_L2, 3) / 3, 0, 1)
     scene.relief[:] += np.where(forest, (1.9 + 1.2 * conifers) * crowns * edge, 0).astype(np.float32)
     scene.height[:] += np.where(forest, (FOREST_HEIGHT_M + 3 * stand) * np.clip(edge, 0.4, 1), 0).astype(np.float32)
 
@@ -55,9 +55,8 @@ def blended(first: np.ndarray, second: np.ndarray, share: np.ndarray) -> np.ndar
 
 def plant_trees(rng: np.random.Generator, scene: Scene) -> None:
     """Single trees in gardens and meadows: too small for the forest class, but there."""
-    px = scene.pixel_m
-    rows, columns = np.nonzero((scene.kind == GRASS) & (rng.uniform(size=scene.kind.shape) < GARDEN_TREES * px**2))
-    near_house = cv2.blur((scene.kind == BUILDING).astype(np.float32), (2 * int(22 / px) + 1,) * 2) > 0.02
+    rows, columns = np.nonzero((scene.kind == GRASS) & (rng.uniform(size=scene.kind.shape) < GARDEN_TREES))
+    near_house = cv2.blur((scene.kind == BUILDING).astype(np.float32), (2 * 22 + 1,) * 2) > 0.02
     kept = near_house[rows, columns] | (rng.uniform(size=len(rows)) < MEADOW_TREE_SHARE)
     for row, column in zip(rows[kept], columns[kept]):
         plant_tree(rng, scene, (row, column), rng.uniform(*TREE_RADII_M))
@@ -66,12 +65,11 @@ def plant_trees(rng: np.random.Generator, scene: Scene) -> None:
 def plant_tree(rng: np.random.Generator, scene: Scene, at_rc: tuple[int, int], radius_m: float) -> None:
     """One crown on grass around a pixel (row, column)."""
     color, relief, height = scene.color, scene.relief, scene.height
-    radius = radius_m / scene.pixel_m
-    reach = int(radius + 1)
+    reach = int(radius_m + 1)
     rows = slice(max(at_rc[0] - reach, 0), at_rc[0] + reach + 1)
     columns = slice(max(at_rc[1] - reach, 0), at_rc[1] + reach + 1)
     y, x = np.ogrid[rows.start : min(rows.stop, color.shape[0]), columns.start : min(columns.stop, color.shape[1])]
-    crown = np.clip(1 - ((y - at_rc[0]) ** 2 + (x - at_rc[1]) ** 2) / radius**2, 0, 1).astype(np.float32)
+    crown = np.clip(1 - ((y - at_rc[0]) ** 2 + (x - at_rc[1]) ** 2) / radius_m**2, 0, 1).astype(np.float32)
     crown *= scene.kind[rows, columns] == GRASS
     cover = np.clip(3 * crown, 0, 1)[..., None]
     color[rows, columns] += cover * (tinted(rng, LEAVES, 0.15) * 0.85 - color[rows, columns])
@@ -79,22 +77,23 @@ def plant_tree(rng: np.random.Generator, scene: Scene, at_rc: tuple[int, int], r
     height[rows, columns] = np.maximum(height[rows, columns], 1.6 * radius_m * np.clip(2 * crown, 0, 1))
 
 
-def build_roofs(rng: np.random.Generator, scene: Scene, features: Sequence[Feature], frame: Frame) -> None:
+def build_roofs(
+    rng: np.random.Generator, scene: Scene, features: Sequence[Feature], frame: tuple[float, float, int, int]
+) -> None:
     """Roofs: gables with a ridge along the longer side, halls flat; each with its color, courses and wear."""
-    px = scene.pixel_m
-    grain = shapes.noise(rng, scene.owner.shape, 2.5 / px, 2)
+    grain = shapes.noise(rng, scene.owner.shape, 2.5, 2)
     west, north, width, rows_count = frame
     for index, feature in enumerate(features):
         if feature.class_value != BUILDING:
             continue
         for polygon in shapes.polygons_of(feature.geometry):
             x0, y0, x1, y1 = polygon.bounds
-            left, top = max(int((x0 - west) / px) - 1, 0), max(int((north - y1) / px) - 1, 0)
-            right, bottom = min(int((x1 - west) / px) + 2, width), min(int((north - y0) / px) + 2, rows_count)
+            left, top = max(int(x0 - west) - 1, 0), max(int(north - y1) - 1, 0)
+            right, bottom = min(int(x1 - west) + 2, width), min(int(north - y0) + 2, rows_count)
             part = np.s_[top:bottom, left:right]
             mine = scene.owner[part] == index
             y, x = np.mgrid[top:bottom, left:right]
-            color, eaves, relief, streaks = make_roof(rng, polygon, west + (x + 0.5) * px, north - (y + 0.5) * px)
+            color, eaves, relief, streaks = make_roof(rng, polygon, west + x + 0.5, north - y - 0.5)
             scene.color[part][mine] = (color * np.exp(0.06 * grain[part] + streaks)[..., None])[mine]
             scene.relief[part][mine] = relief[mine]
             scene.height[part][mine] = (eaves + relief)[mine]

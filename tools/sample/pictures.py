@@ -103,11 +103,11 @@ def plan_photos(shape_hw: tuple[int, int], seed: int, count: int = PHOTO_COUNT) 
     return tuple(_off_grid(rng, shape_hw, count, "photo", suffix="jpg"))
 
 
-def plan_flight(shape_hw: tuple[int, int], count: int = FLIGHT_COUNT) -> tuple[Picture, ...]:
+def plan_flight(shape_hw: tuple[int, int]) -> tuple[Picture, ...]:
     """Where the photos of one flight are taken: from west to east in a curve, tops in the direction of flight."""
     height, width = shape_hw
     margin = WINDOW_PX / 2 * np.sqrt(2) * max(OFF_GRID_SCALES) + 2
-    along = np.linspace(0, 1, count)
+    along = np.linspace(0, 1, FLIGHT_COUNT)
     columns = margin + (width - 2 * margin) * along
     rows = height / 2 + (height / 2 - margin) * np.sin(1.5 * np.pi * along)
     headings = np.degrees(np.arctan2(np.gradient(columns), -np.gradient(rows))) % 360

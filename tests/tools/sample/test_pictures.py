@@ -68,13 +68,13 @@ def small_landscape():
 
 @pytest.fixture(scope="module")
 def small_photo():
-    return photo.render(small_landscape(), (0.0, 100.0, 120, 100), 1.0)
+    return photo.render(small_landscape())
 
 
 def test_a_photo_is_the_same_every_time_and_has_the_size_of_the_map(small_photo):
     assert small_photo.shape == (100, 120, 3)
     assert small_photo.dtype == np.uint8
-    np.testing.assert_array_equal(photo.render(small_landscape(), (0.0, 100.0, 120, 100), 1.0), small_photo)
+    np.testing.assert_array_equal(photo.render(small_landscape()), small_photo)
 
 
 def test_a_photo_shows_house_forest_and_water_where_they_are_drawn(small_photo):
