@@ -226,15 +226,9 @@ def toolbox(session: Session) -> None:
     for row in range(model.rowCount()):
         index = model.index(row, 0)
         if index.data() == "SemRef":
-            expand(tree, index)
+            tree.expandRecursively(index)
             tree.scrollTo(index, QTreeView.ScrollHint.PositionAtTop)
     session.take("toolbox")
-
-
-def expand(tree, index) -> None:
-    tree.expand(index)
-    for row in range(tree.model().rowCount(index)):
-        expand(tree, tree.model().index(row, 0, index))
 
 
 def algorithm_dialog(session: Session) -> None:

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import csv
 import shutil
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 import cv2
 import numpy as np
@@ -24,16 +24,8 @@ EDGE_PX, SCALES = 640, (0.9, 1.1)
 QUALITY = 92
 
 
-@dataclass(frozen=True)
-class RealPlace:
-    """Paths of a place in the folder of the real data.
-
-    Attributes:
-        name: Name at the start of a sentence.
-        photo: Path of the orthophoto.
-        polygons: Path of the buildings.
-        credit: Attribution that the licenses require.
-    """
+class RealPlace(NamedTuple):
+    """Name at the start of a sentence, paths in the folder of the real data, attribution that the licenses require."""
 
     name: str
     photo: str
