@@ -105,10 +105,12 @@ def confirm_by_earlier(
         earlier: From the labels of one orientation, without a fix.
         settings: Tolerance for the same position, and the maximum error probability.
     """
-    if earlier.risk is None or not earlier.is_doubted or not (found.is_fix or found.is_doubted):
+    if earlier.risk is None or found.risk is None or found.best is None:
+        return found
+    if not earlier.is_doubted or not (found.is_fix or found.is_doubted):
         return found
     # The radii of two looks at one photo say nothing about their distance.
-    if found.best is None or not _same(found.best, replace(earlier, error_95_m=None), shorter_edge_px, settings):
+    if not _same(found.best, replace(earlier, error_95_m=None), shorter_edge_px, settings):
         return found
     offset, slope = settings.looks_curve
     alone = log_odds_of(found.risk)
