@@ -150,6 +150,7 @@ def _found(  # noqa: PLR0913 - as ``localize_with``, and an earlier result for t
 ) -> Localization:
     if leveling is not None:
         localizer = localizer.with_view(leveling.view)
-    asked = search.method, prior, search.with_matches
-    found = localizer.localize(seen.labels_hw, *asked, seen.shares, seen.biases, earlier)
+    found = localizer.localize(
+        seen.labels_hw, search.method, prior, search.with_matches, seen.shares, seen.biases, earlier
+    )
     return name_network(found, seen.trained_on, localizer.landmark_classes)
