@@ -185,7 +185,7 @@ class LocalizeAlgorithm(SemRefAlgorithm):
 
         feedback.setProgressText(tr("Reading the database"))
         path = values.file(self.DATABASE)
-        database = read_database(path, with_overview=method == Method.MAP_CORRELATION)
+        database = cancelable(read_database, path, method == Method.MAP_CORRELATION, feedback=feedback)
         return _with_overview(database, path, feedback) if method == Method.AUTOMATIC else database
 
     def read_images(
@@ -242,7 +242,7 @@ def _with_overview(database: ReferenceDatabase, path: str, feedback: QgsProcessi
     from ...storage.database.reader import read_overview
 
     try:
-        return replace(database, overview=read_overview(path, database.parameters))
+        return replace(database, overview=cancelable(read_overview, path, database.parameters, feedback=feedback))
     except DatabaseChangedError:
         raise
     except DatabaseError as error:

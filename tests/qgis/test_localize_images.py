@@ -1,16 +1,19 @@
 """semref:localizeimages: one row per image, with its position or a reason."""
 
+import threading
 from pathlib import Path
 
 import numpy as np
 import pytest
 from made_inputs import METRIC_CRS, NAMES, NORTH, WEST, read_rows, scattered_objects, spatial_reference, write_raster
 from osgeo import gdal, ogr, osr
+from qgis.core import QgsProcessingException
 
 from semref.core.labels.class_table import class_table_from_names
 from semref.core.localization import Localization, Method, Place, Status
 from semref.processing.base.image_results import with_jumps
 from semref.processing.layers.localized_image import LocalizedImage
+from semref.storage.database import reader
 
 LOCALIZE = "semref:localizeimages"
 SIZE, STRIDE = 120, 40
@@ -117,6 +120,16 @@ def test_an_image_cut_on_a_window_is_found_there(localize, tmp_path, column, row
     assert (found["longitude"], found["latitude"]) == pytest.approx(degrees.TransformPoint(*place)[:2], abs=1e-9)
     assert (found["distance"], found["confidence"]) == pytest.approx((0, 1), abs=1e-6)
     assert found["method"] == "topology vector" and found["references"] >= 3 and not found["reason"]
+
+
+def test_a_cancel_ends_at_once_while_a_database_is_read(localize, feedback, tmp_path, monkeypatch):
+    go_on, ended = threading.Event(), []
+    monkeypatch.setattr(reader, "read_database", lambda *_: ended.append(go_on.wait(600)))
+    threading.Timer(0.5, feedback.cancel).start()
+    with pytest.raises(QgsProcessingException, match="Canceled"):
+        localize([image(tmp_path, "any.tif", window(0, 0))])
+    assert ended == []
+    go_on.set()
 
 
 def test_too_few_references_give_a_reason_with_the_missing_number(localize, tmp_path):
