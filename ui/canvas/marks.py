@@ -18,6 +18,7 @@ from qgis.PyQt.QtCore import QObject
 from qgis.PyQt.QtGui import QColor
 
 from ...processing.compat import POINT_GEOMETRY, POLYGON_GEOMETRY
+from ...processing.layers.reference_systems import transformed_point
 
 # Red with a white rim is visible on land-cover colors, aerial images, white and black.
 RED = QColor("#e8344e")
@@ -158,21 +159,23 @@ def dots(canvas: QgsMapCanvas, color: QColor, size_px: int) -> QgsRubberBand:
 
 
 class CircleMark(Marks):
-    """Circle that is round in the CRS of the canvas."""
+    """Circle that is round on the ground."""
 
     def __init__(self, canvas: QgsMapCanvas, parent: QObject) -> None:
         super().__init__(canvas, parent, {"circle": band(canvas, POLYGON_GEOMETRY, BLUE, filled=30, rim=False)})
 
-    def show(self, middle: QgsPointXY, edge: QgsPointXY, crs: QgsCoordinateReferenceSystem) -> None:
-        """Draw a circle around ``middle`` through ``edge``, both in ``crs``."""
-        self.draw({"circle": QgsGeometry.fromPolylineXY([middle, edge])}, crs)
-
-    def _on_canvas(self) -> dict[str, QgsGeometry] | None:
-        placed = super()._on_canvas()
-        for name, radius in (placed or {}).items():
-            middle = radius.asPolyline()[0]
-            placed[name] = QgsGeometry.fromPointXY(middle).buffer(radius.length(), POINTS_A_SIDE)
-        return placed
+    def show(self, middle: QgsPointXY, radius_m: float, crs: QgsCoordinateReferenceSystem) -> None:
+        """Draw a circle around ``middle``, a point in ``crs``; without a valid CRS, coordinates are meters."""
+        if crs.isValid():
+            wgs84 = QgsCoordinateReferenceSystem("EPSG:4326")
+            center = transformed_point(QgsCoordinateTransform(crs, wgs84, QgsProject.instance()), middle)
+            if center is None:
+                self.clear()
+                return
+            # Distances from the center are true.
+            local = f"+proj=aeqd +lat_0={center.y()!r} +lon_0={center.x()!r} +datum=WGS84"
+            middle, crs = QgsPointXY(0, 0), QgsCoordinateReferenceSystem.fromProj(local)
+        self.draw({"circle": QgsGeometry.fromPointXY(middle).buffer(radius_m, POINTS_A_SIDE)}, crs)
 
 
 class PlaceMark(Marks):

@@ -70,12 +70,8 @@ class PriorRow(QWidget):
             return
         self.circle = circle
         middle, edge = QgsPointXY(*circle[:2]), QgsPointXY(*circle[2:4])
-        measure = QgsDistanceArea()
-        measure.setSourceCrs(crs, QgsProject.instance().transformContext())
-        # Not the project's ellipsoid, which may be none: degrees would be taken for meters.
-        measure.setEllipsoid(crs.ellipsoidAcronym() or "EPSG:7030" if crs.isValid() else "NONE")
-        self._radius_m = measure.measureLine(middle, edge)
-        self._mark.show(middle, edge, crs)
+        self._radius_m = _ground_distance_m(middle, edge, crs)
+        self._mark.show(middle, self._radius_m, crs)
         self.text.show_text(LocalTemplate(tr("Search area: radius {radius:.0f} m")).format(radius=self._radius_m))
         self.clear.setEnabled(True)
 
@@ -87,4 +83,14 @@ class PriorRow(QWidget):
         self.clear.setEnabled(False)
 
     def _preview(self, middle: QgsPointXY, edge: QgsPointXY) -> None:
-        self._mark.show(middle, edge, self._canvas.mapSettings().destinationCrs())
+        crs = self._canvas.mapSettings().destinationCrs()
+        self._mark.show(middle, _ground_distance_m(middle, edge, crs), crs)
+
+
+def _ground_distance_m(first: QgsPointXY, second: QgsPointXY, crs: QgsCoordinateReferenceSystem) -> float:
+    """Return the distance on the ellipsoid; in a plane without a valid CRS."""
+    measure = QgsDistanceArea()
+    measure.setSourceCrs(crs, QgsProject.instance().transformContext())
+    # Not the project's ellipsoid, which may be none: degrees would be taken for meters.
+    measure.setEllipsoid(crs.ellipsoidAcronym() or "EPSG:7030" if crs.isValid() else "NONE")
+    return measure.measureLine(first, second)
