@@ -4460,6 +4460,10 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Das Gebiet enthält {kept} von {landmarks} Landmarken und {windows} von {all_windows} Fenstern.</translation>
   </message>
   <message>
+   <source>The area is set up, but another project was opened meanwhile. The files are in {folder}; nothing was added to this project.</source>
+   <translation>Das Gebiet ist eingerichtet, aber inzwischen wurde ein anderes Projekt geöffnet. Die Dateien liegen in {folder}; diesem Projekt wurde nichts hinzugefügt.</translation>
+  </message>
+  <message>
    <source>The area is set up.</source>
    <translation>Das Gebiet ist eingerichtet.</translation>
   </message>

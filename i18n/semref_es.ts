@@ -4460,6 +4460,10 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>La zona contiene {kept} de {landmarks} hitos y {windows} de {all_windows} ventanas.</translation>
   </message>
   <message>
+   <source>The area is set up, but another project was opened meanwhile. The files are in {folder}; nothing was added to this project.</source>
+   <translation>La zona está preparada, pero entretanto se abrió otro proyecto. Los archivos están en {folder}; no se añadió nada a este proyecto.</translation>
+  </message>
+  <message>
    <source>The area is set up.</source>
    <translation>La zona está preparada.</translation>
   </message>

@@ -4460,6 +4460,10 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>La zone contient {kept} repères visuels sur {landmarks} et {windows} fenêtres sur {all_windows}.</translation>
   </message>
   <message>
+   <source>The area is set up, but another project was opened meanwhile. The files are in {folder}; nothing was added to this project.</source>
+   <translation>La zone est prête, mais un autre projet a été ouvert entre-temps. Les fichiers sont dans {folder} ; rien n’a été ajouté à ce projet.</translation>
+  </message>
+  <message>
    <source>The area is set up.</source>
    <translation>La zone est prête.</translation>
   </message>

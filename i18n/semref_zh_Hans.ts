@@ -4460,6 +4460,10 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>该区域包含 {landmarks} 个地标中的 {kept} 个和 {all_windows} 个窗口中的 {windows} 个。</translation>
   </message>
   <message>
+   <source>The area is set up, but another project was opened meanwhile. The files are in {folder}; nothing was added to this project.</source>
+   <translation>区域已设置完成，但其间打开了另一个工程。文件在 {folder} 中；此工程未添加任何内容。</translation>
+  </message>
+  <message>
    <source>The area is set up.</source>
    <translation>区域已设置完成。</translation>
   </message>

@@ -88,6 +88,7 @@ class SetUpAreaDialog(QDialog):
         self._run, self._reader, self._soon = AlgorithmRun(self), Reader(self), QTimer(self)
         self._feedback, self._context = QgsProcessingFeedback(False), QgsProcessingContext()
         self._used: dict = {}
+        self._is_other_project = False
         self._lay_out()
         self._connect()
         self._read_soon()
@@ -138,6 +139,7 @@ class SetUpAreaDialog(QDialog):
         self.add_files.clicked.connect(self._choose_photos)
         self.start.clicked.connect(self._start_or_cancel)
         self.close_button.clicked.connect(self.hide)
+        QgsProject.instance().cleared.connect(self._leave_project)
 
     def shut_down(self) -> None:
         """Cancel what runs, and delete the dialog."""
@@ -209,8 +211,12 @@ class SetUpAreaDialog(QDialog):
             self._run.cancel()
             return
         self._used = self.parameters()
+        self._is_other_project = False
         if self._run.start_algorithm(ALGORITHM, self._used, tr("Setting up an area")):
             self._show_running(True)
+
+    def _leave_project(self) -> None:
+        self._is_other_project = True
 
     def _show_running(self, is_running: bool) -> None:
         self.progress.setVisible(is_running)
@@ -223,6 +229,15 @@ class SetUpAreaDialog(QDialog):
     def _finish(self, results: dict, _context: QgsProcessingContext) -> None:
         self._show_running(False)
         QgsSettings().setValue(_FOLDER_SETTING, os.path.dirname(self._used[SetUpArea.FOLDER]))
+        if self._is_other_project:
+            self.summary.setText(
+                tr(
+                    "The area is set up, but another project was opened meanwhile. The files are in {folder}; nothing "
+                    "was added to this project."
+                ).format(folder=self._used[SetUpArea.FOLDER])
+            )
+            self.show()
+            return
         self.hide()
         self.finished_with.emit(results, self._used)
 

@@ -77,8 +77,9 @@ def test_only_the_selected_polygons_are_read_if_the_user_wants_that(project_map,
     assert 0 < int(count) <= 40
 
 
-@pytest.mark.slow
-def test_a_run_shows_map_landmarks_and_positions(dock, iface, project_map, dialog, sample, repository, tmp_path):
+@pytest.fixture
+def started(project_map, dialog, sample, repository, tmp_path):
+    """The dialog with a run on two photos."""
     photos = tmp_path / "photos"
     photos.mkdir()
     for n in (1, 2):
@@ -90,11 +91,24 @@ def test_a_run_shows_map_landmarks_and_positions(dock, iface, project_map, dialo
     wait_until(dialog.start.isEnabled, "the button Run")
     dialog.start.click()
     assert dialog.start.text() == "Cancel"
-    wait_until(lambda: not dialog.isVisible() or dialog.start.text() == "Run", "the end of the run")
-    assert not dialog.isVisible(), dialog.summary.text()
+    return dialog
+
+
+@pytest.mark.slow
+def test_a_run_shows_map_landmarks_and_positions(dock, iface, started, tmp_path):
+    wait_until(lambda: not started.isVisible() or started.start.text() == "Run", "the end of the run")
+    assert not started.isVisible(), started.summary.text()
     names = [node.name() for node in QgsProject.instance().layerTreeRoot().findLayers()]
     assert [*names[:3], names[-1]] == ["SemRef positions", "SemRef footprints", "Landmarks", "land cover"]
     assert dock.content.database.path() == str(tmp_path / "results" / "reference_database.gpkg")
     assert dock.content.localize.state.text_shown.startswith("2 of 2 images have a position")
     assert any("The area is set up" in text for text in messages(iface))
-    assert Path(dialog.folder.filePath(), "report.html").is_file()
+    assert Path(started.folder.filePath(), "report.html").is_file()
+
+
+@pytest.mark.slow
+def test_a_run_of_a_closed_project_adds_nothing_to_the_next_one(dock, started, tmp_path):
+    QgsProject.instance().clear()
+    wait_until(lambda: started.start.text() == "Run", "the end of the run")
+    assert f"The files are in {tmp_path / 'results'}" in started.summary.text()
+    assert not QgsProject.instance().mapLayers() and not dock.content.database.path()
