@@ -11,7 +11,6 @@ from dock_area import (
     CUT,
     ORIGIN,
     STRIDE,
-    TOPOLOGY_VECTOR,
     WINDOW,
     choose_method,
     corners,
@@ -39,7 +38,6 @@ from semref.processing.layers.localized_image import ERROR
 from semref.ui.canvas.marks import ORANGE, RED, RIM
 from semref.ui.findings import Finding, error_text, status_text
 from semref.ui.running import localization_run
-from semref.ui.tabs.localize.inputs import MethodRow
 from semref.ui.widgets.tables import sign_icon
 
 
@@ -65,13 +63,6 @@ def test_an_image_cut_from_a_window_is_found_there_and_its_position_can_be_copie
     longitude, latitude = QgsApplication.clipboard().text().split(", ")
     assert longitude.startswith("7.6") and latitude.startswith("48.7") and longitude in tab.state.text_shown
     assert "x, y: 400250.00, 5399650.00" in tab.results.details.toPlainText()
-
-
-def test_the_method_is_remembered(dock, qgis_app):
-    choose_method(dock, TOPOLOGY_VECTOR)
-    assert MethodRow().method() == TOPOLOGY_VECTOR
-    choose_method(dock, AUTOMATIC)
-    assert MethodRow().method() == AUTOMATIC
 
 
 @pytest.mark.slow
@@ -229,6 +220,15 @@ def test_circles_in_custom_crs_are_measured_in_meters_and_without_crs_have_the_c
     tab.prior.forget()
     tab.prior.restore(saved)
     assert tab.prior.circle == saved
+
+
+def test_a_circle_drawn_in_degrees_is_round_on_the_ground(dock, iface, tab, show_in):
+    show_in(QgsCoordinateReferenceSystem("EPSG:4326"))
+    tab.prior.set_circle(QgsPointXY(9.5, 60), QgsPointXY(9.51, 60))
+    drawn = shown_outline(iface)
+    assert drawn.xMaximum() == pytest.approx(9.51, abs=1e-4)
+    # At 60° north, a degree of longitude is half as long as one of latitude.
+    assert drawn.width() / drawn.height() == pytest.approx(2, rel=0.02)
 
 
 @pytest.mark.slow

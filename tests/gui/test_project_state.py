@@ -10,9 +10,13 @@ import pytest
 from dock_area import corners, localize, messages, results_of, settle, shown_outline, start, wait_until
 from edited_database import KEPT, kept_database
 from qgis.core import QgsPointXY, QgsProject, QgsSettings
+from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QFileDialog
 
+from semref.core.localization import Method
 from semref.processing.inspection.models import SHIPPED
+from semref.ui.tabs.localize.inputs import ImageBox, MethodRow
 
 
 @pytest.fixture
@@ -46,6 +50,18 @@ def test_clearing_the_project_clears_the_dock(dock, iface, area, tab):
     assert shown_outline(iface) is None
     # The next session offers it again.
     assert QgsSettings().value("semref/dock/database", "", type=str) == area.database
+
+
+def test_a_project_without_model_and_method_leaves_those_of_the_next_session(dock, tab, repository):
+    model = str(repository / "models" / "sample_area.onnx")
+    tab.images.model.setFilePath(model)
+    before = tab.method.method()
+    QTest.keyClick(tab.method.choice, Qt.Key_Up)
+    picked = tab.method.method()
+    assert picked not in (before, Method.AUTOMATIC.number)
+    QgsProject.instance().clear()
+    assert (tab.images.model_path(), tab.method.method()) == ("", Method.AUTOMATIC.number)
+    assert (ImageBox(dock.messages).model_path(), MethodRow().method()) == (model, picked)
 
 
 @pytest.mark.slow

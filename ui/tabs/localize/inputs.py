@@ -133,6 +133,12 @@ class ImageBox(InputBox):
         """Return the path of the model for photos; empty for label images."""
         return self.model.filePath().strip()
 
+    def restore_model(self, path: str) -> None:
+        """Show a project's model. After a project without one, the next session still starts with the last model."""
+        last = QgsSettings().value(MODEL_SETTING, "", type=str)
+        self.model.setFilePath(path)
+        QgsSettings().setValue(MODEL_SETTING, path or last)
+
     def _choose_model(self) -> None:
         """Open the list of models."""
         self._close_models()
@@ -205,7 +211,8 @@ class MethodRow(QWidget):
         label.setBuddy(self.choice)
         self.setLayout(narrow(row_of(label, (self.choice, 1)), 0))
         self.choice.setCurrentIndex(max(0, self.choice.findData(QgsSettings().value(_METHOD_SETTING, 0, type=int))))
-        self.choice.currentIndexChanged.connect(self._remember)
+        # Not the methods of projects.
+        self.choice.activated.connect(self._remember)
 
     def method(self) -> int:
         """Return METHOD of semref:localizeimages."""

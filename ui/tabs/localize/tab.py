@@ -111,7 +111,7 @@ class LocalizeTab(QWidget):
         self._show_results("", state.model)
         self.method.choose(state.method)
         self._database.file.setFilePath(state.database)
-        self.images.model.setFilePath(state.model)
+        self.images.restore_model(state.model)
         self.images.list.show_only(state.images)
         self.images.flight.setChecked(state.is_flight)
         self.prior.restore(state.prior)
