@@ -3,11 +3,11 @@
 from qgis.core import (
     Qgis,
     QgsCoordinateReferenceSystem,
+    QgsFeatureRequest,
     QgsField,
     QgsGeometry,
     QgsMapSettings,
     QgsProcessing,
-    QgsProcessingFeatureSource,
     QgsProcessingParameterNumber,
     QgsUnitTypes,
     QgsWkbTypes,
@@ -80,10 +80,8 @@ else:
     DOUBLE = QgsProcessingParameterNumber.Double
     INTEGER = QgsProcessingParameterNumber.Integer
 
-AS_THEY_ARE = (
-    Qgis.ProcessingFeatureSourceFlag.SkipGeometryValidityChecks
-    if hasattr(Qgis, "ProcessingFeatureSourceFlag")
-    else QgsProcessingFeatureSource.FlagSkipGeometryValidityChecks
+NO_GEOMETRY_CHECK = (
+    Qgis.InvalidGeometryCheck.NoCheck if hasattr(Qgis, "InvalidGeometryCheck") else QgsFeatureRequest.GeometryNoCheck
 )
 """Features with any geometry: otherwise QGIS ends at the first invalid one."""
 

@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from qgis.core import (
-    QgsFeatureRequest,
     QgsGeometry,
     QgsProcessingFeatureSource,
     QgsProcessingFeedback,
@@ -28,7 +27,7 @@ from ..base.algorithm import ANNOTATION, Declared, SemRefAlgorithm, check_cancel
 from ..base.outputs import FeatureSink, Outputs
 from ..base.parameters import with_help
 from ..base.values import Values
-from ..compat import AS_THEY_ARE, MULTI_POLYGON, POLYGON_GEOMETRY, SOURCE_LINE, SOURCE_POLYGON, is_null
+from ..compat import MULTI_POLYGON, POLYGON_GEOMETRY, SOURCE_LINE, SOURCE_POLYGON, is_null
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -180,7 +179,7 @@ def _features(
     """
     names, total = source.fields().names(), max(source.featureCount(), 1)
     with gdal_failures() as failures:
-        for number, feature in enumerate(source.getFeatures(QgsFeatureRequest(), AS_THEY_ARE)):
+        for number, feature in enumerate(source.getFeatures()):
             if number % CHECK_EVERY == 0:
                 check_canceled(feedback)
                 feedback.setProgress(min(100 * number / total, 100))

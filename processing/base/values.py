@@ -24,6 +24,7 @@ from qgis.core import (
 from ...core import limits
 from ...core.errors import ClassTableError, ParameterError
 from ...core.labels.class_table import ClassTable, split_list
+from ..compat import NO_GEOMETRY_CHECK
 from .destinations import Destination, destination_of, replaced_by, with_destination
 
 if TYPE_CHECKING:
@@ -226,7 +227,7 @@ class Values:
         return self._algorithm.parameterAsVectorLayer({key: value.source}, key, self.context)
 
     def source(self, key: str, layer_of_file: str = "") -> QgsProcessingFeatureSource | None:
-        """Return the selected features of a layer; None if it is not set. Raises ParameterError.
+        """Return the selected features of a layer, valid or not; None if it is not set. Raises ParameterError.
 
         ``layer_of_file``: the layer that is read if the value is the path of a file with this layer.
         """
@@ -237,6 +238,8 @@ class Values:
             source = self._algorithm.parameterAsSource(layer, key, self.context) or source
         if source is None and self.has(key):
             raise ParameterError("{reason}", reason=self._algorithm.invalidSourceError(self._parameters, key))
+        if source is not None:
+            source.setInvalidGeometryCheck(NO_GEOMETRY_CHECK)
         return source
 
     # --- where outputs go: for ``Outputs`` ---

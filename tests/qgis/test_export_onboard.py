@@ -108,6 +108,15 @@ def test_a_polygon_in_another_crs_is_brought_to_the_map(export, tmp_path):
     assert len(positions) > 50
 
 
+def test_an_outline_that_crosses_itself_is_repaired(export, tmp_path):
+    corners = ((100, 100), (400, 400), (400, 100), (100, 400), (100, 100))
+    text = ", ".join(f"{WEST + x} {NORTH - y}" for x, y in corners)
+    area = str(write_layer(tmp_path / "bow_tie.gpkg", [(f"POLYGON (({text}))", "a")]))
+    positions = read_onboard(export(CLIP=area)["OUTPUT"]).database.references.positions
+    assert (np.abs(positions - (WEST + 250, NORTH - 250)) <= 154).all()
+    assert len(positions) > 20
+
+
 @pytest.mark.parametrize("parameters", [{}, {"DISTANCE": 10}])
 def test_an_area_elsewhere_is_refused(export, tmp_path, parameters):
     layer = str(write_layer(tmp_path / "far.gpkg", [(f"POINT ({WEST - 9000} {NORTH})", "a")]))
