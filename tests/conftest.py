@@ -1,7 +1,5 @@
 """Load the repository root as the package `semref`, for any folder name, tools/sample as `sample`, benchmarks."""
 
-from __future__ import annotations
-
 import gc
 import importlib.util
 import os

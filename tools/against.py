@@ -8,8 +8,6 @@ an onboard file and a folder of label images:
     .venv/bin/python tools/against.py v0.1.0 -- python3 -m core localize --database /data/map.npz /data/images
 """
 
-from __future__ import annotations
-
 import argparse
 import os
 import subprocess

@@ -3,8 +3,6 @@
 The demo localizes label images with two methods, and photos with the shipped model.
 """
 
-from __future__ import annotations
-
 import csv
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """Import this checkout as the package ``semref``, with any folder name, and its benchmarks; for tools only."""
 
-from __future__ import annotations
-
 import importlib.util
 import sys
 from pathlib import Path

@@ -3,8 +3,6 @@
 Without paths, check everything; fail if a kind of text (except commits) exceeds its limits. With paths, list findings.
 """
 
-from __future__ import annotations
-
 import ast
 import re
 import subprocess

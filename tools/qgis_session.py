@@ -1,7 +1,5 @@
 """Start QGIS without a window, with Processing and this checkout as the package ``semref``; for tools only."""
 
-from __future__ import annotations
-
 import contextlib
 import gc
 import os

@@ -1,7 +1,5 @@
 """The public Python API, and the README's example of it."""
 
-from __future__ import annotations
-
 import re
 import subprocess
 import sys

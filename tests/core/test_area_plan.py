@@ -1,7 +1,5 @@
 """Sizes for an area, from the landmarks of its map and the ground of a photo."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Arrays from the cache equal the stored ones bit for bit; otherwise they are built again."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import os

@@ -1,7 +1,5 @@
 """Targets of links in the docs exist: pages, headings, pictures, algorithms, commands."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

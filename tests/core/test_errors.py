@@ -1,7 +1,5 @@
 """Errors have one sentence in every process, and each limit has a reason and a use."""
 
-from __future__ import annotations
-
 import pickle
 import re
 from pathlib import Path

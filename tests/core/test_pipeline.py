@@ -1,7 +1,5 @@
 """The pipeline's values and cameras, and the localization results that come out."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Qt names of shipped code are in Qt 6, and custom widgets of ui/ are painted with it."""
 
-from __future__ import annotations
-
 import ast
 import json
 import os

@@ -1,7 +1,5 @@
 """The import rules of the packages, checked in the source."""
 
-from __future__ import annotations
-
 import ast
 import functools
 import graphlib

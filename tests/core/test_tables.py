@@ -1,7 +1,5 @@
 """Tables of flights and values from files are checked when they are read."""
 
-from __future__ import annotations
-
 import tracemalloc
 
 import pytest

@@ -1,7 +1,5 @@
 """Every text of the code has a usable Qt translation."""
 
-from __future__ import annotations
-
 import importlib.util
 import re
 import string

@@ -1,7 +1,5 @@
 """Inputs made by hypothesis are read correctly or refused in one sentence."""
 
-from __future__ import annotations
-
 import dataclasses
 import json
 from unicodedata import category

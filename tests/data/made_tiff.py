@@ -1,7 +1,5 @@
 """TIFF files with any tags: OpenCV and Pillow write neither all palettes nor opacity, nodata or georeferences."""
 
-from __future__ import annotations
-
 import struct
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Run programs with the Python of the training environment, where torch is."""
 
-from __future__ import annotations
-
 import subprocess
 from pathlib import Path
 

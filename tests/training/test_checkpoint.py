@@ -3,8 +3,6 @@
 A program makes random weights of the same architectures as those of the presets, and computes the expected scores.
 """
 
-from __future__ import annotations
-
 import json
 import subprocess
 from dataclasses import replace

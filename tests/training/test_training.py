@@ -1,7 +1,5 @@
 """A complete training of some seconds, with torch: messages, files, continuation and refusals."""
 
-from __future__ import annotations
-
 import json
 import os
 import subprocess

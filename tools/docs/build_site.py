@@ -5,8 +5,6 @@
 The first run installs tools/docs/requirements.txt into .venv-docs, which needs a network. Later runs do not.
 """
 
-from __future__ import annotations
-
 import argparse
 import hashlib
 import os

@@ -4,8 +4,6 @@ Each call uses files of the plugin's folder ``sample``, or outputs of earlier ca
 in the reference page; tests/qgis/test_example_calls.py checks and runs them.
 """
 
-from __future__ import annotations
-
 import json
 import shlex
 

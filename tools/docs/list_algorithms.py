@@ -1,7 +1,5 @@
 """The reference page of the Processing algorithms, from SemRef's provider."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """The reference page of the command ``semref``, from its argparse parsers."""
 
-from __future__ import annotations
-
 import argparse
 from pathlib import Path
 

@@ -4,8 +4,6 @@ heads/settings.md has the introduction and the commands of the trials. The docst
 "meaning [what it was set on; trials]".
 """
 
-from __future__ import annotations
-
 import ast
 import inspect
 import re

@@ -10,8 +10,6 @@ Each session starts QGIS with a new profile and the packaged plugin. It needs th
 Chinese, a font with these characters.
 """
 
-from __future__ import annotations
-
 import argparse
 import json
 import shutil

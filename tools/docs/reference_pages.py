@@ -5,8 +5,6 @@
 Needs QGIS, as the algorithms describe themselves. The site build runs it.
 """
 
-from __future__ import annotations
-
 import sys
 from pathlib import Path
 

@@ -3,8 +3,6 @@
 Each scene begins with the same window, so no scene has to restore it.
 """
 
-from __future__ import annotations
-
 import shutil
 import tempfile
 import traceback

@@ -1,7 +1,5 @@
 """Prepare QGIS's window with the dock and the sample project for the scenes."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import qgis.utils

@@ -1,7 +1,5 @@
 """Prepares the Markdown of docs/ and of the repository's root for MkDocs."""
 
-from __future__ import annotations
-
 import os
 import re
 import shutil

@@ -1,7 +1,5 @@
 """Write screenshots as small PNG files with a palette, and frames from the screen as one small animation (WebP)."""
 
-from __future__ import annotations
-
 import io
 import re
 import sys

@@ -4,8 +4,6 @@ The orthophoto is the western half of the place. The photos are cut from the eas
 of the scale. The map covers both halves.
 """
 
-from __future__ import annotations
-
 import csv
 import shutil
 from pathlib import Path

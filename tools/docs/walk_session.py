@@ -11,8 +11,6 @@ Keys of its job, which time_walk.py writes:
 The result has ``steps``: name, clicks, seconds and processor seconds of each.
 """
 
-from __future__ import annotations
-
 import csv
 import math
 import re

@@ -6,8 +6,6 @@ The script prints the outcomes of each reader, and the smallest input that break
 (docs/development.md#how-semref-is-tested).
 """
 
-from __future__ import annotations
-
 import argparse
 import json
 import multiprocessing

@@ -1,7 +1,5 @@
 """The contract for every input: a valid result or one error message, in time and memory, and nothing else changed."""
 
-from __future__ import annotations
-
 import contextlib
 import os
 import resource

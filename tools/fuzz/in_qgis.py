@@ -1,7 +1,5 @@
 """The readers that QGIS calls: parameters of every algorithm, annotation layers, projects."""
 
-from __future__ import annotations
-
 import contextlib
 import functools
 import hashlib

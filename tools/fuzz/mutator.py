@@ -1,7 +1,5 @@
 """The mutator: change a valid file of any format, with correct checksums where the format has them."""
 
-from __future__ import annotations
-
 import contextlib
 import io
 import re

@@ -1,7 +1,5 @@
 """The table of readers: valid files of each, how it reads them, and what must be true of the result."""
 
-from __future__ import annotations
-
 import contextlib
 import gzip
 import io

@@ -1,7 +1,5 @@
 """Read the news of each version from CHANGELOG.md, for the plugin manager and the plugin repository."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Check a zip before its release: .venv/bin/python tools/release/check_zip.py FILE [VERSION]."""
 
-from __future__ import annotations
-
 import ast
 import re
 import sys

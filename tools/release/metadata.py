@@ -1,7 +1,5 @@
 """Build the shipped metadata.txt: with the news, and with the translations under all names that QGIS uses."""
 
-from __future__ import annotations
-
 import configparser
 import re
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Build dist/semref-VERSION.zip, the file that users install: python tools/release/package.py [--output FILE]."""
 
-from __future__ import annotations
-
 import argparse
 import shutil
 import subprocess

@@ -8,8 +8,6 @@ the tests (tools/requirements.txt, tools/test_newest.sh). ``--check`` writes not
 another hash for a wheel, or does not have the wheel.
 """
 
-from __future__ import annotations
-
 import argparse
 import functools
 import json

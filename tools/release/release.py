@@ -4,8 +4,6 @@ The script clones the tag, builds the documentation, packages and checks the plu
 It ignores changes in the working tree, creates no tag, and uploads nothing.
 """
 
-from __future__ import annotations
-
 import argparse
 import hashlib
 import shutil

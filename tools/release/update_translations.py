@@ -4,8 +4,6 @@ Qt's pylupdate gives each text the context of its class; SemRef has one context 
 translations, removes old texts, and marks new texts as unfinished. Packaging compiles the files to .qm.
 """
 
-from __future__ import annotations
-
 import ast
 import re
 import sys

@@ -1,7 +1,5 @@
 """The class table of the sample area."""
 
-from __future__ import annotations
-
 from semref.core.labels.class_table import LandCoverClass
 
 BUILDING, BARE_LAND, WATER, FOREST, CULTIVATED, GRASS = 1, 2, 3, 4, 5, 6

@@ -1,7 +1,5 @@
 """Files of the sample area: shapefile, class table, orthophoto, photos, truth."""
 
-from __future__ import annotations
-
 import csv
 import json
 from collections.abc import Iterable

@@ -1,7 +1,5 @@
 """Buildings: footprints, and their places along streets and around farmyards."""
 
-from __future__ import annotations
-
 import numpy as np
 import numpy.typing as npt
 from shapely.affinity import translate

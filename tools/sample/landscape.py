@@ -1,7 +1,5 @@
 """A made-up piece of Central Europe, drawn from a seed."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any

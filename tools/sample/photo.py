@@ -5,8 +5,6 @@ ground between the drawn polygons (roads, tracks, margins) is there too. Only nu
 the same photo. Arrays are (rows, columns), colors linear red, green, blue in 0…1 unless said otherwise.
 """
 
-from __future__ import annotations
-
 import cv2
 import numpy as np
 import numpy.typing as npt

@@ -1,7 +1,5 @@
 """Draw the objects of a photo into color, relief and height of its scene: forests, single trees and roofs."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import cv2

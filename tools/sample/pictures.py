@@ -5,8 +5,6 @@ Pixel coordinates are (column, row), (0.5, 0.5) at the center of the first pixel
 degrees clockwise from grid north: with 90 the top of the image is in the east.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from typing import Any

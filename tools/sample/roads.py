@@ -1,7 +1,5 @@
 """Where people settle, the roads between the settlements and the streets inside them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """River, side stream, lakes and ponds."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

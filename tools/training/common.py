@@ -1,7 +1,5 @@
 """Common steps of the scripts that train: options, training tiles, and the training of semref:trainmodel."""
 
-from __future__ import annotations
-
 import argparse
 import os
 import subprocess

@@ -1,7 +1,5 @@
 """Store the weights of an ONNX file as 16-bit numbers: half the size, same input, output and metadata."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

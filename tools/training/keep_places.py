@@ -8,8 +8,6 @@ corners. What is off the middle of a tile is then shown up to half a pixel of th
 Weights and metadata are those of MODEL. If it states a class offset, measure the offset again.
 """
 
-from __future__ import annotations
-
 import argparse
 import sys
 from pathlib import Path

@@ -7,8 +7,6 @@ of ImageNet. The model is OUTPUT_FOLDER/without_tile6.onnx (without_tiles13.onnx
 ``.venv/bin/python -m benchmarks run dubai --only "tile 6" --models OUTPUT_FOLDER`` localizes crops of this tile.
 """
 
-from __future__ import annotations
-
 from common import DATA, Job, cut, parser_of, prepare, train
 
 from benchmarks.places import TILE_CLASSES

@@ -8,8 +8,6 @@ weights and the state for --resume. --test measures the model on tiles of anothe
 bash tools/training/setup_training.sh first; docs/how-to/train_a_network.md has more.
 """
 
-from __future__ import annotations
-
 import argparse
 import json
 import re

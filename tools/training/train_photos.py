@@ -10,8 +10,6 @@ the results. buildings.onnx has 16-bit weights and is models/buildings.onnx of S
 mosaics before you share photos.onnx (docs/reference/networks.md).
 """
 
-from __future__ import annotations
-
 import argparse
 import json
 from pathlib import Path

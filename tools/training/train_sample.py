@@ -6,8 +6,6 @@ For each seed the script creates an area (tools/sample), its label map (semref:r
 Then it trains in .venv-train (setup_training.sh). Existing files are kept. The model is OUTPUT_FOLDER/sample_area.onnx.
 """
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Check of land-cover layers: findings, counts and areas agree with plain computations."""
 
-from __future__ import annotations
-
 from collections import Counter
 
 import cv2

@@ -1,7 +1,5 @@
 """Features become classes and valid single polygons; unusable ones are left out or refused."""
 
-from __future__ import annotations
-
 import pytest
 import shapely
 from made_annotation import feature, numbered, square

@@ -1,7 +1,5 @@
 """Outlines of the regions of a label map: each region is one valid polygon, and neighbors share vertices."""
 
-from __future__ import annotations
-
 import cv2
 import numpy as np
 import pytest

@@ -1,7 +1,5 @@
 """Repair of land-cover layers: any polygons become clean, and clean polygons do not change."""
 
-from __future__ import annotations
-
 from collections import Counter
 from types import SimpleNamespace
 

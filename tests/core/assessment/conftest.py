@@ -1,7 +1,5 @@
 """Provide one made map for the tests of assessments: landmarks are in the west only."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from made_labels import scattered_objects

@@ -1,7 +1,5 @@
 """Routes and simulated flights along them: expected positions, gaps and proposed shifts."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

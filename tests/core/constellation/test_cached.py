@@ -1,7 +1,5 @@
 """A cached index equals the built index bit for bit, or it is not used."""
 
-from __future__ import annotations
-
 from dataclasses import fields, replace
 
 import numpy as np

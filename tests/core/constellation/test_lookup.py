@@ -1,7 +1,5 @@
 """Lookup of triangles and nearest landmarks, with known truth."""
 
-from __future__ import annotations
-
 import dataclasses
 
 import numpy as np

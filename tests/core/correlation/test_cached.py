@@ -1,7 +1,5 @@
 """A cached pyramid equals the computed pyramid bit for bit, or it is not used."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

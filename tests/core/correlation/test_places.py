@@ -1,7 +1,5 @@
 """Distinct places, search areas, images without information, and parts that disagree."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from made_patches import MODEST, PRIOR, STRONG, error_m, spoiled, view

@@ -1,7 +1,5 @@
 """Build parameters and other values of a file are read exactly as written, or refused."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import asdict, replace
 

@@ -1,7 +1,5 @@
 """The camera of an image from camera table, photo and log, and which of them counts first."""
 
-from __future__ import annotations
-
 import pytest
 
 from semref.core.errors import ParameterError

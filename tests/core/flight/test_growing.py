@@ -1,7 +1,5 @@
 """Reading a growing table: each row once, when it is complete."""
 
-from __future__ import annotations
-
 import os
 
 import pytest

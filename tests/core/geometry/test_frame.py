@@ -1,7 +1,5 @@
 """Map coordinates, pixels, footprints, and circles and ellipses of errors."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

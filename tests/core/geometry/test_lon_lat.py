@@ -1,7 +1,5 @@
 """Longitude and latitude without PROJ: a polynomial with a stated error."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

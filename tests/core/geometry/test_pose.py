@@ -1,7 +1,5 @@
 """Poses map image points to the map and back, and are fitted to points."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

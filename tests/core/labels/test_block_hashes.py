@@ -1,7 +1,5 @@
 """The overview of a label map and the hashes of its blocks, for any bands of rows."""
 
-from __future__ import annotations
-
 import hashlib
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The class table: reading, writing, lookup, proposals, and a message for each mistake."""
 
-from __future__ import annotations
-
 import re
 
 import pytest

@@ -1,7 +1,5 @@
 """Label images and photos read without GDAL: class values, colors and no data."""
 
-from __future__ import annotations
-
 import os
 import re
 import struct

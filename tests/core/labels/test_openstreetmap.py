@@ -1,7 +1,5 @@
 """Rules turn tags of OpenStreetMap into classes: the highest priority counts, invalid tables are refused."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Tags of TIFF files: georeference becomes meters per pixel; damaged or unknown tags become None."""
 
-from __future__ import annotations
-
 import io
 import struct
 

@@ -1,7 +1,5 @@
 """Localization of leveled images: the level pose is known, and results are those of the original image."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

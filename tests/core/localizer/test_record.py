@@ -1,7 +1,5 @@
 """Localizations as rows, reasons, and sentences of NMEA 0183."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from datetime import datetime, timezone
 

@@ -1,7 +1,5 @@
 """Two made maps and their onboard files: `written` for reading and writing, `area` for images of it."""
 
-from __future__ import annotations
-
 import pytest
 from onboard_area import write_area
 from onboard_blobs import build_blobs, linear

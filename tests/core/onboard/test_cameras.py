@@ -1,7 +1,5 @@
 """Cameras on board: table before photo before log, as in QGIS, and motion from the log."""
 
-from __future__ import annotations
-
 import os
 
 import pytest

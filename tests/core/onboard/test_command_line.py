@@ -1,7 +1,5 @@
 """``python -m core``: output, exit codes, and that it needs only a copy of its folder."""
 
-from __future__ import annotations
-
 import json
 import os
 import re

@@ -1,7 +1,5 @@
 """``python -m core watch --flight``: each image uses the earlier ones, with bounded memory and after a restart."""
 
-from __future__ import annotations
-
 import errno
 import io
 import json

@@ -1,7 +1,5 @@
 """The log of the command line, and the growing log of a ground station."""
 
-from __future__ import annotations
-
 import json
 import logging
 import math

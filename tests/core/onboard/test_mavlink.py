@@ -1,7 +1,5 @@
 """``python -m core watch --mavlink``: messages for an autopilot, read by pymavlink."""
 
-from __future__ import annotations
-
 import json
 import math
 import os

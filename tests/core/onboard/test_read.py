@@ -1,7 +1,5 @@
 """Reading an onboard file: it works like the whole database, and other files are refused."""
 
-from __future__ import annotations
-
 import io
 import json
 import math

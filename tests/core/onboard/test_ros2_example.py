@@ -1,7 +1,5 @@
 """The ROS 2 node of the docs publishes the localizer's positions; ROS is simulated."""
 
-from __future__ import annotations
-
 import math
 import runpy
 import sys

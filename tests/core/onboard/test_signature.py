@@ -1,7 +1,5 @@
 """A signed onboard file needs its key; an unsigned file is accepted only if no signature is required."""
 
-from __future__ import annotations
-
 import json
 from datetime import datetime, timezone
 

@@ -1,7 +1,5 @@
 """The state file of a flight: private, used only if complete, never blocking."""
 
-from __future__ import annotations
-
 import os
 
 import numpy as np

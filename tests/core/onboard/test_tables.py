@@ -1,7 +1,5 @@
 """Odometry and camera tables on board: read when an image arrives, bounded, and errors do not end a flight."""
 
-from __future__ import annotations
-
 import json
 
 import pytest

@@ -1,7 +1,5 @@
 """``python -m core watch``: its output and sinks, and that it ends only on request."""
 
-from __future__ import annotations
-
 import errno
 import json
 import os

@@ -1,7 +1,5 @@
 """The wheel for the aircraft: built, installed into a new environment, and run by its command."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import os

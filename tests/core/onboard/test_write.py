@@ -1,7 +1,5 @@
 """Writing an onboard file, also of an area: rounding, size, and values that it can't store."""
 
-from __future__ import annotations
-
 import zipfile
 from dataclasses import fields, replace
 

@@ -1,7 +1,5 @@
 """The metadata keys class_bias and model_card: reading, writing, a database's classes, and invalid content."""
 
-from __future__ import annotations
-
 import json
 import os
 from pathlib import Path

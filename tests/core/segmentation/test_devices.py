@@ -1,7 +1,5 @@
 """Devices of a network: chosen, available and used; each replacement is reported."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from made_models import painted, write_model

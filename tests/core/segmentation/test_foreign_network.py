@@ -1,7 +1,5 @@
 """Networks of others: a copy has the metadata that SemRef reads, and classes that are merged from several outputs."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 

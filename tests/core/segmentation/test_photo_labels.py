@@ -1,7 +1,5 @@
 """From a photo to labels on its own pixels, for any resolution of the network."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from made_models import metadata, painted, write_model

@@ -1,7 +1,5 @@
 """Resampled photos: exact means, independent of the piece that is read, without missing data."""
 
-from __future__ import annotations
-
 import cv2
 import numpy as np
 import pytest

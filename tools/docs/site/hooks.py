@@ -1,7 +1,5 @@
 """MkDocs hooks: all decisions in the menu, weights of pages in the search, and formulas as MathML without a script."""
 
-from __future__ import annotations
-
 import html
 import re
 from pathlib import Path
