@@ -51,19 +51,8 @@ class Variant:
 
 
 LIGHT = (
-    "first_fix",
-    "dock_localize",
-    "own_photos",
-    "flight",
-    "inspect",
-    "correct",
-    "prior",
-    "toolbox",
-    "algorithm_dialog",
-    "models",
-    "add_model",
-    "model_designer",
-    "options",
+    *("first_fix", "dock_localize", "own_photos", "flight", "inspect", "correct", "prior"),
+    *("toolbox", "algorithm_dialog", "models", "add_model", "model_designer", "options"),
 )
 FILMS = ("moving_fix", "moving_flight")
 

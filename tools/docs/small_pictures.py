@@ -44,14 +44,8 @@ def join(frames: list[Path], target: Path, largest_bytes: int) -> None:
     # The size of a window can change with its contents.
     first, *others = [picture.crop((0, 0, *pictures[0].size)) for picture in pictures]
     shown_ms = [int(_FRAME.fullmatch(path.name)["shown_ms"]) for path in frames]
-    options = {
-        "format": "WEBP",
-        "save_all": True,
-        "append_images": others,
-        "duration": shown_ms,
-        "loop": 0,
-        "method": 6,
-    }
+    options = {"format": "WEBP", "save_all": True, "append_images": others, "duration": shown_ms}
+    options |= {"loop": 0, "method": 6}
     _write_small(target, largest_bytes, ((first, {"quality": quality, **options}) for quality in QUALITIES))
 
 

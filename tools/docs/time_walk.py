@@ -43,13 +43,12 @@ def main() -> None:
     parser.add_argument("--minutes", type=float, default=0, help="minutes of training")
     parser.add_argument("--place", choices=PLACES, help="a real place instead of the sample area")
     parser.add_argument("--data", type=Path, default=ROOT.parent / "shared" / "data", help="folder of the real data")
-    parser.add_argument("--folder", type=Path, help="folder of the walk's files, which the pictures show")
     parser.add_argument("--pictures", type=Path, help="folder for the pictures instead of the docs")
     parser.add_argument("--write", action="store_true", help="write table and pictures into the docs")
     arguments = parser.parse_args()
     place = PLACES.get(arguments.place)
     say_what_is_missing([Variant(())])
-    with tempfile.TemporaryDirectory(prefix="semref-", dir=arguments.folder) as folder:
+    with tempfile.TemporaryDirectory(prefix="semref-") as folder:
         work, ground = Path(folder), None
         if place is not None:
             ground = work / "ground"

@@ -11,19 +11,8 @@ from metadata import general, placeholders
 from package import BINARY_SUFFIXES, MAXIMUM_BYTES
 
 REQUIRED = (
-    "name",
-    "description",
-    "about",
-    "version",
-    "qgisMinimumVersion",
-    "author",
-    "email",
-    "homepage",
-    "repository",
-    "tracker",
-    "license",
-    "icon",
-    "changelog",
+    *("name", "description", "about", "version", "qgisMinimumVersion", "author", "email"),
+    *("homepage", "repository", "tracker", "license", "icon", "changelog"),
 )
 LANGUAGES = ("de", "es", "fr", "zh")
 FOR_DEVELOPERS = {"tests", "tools", "docs"}

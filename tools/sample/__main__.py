@@ -18,7 +18,6 @@ from __future__ import annotations
 import argparse
 import hashlib
 import sys
-from collections import Counter
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -47,13 +46,12 @@ def main(arguments: list[str] | None = None) -> int:
     print(f"Creating the sample area in {target}")
     try:
         with folder_written_beside(str(target), replaces=bool(made_of)) as folder:
-            report = write(Path(folder), options)
+            write(Path(folder), options)
             if made_of:
                 (Path(folder) / MADE_OF).write_text(made_of, encoding="ascii")
     except (SemRefError, ValueError, OSError) as error:
         print(f"tools.sample: {error}", file=sys.stderr)
         return 1
-    print(report)
     return 0
 
 
@@ -77,40 +75,14 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     return options
 
 
-def write(folder: Path, options: argparse.Namespace) -> str:
-    """Write the files; return the summary."""
+def write(folder: Path, options: argparse.Namespace) -> None:
     from . import files
     from .landscape import make_landscape
 
     landscape = make_landscape(options.seed)
-    labels_hw = files.rasterize(landscape)
     files.write_sample(folder, landscape)
     if options.label_images:
-        files.write_label_images(folder, landscape, labels_hw)
-    return summary(landscape, labels_hw)
-
-
-def summary(landscape, labels_hw) -> str:
-    """What was made, as lines of text: features and pixels of each class, oddities."""
-    import numpy as np
-
-    from .classes import CLASSES
-
-    counts = Counter(f.class_value for f in landscape.features)
-    pixels = np.bincount(labels_hw.ravel(), minlength=256)
-    lines = [
-        f"Landscape of seed {landscape.seed}: {len(landscape.features)} features, "
-        f"label map {labels_hw.shape[1]} × {labels_hw.shape[0]} pixels"
-    ]
-    lines += [f"  {c.value} {c.name:<11}{counts[c.value]:>6} features {pixels[c.value]:>10} pixels" for c in CLASSES]
-    lines.append(f"  0 {'unlabeled':<11}{'':>6}          {pixels[0]:>10} pixels")
-    shapes = [f.geometry for f in landscape.features if f.geometry is not None]
-    holes = sum(any(p.interiors for p in getattr(s, "geoms", [s])) for s in shapes)
-    lines.append(
-        f"  oddities: {sum(s.geom_type == 'MultiPolygon' for s in shapes)} multipart, {holes} with holes, "
-        f"{sum(not s.is_valid for s in shapes)} invalid, {len(landscape.features) - len(shapes)} empty"
-    )
-    return "\n".join(lines)
+        files.write_label_images(folder, landscape, files.rasterize(landscape))
 
 
 if __name__ == "__main__":

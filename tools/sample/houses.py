@@ -82,12 +82,7 @@ def along_street(rng: np.random.Generator, street: Road, place: Settlement, grou
 
 
 def behind(
-    rng: np.random.Generator,
-    center_xy: npt.ArrayLike,
-    heading: float,
-    depth: float,
-    place: Settlement,
-    ground: Ground,
+    rng: np.random.Generator, center_xy: npt.ArrayLike, heading: float, depth: float, place: Settlement, ground: Ground
 ) -> list[Polygon]:
     """Now and then a shed, or in a village a barn, in the garden behind a house."""
     chance = rng.uniform()

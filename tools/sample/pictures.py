@@ -123,12 +123,7 @@ def _on(at: tuple[int, int], kind: str, detail: str = "", **settings: Any) -> Pi
 
 
 def _off_grid(
-    rng: np.random.Generator,
-    shape_hw: tuple[int, int],
-    count: int,
-    kind: str,
-    suffix: str = "png",
-    **settings: Any,
+    rng: np.random.Generator, shape_hw: tuple[int, int], count: int, kind: str, suffix: str = "png", **settings: Any
 ) -> list[Picture]:
     """Draw views at any place, heading and scale with all corners on the map."""
     pictures = []

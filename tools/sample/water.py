@@ -48,11 +48,7 @@ def make_rivers(rng: np.random.Generator, size_xy: tuple[float, float]) -> River
     mouth = points[int(len(points) * rng.uniform(0.62, 0.72))]
     source = (mouth[0] + rng.uniform(-100, 500), height + 120.0)
     stream_points = shapes.meander(rng, source, mouth, wavelength=330.0, swing=0.95)
-    return Rivers(
-        LineString(points),
-        banked(rng, points, 34.0, 0.25),
-        banked(rng, stream_points, 8.0, 0.2),
-    )
+    return Rivers(LineString(points), banked(rng, points, 34.0, 0.25), banked(rng, stream_points, 8.0, 0.2))
 
 
 def lake(rng: np.random.Generator, center_xy: npt.ArrayLike, radius: float, island: bool) -> Polygon:

@@ -9,7 +9,6 @@ bash tools/training/setup_training.sh first; docs/how-to/train_a_network.md has 
 """
 
 import argparse
-import json
 import re
 import sys
 from dataclasses import fields
@@ -39,7 +38,6 @@ def parse() -> argparse.Namespace:
     parser.add_argument("tiles", type=Path, nargs="+", metavar="TILES")
     parser.add_argument("--output", type=Path, required=True, help="ONNX file to write")
     parser.add_argument("--test", type=Path, nargs="+", default=[], metavar="TILES", help="tiles of another place")
-    parser.add_argument("--card", type=Path, metavar="FILE", help="JSON with further entries of the model's card")
     kinds = {"str": str, "int": int, "float": float, "float | None": float}
     helps = dict(re.findall(r"^ {8}(\w+): (.*(?:\n {12}.*)*)", Job.__doc__, re.MULTILINE))
     for field in (one for one in fields(Job) if one.type in (*kinds, "bool") and one.name not in ("output", "folder")):
@@ -64,7 +62,6 @@ def train(options: argparse.Namespace) -> None:
     from semref.training.job import CHECKPOINT
 
     settings = {key: value for key, value in vars(options).items() if key not in ("tiles", "test", "output")}
-    settings["card"] = json.loads(options.card.read_text(encoding="utf-8")) if options.card else {}
     folder = options.output.with_suffix(".training")
     tiles = tuple(str(path) for path in options.tiles)
     job = Job(tiles, str(options.output), str(folder), **settings)

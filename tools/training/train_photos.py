@@ -48,7 +48,6 @@ def main() -> None:
     names = [one.name for one in PLACES]
     parser.add_argument("--leave-out", nargs="+", default=[], choices=names, help="tested without training on it")
     parser.add_argument("--minutes", type=float, default=10.0, help="minutes of processor time; default %(default)s")
-    parser.add_argument("--threads", type=int, default=0, help="of torch")
     parser.add_argument("--seed", type=int, default=1671)
     options = parser.parse_args()
     folder = prepare(parser, options, "oam_buildings")
@@ -100,7 +99,6 @@ def train(options: argparse.Namespace, name: str, model: Path, tiles: dict[str, 
         light=LIGHT,
         minutes=options.minutes,
         processor_time=True,
-        threads=options.threads,
         resolution=RESOLUTIONS_M[name],
         tile_size=SHOWN_TILE_PX,
         seed=options.seed,

@@ -1,6 +1,6 @@
 """Train the sample model on photos of made-up areas other than the sample area.
 
-    .venv/bin/python tools/training/train_sample.py OUTPUT_FOLDER [--seeds 11 12 13 14 15]
+    .venv/bin/python tools/training/train_sample.py OUTPUT_FOLDER
 
 For each seed the script creates an area (tools/sample), its label map (semref:rasterizeannotation) and training tiles.
 Then it trains in .venv-train (setup_training.sh). Existing files are kept. The model is OUTPUT_FOLDER/sample_area.onnx.
@@ -13,8 +13,10 @@ from pathlib import Path
 from common import ROOT, Job, cut, parser_of, prepare, train
 from qgis_session import qgis_session
 
-from sample import DEFAULT_SEED
 from semref.training.job import SMALL
+
+SEEDS = (11, 12, 13, 14, 15)
+"""Seeds other than that of the sample area."""
 
 GRID_PX, VALIDATION_FRACTION = (512, 448), 0.12
 CARD = {
@@ -28,13 +30,10 @@ CARD = {
 
 def main() -> None:
     parser = parser_of(__doc__)
-    parser.add_argument("--seeds", type=int, nargs="+", default=[11, 12, 13, 14, 15])
     options = parser.parse_args()
-    if DEFAULT_SEED in options.seeds:
-        parser.error(f"{DEFAULT_SEED} is the sample area. Train on other seeds.")
     folder = prepare(parser, options)
     with qgis_session():
-        tiles = [str(tiles_of(folder / f"area{seed}", seed)) for seed in options.seeds]
+        tiles = [str(tiles_of(folder / f"area{seed}", seed)) for seed in SEEDS]
     job = Job(
         tuple(tiles),
         str(folder / "sample_area.onnx"),
