@@ -74,9 +74,6 @@ def test_the_page_keeps_which_python_trains_and_shows_errors_of_the_environment(
     assert "no network" in iface.bar.currentItem().text()
 
 
-# --- devices ---
-
-
 @pytest.fixture
 def no_choice():
     QgsSettings().remove(DEVICE_SETTING)
@@ -114,9 +111,6 @@ def test_devices_that_onnxruntime_reports_can_be_chosen_and_the_choice_is_kept(
     fake_providers(monkeypatch, "CPU")
     again = iface.options_factories[0].createWidget(None)
     assert again.devices.device.currentData() == "cuda" and "CUDA (onnxruntime-gpu)" in again.devices.missing.text()
-
-
-# --- diagnostics ---
 
 
 def test_diagnostics_are_copied_from_the_menu_with_the_last_messages_of_semref(plugin, iface):

@@ -128,9 +128,6 @@ def test_only_layers_of_places_are_offered_and_one_that_comes_is_chosen(tab, add
     assert tab.updating.class_field.currentField() == "class"
 
 
-# --- in the dock ---
-
-
 def listed(tab) -> list[str]:
     return [tab.places.item(row, 1).text() for row in range(tab.places.rowCount())]
 
@@ -214,8 +211,6 @@ def test_places_have_two_lines_of_whatever_font_and_are_selected_from_right_to_l
     assert table.selected_row() == 1
     table.deleteLater()
 
-
-# --- many places that read alike, repaired at once ---
 
 SQUARES = ("550000 5420000 550020 5420020", "550015 5420000 550040 5420020", "550060 5420000 550080 5420020")
 BOW_TIE = "MULTIPOLYGON(((550100 5420000, 550120 5420020, 550120 5420000, 550100 5420020, 550100 5420000)))"

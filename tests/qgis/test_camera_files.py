@@ -112,9 +112,6 @@ def test_original_drone_photos_are_read_and_state_no_lens(real_data):
     assert said == "focal length 2310 px, height 39.8 m, heading 45.0°, roll 0.0°, pitch 0.1°"
 
 
-# --- CSV ---
-
-
 def test_a_table_gives_attitude_focal_length_and_time(tmp_path):
     text = "image,roll,pitch,focal_length_px,time\nIMG_1.png,1.5,-20,35,12.25\n"
     (camera,) = read_cameras([label_image(tmp_path)], table(tmp_path, text))
@@ -133,9 +130,6 @@ def test_a_table_gives_attitude_focal_length_and_time(tmp_path):
 def test_times_are_seconds_or_dates(tmp_path, text, seconds):
     (camera,) = read_cameras([label_image(tmp_path)], table(tmp_path, f"image,time\nIMG_1,{text}\n"))
     assert camera.time_s == seconds and camera.attitude is None
-
-
-# --- photos ---
 
 
 def test_the_photo_of_the_same_name_gives_the_gimbal_angles(tmp_path):

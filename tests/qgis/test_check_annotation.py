@@ -38,9 +38,6 @@ def issues(check):
     return run
 
 
-# --- findings ---
-
-
 def test_issues_are_drawn_by_severity_errors_on_top(check, tmp_path, classes_csv):
     layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 10), "field"), (square(6, 0, 10), "water")])
     found = QgsVectorLayer(check(layer, CLASS_TABLE=classes_csv)["ISSUES"], "issues", "ogr")
@@ -103,9 +100,6 @@ def test_the_report_counts_by_kind_and_class(check, tmp_path, classes_csv):
     assert not re.search(r"(?i)<script|http(?!://www\.w3\.org/2000/svg)", text)
 
 
-# --- agreement with the label map ---
-
-
 def test_drawn_landmarks_are_the_objects_of_the_label_map(run_algorithm, tmp_path):
     """Compare the regions that the check draws with those of Rasterize annotation on the same layer."""
     random = np.random.default_rng(8)
@@ -129,9 +123,6 @@ def test_drawn_landmarks_are_the_objects_of_the_label_map(run_algorithm, tmp_pat
     for row, start, stop, region in zip(runs.rows, runs.starts, runs.stops, runs.regions):
         drawn[row, start:stop] = classes[region - 1]
     np.testing.assert_array_equal(drawn, labels)
-
-
-# --- real data ---
 
 
 @pytest.mark.slow

@@ -101,9 +101,6 @@ def is_tidy(root: Path) -> bool:
     return not root.exists() or [path for path in root.rglob("*") if path.name.startswith(".") or path.is_file()] == []
 
 
-# --- installing ---
-
-
 @pytest.mark.slow
 @needs_pip
 def test_a_package_is_installed_without_a_network_and_can_be_used_at_once(root, wheels, installer):
@@ -251,9 +248,6 @@ def test_only_a_wheel_with_the_pinned_hash_is_installed(root, wheels, installer,
     else:
         assert "sent a different file for semref-made" in end_of(installer)
         assert is_tidy(root) and components.is_missing(GOOD)
-
-
-# --- missing packages ---
 
 
 def test_a_package_without_its_newest_part_is_too_old(qgis_app, tmp_path, monkeypatch):

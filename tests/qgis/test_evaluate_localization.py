@@ -46,9 +46,6 @@ def of(found, method, kind="map"):
     return [row for row in found if (row["method"], row["kind"]) == (method, kind)]
 
 
-# --- trials ---
-
-
 @pytest.mark.slow
 def test_every_trial_has_a_point_where_its_image_was_cut_and_rates_are_those_of_the_points(evaluate):
     found, results = evaluate(TRIALS=16)
@@ -82,9 +79,6 @@ def test_a_map_with_other_pixels_will_do(evaluate, tmp_path):
     found, results = evaluate(LABELS=str(path), **CLEAN, MIRRORED=0, TRIALS=6)
     assert results["SUCCESS_RATE"] > 0.7
     assert all(row["scale_error"] < 0.02 for row in found if row["method"] == "automatic" and row["right"])
-
-
-# --- report and numbers ---
 
 
 @pytest.fixture(scope="module")
@@ -121,9 +115,6 @@ def test_the_numbers_agree_with_the_outputs_and_include_the_tables(reported):
     assert [[cell["trials"] for cell in row] for row in numbers["noise"]["missed_by_invented"]] == [[2] * 4] * 4
     assert 0 < numbers["windows"]["tried"] <= numbers["windows"]["all"]
     assert numbers["settings"]["TRIALS"] == 8 and numbers["settings"]["SCALE"] == [0.8, 1.25]
-
-
-# --- errors ---
 
 
 def test_a_map_in_another_crs_is_refused_with_both(evaluate, tmp_path):

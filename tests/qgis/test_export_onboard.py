@@ -84,9 +84,6 @@ def test_maps_of_countries_keep_to_centimeters(qgis_app, epsg, extent, least):
     assert fitted_lon_lat(extent, crs, QgsCoordinateTransformContext()).error_m <= least
 
 
-# --- part of the map ---
-
-
 def test_only_the_corridor_along_a_route_is_exported(export, tmp_path, feedback):
     wkt = f"LINESTRING ({WEST + 100} {NORTH - 100}, {WEST + 600} {NORTH - 100})"
     route = str(write_layer(tmp_path / "route.gpkg", [(wkt, "a")]))
@@ -125,9 +122,6 @@ def test_an_area_elsewhere_is_refused(export, tmp_path, parameters):
     assert not (tmp_path / "area.npz").exists()
 
 
-# --- existing files ---
-
-
 def test_an_older_onboard_file_is_replaced_with_a_note(export, feedback):
     path = Path(export()["OUTPUT"])
     before = path.read_bytes()
@@ -136,9 +130,6 @@ def test_an_older_onboard_file_is_replaced_with_a_note(export, feedback):
     assert "is replaced" in feedback.textLog()
     assert path.read_bytes() != before
     assert [entry.name for entry in path.parent.iterdir()] == [path.name]
-
-
-# --- the same answers without QGIS ---
 
 
 @pytest.fixture
@@ -193,9 +184,6 @@ def test_photos_have_the_same_fixes_with_and_without_qgis(export, run_algorithm,
     assert found["status"] == expected["status"] == "fix"
     assert np.hypot(found["x"] - expected["x"], found["y"] - expected["y"]) < 0.02
     assert (found["x"], found["y"]) == pytest.approx((WEST + 350.3, NORTH - 280.6), abs=1)
-
-
-# --- label images without GDAL ---
 
 
 COLORS = {value: (50 * value, 255 - value, 7) for value in range(5)}

@@ -89,9 +89,6 @@ def writing(path):
         process.stdout.close()
 
 
-# --- complete or refused ---
-
-
 def test_what_a_killed_writer_left_is_rolled_back(read, built, database):
     with writing(database):
         pass
@@ -129,9 +126,6 @@ def test_reading_leaves_nothing_beside_the_file(read, database):
     read(database)
     assert [path.name for path in database.parent.iterdir()] == [database.name]
     assert database.read_bytes() == before
-
-
-# --- foreign content ---
 
 
 @pytest.fixture
@@ -187,8 +181,6 @@ def test_a_table_that_is_no_table_is_refused(read, database, statements):
     refusal(read, database)
 
 
-# --- values ---
-
 BAD_VALUES = [
     "UPDATE windows SET center_x = 1e308",
     "UPDATE windows SET center_x = NULL",
@@ -241,9 +233,6 @@ def test_an_impossible_value_is_refused_in_one_sentence(read, database, statemen
     refusal(read, database)
 
 
-# --- paths ---
-
-
 @pytest.mark.parametrize("name", ['a"b', "a:b", "a'b ? #%41"])
 def test_an_odd_path_has_its_overview_comes_onto_the_map_and_can_be_updated(update, built, tmp_path, name):
     (tmp_path / name).mkdir()
@@ -255,9 +244,6 @@ def test_an_odd_path_has_its_overview_comes_onto_the_map_and_can_be_updated(upda
     add_database_to_map(path, project)
     assert sorted(layer.name() for layer in project.mapLayers().values()) == ["Landmarks", "Overview", "Windows"]
     assert Path(update(path)).is_file()
-
-
-# --- checksums ---
 
 
 def test_a_flipped_bit_in_a_stored_number_is_refused(read, built, database):

@@ -98,9 +98,6 @@ def test_a_georeference_that_no_map_has_is_refused(qgis_app, run_algorithm, tmp_
         GdalLabels(str(path))
 
 
-# --- planted side-cars ---
-
-
 def in_tag(path, name):
     """Write the item into the TIFF itself."""
     dataset = gdal.Open(str(path), gdal.GA_Update)

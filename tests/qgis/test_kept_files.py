@@ -75,9 +75,6 @@ def test_a_point_that_was_cut_short_is_refused():
         points_of([blob(POINTS[0]), blob(POINTS[1])[:-3]])
 
 
-# --- earlier versions ---
-
-
 def check(database):
     """Require the map of tests/data/onboard_area.py and the right position of an image."""
     assert (len(database.references), len(database.windows)) == (417, 36)

@@ -71,9 +71,6 @@ def colored(labels: np.ndarray) -> np.ndarray:
     return np.moveaxis(palette[labels], 2, 0)
 
 
-# --- labels ---
-
-
 def test_the_labels_folder_has_a_label_map_for_each_image_by_its_stem(localize, tmp_path):
     (tmp_path / "other").mkdir()
     first = image(tmp_path, "a.png", window(0, 0))
@@ -95,9 +92,6 @@ def test_the_published_method_has_no_matches(localize, tmp_path):
     matches = tmp_path / "matches.gpkg"
     localize([image(tmp_path, "a.png", window(0, 0))], MATCHES=str(matches))
     assert rows(str(matches)) == []
-
-
-# --- rows and columns ---
 
 
 def test_the_columns_are_those_of_the_format_in_order(localize, tmp_path):
@@ -153,9 +147,6 @@ def test_a_bad_image_gives_a_row_with_its_reason_and_does_not_stop_the_others(lo
     assert "missing.png" in feedback.textLog()
 
 
-# --- ways to name images ---
-
-
 def test_a_folder_means_its_images_in_order_of_name(localize, tmp_path):
     folder = tmp_path / "flight"
     (folder / "deeper").mkdir(parents=True)
@@ -164,9 +155,6 @@ def test_a_folder_means_its_images_in_order_of_name(localize, tmp_path):
     (folder / "a.png.aux.xml").write_text("<PAMDataset/>")
     found, _ = localize([str(folder)])
     assert [(row["image"], row["window"]) for row in found] == list(zip(paths, ["0_0", "40_40", "80_80"]))
-
-
-# --- kinds of images ---
 
 
 @pytest.mark.parametrize("suffix", [".png", ".tif"])
@@ -183,9 +171,6 @@ def test_a_georeference_is_not_needed_and_not_used(localize, tmp_path):
     elsewhere = (0.0, 3.0, 0.0, 0.0, 0.0, -3.0)
     path = write_raster(tmp_path / "a.tif", window(160, 200), transform=elsewhere, crs=3857)
     assert localize([str(path)])[0][0]["window"] == "160_200"
-
-
-# --- outputs ---
 
 
 def test_footprints_are_the_matched_windows(localize, tmp_path):

@@ -134,9 +134,6 @@ def test_few_landmarks_and_numbers_beyond_what_the_dialogs_take_are_refused(cond
         conditions("semref:assessdatabase", {"COMPARISON": page_of(numbers, landmarks)})
 
 
-# --- defaults ---
-
-
 def test_usual_values_are_those_that_assessments_assume():
     found = conditions_of({key.lower(): value for key, (value, _) in USUAL.items()})
     for name in ("missed", "spurious", "mislabeled", "jitter", "background", "leaning"):

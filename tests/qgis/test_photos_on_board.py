@@ -87,9 +87,6 @@ def test_what_a_model_states_of_its_classes_is_known_in_qgis_as_on_board(qgis_ap
     assert (bias.east, bias.spread, bias.sun_deg) == (0.5, 0.2, 120.0) and known.class_spread == NETWORK_SPREAD
 
 
-# --- in the dock ---
-
-
 HALVES = np.zeros((3, 300, 401), np.uint8)
 HALVES[0, :, :200], HALVES[2, :, 200:] = 200, 100
 

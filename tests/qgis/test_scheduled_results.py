@@ -104,9 +104,6 @@ def test_what_only_qgis_can_do_is_refused_before_any_work(run_algorithm, databas
         run_algorithm(LOCALIZE, {**asked, "OUTPUT": str(tmp_path / "positions.gpkg")})
 
 
-# --- trials ---
-
-
 @pytest.fixture(scope="module")
 def trial_area(build_area):
     return build_area(scattered_objects(420, 480, 300, seed=21, background=0), NAMES, SIZE, 40)

@@ -66,9 +66,6 @@ def test_the_class_without_a_name_is_not_shown_first(segment, image, tmp_path):
     assert (labels == 0).any() and (sure[labels == 0] <= 100).all()
 
 
-# --- the mask ---
-
-
 def two_squares(tmp_path, name="mask.gpkg", **options):
     return write_layer(tmp_path / name, [(square(20, 30, 50), "a"), (square(120, 160, 64), "b")], **options)
 

@@ -61,9 +61,6 @@ def test_kinds_and_methods_of_trials_have_labels(qgis_app):
     assert {method.key for method in Method} == set(words["road"])
 
 
-# --- numbers ---
-
-
 @pytest.fixture
 def german(qgis_app):
     before = QLocale()

@@ -145,9 +145,6 @@ def test_overlaps_have_the_area_of_a_plain_pairwise_intersection(kind, seed):
     assert {pair: area for pair, area in areas.items() if area > 0.01} == pytest.approx(expected, abs=1e-3)
 
 
-# --- pixels ---
-
-
 def landmark(wkt_number: int, area: float, class_value: int = 1) -> DrawnRegion:
     return DrawnRegion(b"", (0, 0, 1, 1), class_value, wkt_number, area)
 

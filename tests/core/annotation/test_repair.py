@@ -45,9 +45,6 @@ def kinds(findings) -> Counter:
     return Counter(finding.kind for finding in findings)
 
 
-# --- any input ---
-
-
 @every_kind
 @every_seed
 def test_polygons_are_valid_and_share_no_area(kind, seed):
@@ -102,9 +99,6 @@ def test_only_gaps_are_covered_that_were_not(kind, seed):
     before = shapely.union_all(shapely.make_valid(shapely.from_wkb([f.wkb for f in features])))
     gaps = sum(change.area for change in done.changes if change.kind == GAP)
     assert shapely.area(polygons_of(done)).sum() == pytest.approx(before.area + gaps, abs=1e-3)
-
-
-# --- single rules ---
 
 
 def test_features_without_class_or_area_give_no_polygon():

@@ -53,9 +53,6 @@ def evaluate(database):
     return make
 
 
-# --- queries ---
-
-
 def test_values_fill_their_ranges(evaluate):
     ranges = {"scale": (0.5, 2.0), "rotation": (10.0, 20.0), "offset": (0.1, 0.4), "missed": (10, 30), "ragged": (1, 3)}
     queries = list(evaluate(**ranges).trials(300, 0))
@@ -141,9 +138,6 @@ def test_impossible_ranges_are_refused_by_name(name, limits):
         TrialRanges(**{name: limits})
 
 
-# --- judging ---
-
-
 class Told:
     """Localizer that returns the results it was made with."""
 
@@ -207,8 +201,6 @@ def test_shared_errors_leave_images_where_they_were(evaluate):
     assert [q.view.position for q in plain] == [q.view.position for q in shared]
     assert [q.noise.missed for q in plain] == [q.noise.missed for q in shared]
 
-
-# --- plan ---
 
 BOTH = [Method.AUTOMATIC, Method.TOPOLOGY_VECTOR]
 

@@ -183,8 +183,6 @@ def test_a_prior_applies_to_both_methods(localizer):
     assert localizer.localize(image, Method.AUTOMATIC, replace(here, position=ORIGIN)).status != Status.FIX
 
 
-# --- decisions ---
-
 PLACE = Place((100.0, 200.0), 30.0, 1.0)
 SAID = Sentence("The mirrored image matches almost as well; the pattern of landmarks is too regular.")
 KNOWN = {"best": PLACE, "confidence": 1 - 1e-6, "risk": 1e-6, "error_95_m": 1.0}

@@ -29,9 +29,6 @@ def image(tmp_path):
     return write
 
 
-# --- info and localize ---
-
-
 def test_info_shows_the_content_of_the_file(area, capsys):
     assert main(["info", area]) == ALL_FIXED
     said = capsys.readouterr().out

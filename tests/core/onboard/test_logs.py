@@ -169,9 +169,6 @@ def test_a_name_that_is_no_utf8_comes_back_as_the_system_has_it():
     assert json.loads(text)["path"] == "a\udcff.png"
 
 
-# --- the device of the network ---
-
-
 @pytest.fixture
 def logged(lines, tmp_path, monkeypatch):
     """`logged(device)` returns the lines of the log where only the CPU exists."""

@@ -193,9 +193,6 @@ def test_an_image_of_before_1970_is_sent_as_well(autopilot, lon_lat, message):
     assert sent(autopilot, lon_lat, kind, message, record(time="1969-12-31T23:00:00+00:00")) is not None
 
 
-# --- the command line ---
-
-
 def test_watch_sends_positions_to_an_autopilot(area, autopilot, tmp_path):
     folder = tmp_path / "incoming"
     folder.mkdir()

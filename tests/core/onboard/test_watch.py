@@ -101,9 +101,6 @@ def test_watch_takes_an_image_when_it_is_complete(monkeypatch):
     assert [next(arriving), next(arriving), next(arriving)] == ["b", "a", "b"]
 
 
-# --- faults that must not end it ---
-
-
 def test_names_that_are_no_text_links_to_themselves_and_pipes_do_not_end_it(watching, folder):
     os.symlink("loop.png", folder / "loop.png")
     os.symlink("nowhere", folder / "broken.png")

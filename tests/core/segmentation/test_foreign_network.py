@@ -159,9 +159,6 @@ def test_the_preset_of_flair_uses_15_of_19_outputs_for_7_classes():
     assert tuple(dict.fromkeys(filter(None, FLAIR.classes))) == seven
 
 
-# --- bad input ---
-
-
 def test_other_inputs_than_three_bands_first_are_refused(tmp_path):
     network = writer.Network().add("Transpose", perm=(0, 3, 1, 2))
     for shape in ((1, SIZE, SIZE, 3), ("n", "h", "w", 3)):

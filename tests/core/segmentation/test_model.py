@@ -86,9 +86,6 @@ def test_a_class_table_names_the_channels_of_a_model_that_does_not(load):
     np.testing.assert_array_equal(seen_by(load(table=table, metadata=metadata(class_names=None))), LABELS * 10)
 
 
-# --- unsupported models ---
-
-
 WHOLE = smallest_model()
 CUT = [WHOLE[: int(len(WHOLE) * share)] for share in (0.1, 0.5, 0.9)]
 

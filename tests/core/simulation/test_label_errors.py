@@ -103,9 +103,6 @@ def test_an_image_of_one_class_stays_what_it_is(noise):
     np.testing.assert_array_equal(spoiled(labels, noise), labels)
 
 
-# --- landmarks drawn into labels ---
-
-
 def spoiled_squares(noise, seed=0, donor=None):
     return spoiled(squares(), noise, seed, (1, 2), squares() if donor is None else donor)
 
@@ -135,9 +132,6 @@ def test_mislabeled_landmarks_keep_their_shape():
     np.testing.assert_array_equal(labels == 7, squares() == 7)
     changed = extract_landmarks(np.where(labels != squares(), labels, 0).astype(np.uint8), (1, 2), 1)
     assert 8 <= len(changed) <= 32
-
-
-# --- background ---
 
 
 def test_background_gets_other_background_and_landmarks_stay():
