@@ -1,5 +1,3 @@
-"""The public Python API, and the README's example of it."""
-
 import re
 import subprocess
 import sys

@@ -1,5 +1,3 @@
-"""Sizes for an area, from the landmarks of its map and the ground of a photo."""
-
 from dataclasses import replace
 
 import numpy as np

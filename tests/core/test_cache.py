@@ -1,5 +1,3 @@
-"""Arrays from the cache equal the stored ones bit for bit; otherwise they are built again."""
-
 import hashlib
 import json
 import os

@@ -1,5 +1,3 @@
-"""Targets of links in the docs exist: pages, headings, pictures, algorithms, commands."""
-
 import re
 from pathlib import Path
 

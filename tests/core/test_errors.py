@@ -1,5 +1,3 @@
-"""Errors have one sentence in every process, and each limit has a reason and a use."""
-
 import pickle
 import re
 from pathlib import Path

@@ -1,5 +1,3 @@
-"""The pipeline's values and cameras, and the localization results that come out."""
-
 from dataclasses import replace
 
 import numpy as np

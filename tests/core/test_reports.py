@@ -1,5 +1,3 @@
-"""Reports are single files with escaped texts and the right values."""
-
 import re
 from xml.etree import ElementTree
 

@@ -1,5 +1,3 @@
-"""The shipped models are small, have the stated classes and license, and segment photos."""
-
 from pathlib import Path
 
 import cv2

@@ -1,5 +1,3 @@
-"""Sentences for the user: words, values and translation."""
-
 from __future__ import annotations
 
 import ast

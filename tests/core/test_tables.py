@@ -1,5 +1,3 @@
-"""Tables of flights and values from files are checked when they are read."""
-
 import tracemalloc
 
 import pytest

@@ -1,5 +1,3 @@
-"""Every text of the code has a usable Qt translation."""
-
 import importlib.util
 import re
 import string

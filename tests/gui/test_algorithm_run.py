@@ -1,5 +1,3 @@
-"""Algorithms and readers in the background end with one signal, whatever becomes of them."""
-
 import threading
 
 import pytest

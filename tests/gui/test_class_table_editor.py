@@ -1,5 +1,3 @@
-"""The window of class tables, and the button that opens it where an algorithm asks for one."""
-
 from pathlib import Path
 
 import pytest

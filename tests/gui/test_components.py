@@ -1,5 +1,3 @@
-"""The options page and the dock's notice, in real windows."""
-
 import os
 
 import pytest

@@ -1,5 +1,3 @@
-"""The tab Correct by itself, where a project has more polygon layers than the one that is gone through."""
-
 import pytest
 from dock_area import CRS, messages, rectangles, rubber_bands, settle, wait_until
 from qgis.core import (

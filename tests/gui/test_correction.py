@@ -1,5 +1,3 @@
-"""The tab Correct updates the database from a corrected layer with one button, and undoes it."""
-
 import contextlib
 import sqlite3
 import threading

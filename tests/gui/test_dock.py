@@ -1,5 +1,3 @@
-"""The dock as a whole: opened, filled, folded, unloaded; its status line and the database that its tabs share."""
-
 import time
 
 import numpy as np

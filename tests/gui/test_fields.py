@@ -1,5 +1,3 @@
-"""The widgets of SemRef's parameters, made as QGIS's dialogs make them, and copies of their values."""
-
 import ast
 import json
 import shlex

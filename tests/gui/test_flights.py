@@ -1,5 +1,3 @@
-"""The tab Localize with the images of one flight: offered, placed together, gone through, kept with its track."""
-
 import numpy as np
 import pytest
 from dock_area import CONSTELLATION, choose_method, results_of, start, wait_until

@@ -1,5 +1,3 @@
-"""The dock's box of images: what is added, dropped and removed there, and the model beside them."""
-
 import contextlib
 import sqlite3
 

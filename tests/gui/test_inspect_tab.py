@@ -1,5 +1,3 @@
-"""The tab Inspect: windows picked, named, compared with an image."""
-
 import pytest
 from dock_area import corners, cut_extent, localize, messages, rubber_bands, settle, wait_until
 from qgis.core import QgsPointXY

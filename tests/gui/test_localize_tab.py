@@ -1,5 +1,3 @@
-"""The tab Localize in a real window, with a small database that the algorithms build."""
-
 from types import SimpleNamespace
 
 import numpy as np

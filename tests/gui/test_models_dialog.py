@@ -1,5 +1,3 @@
-"""The list of models with their cards, and the dialog that adds one."""
-
 import html
 import json
 import os

@@ -1,5 +1,3 @@
-"""What the dock keeps in the project, also in one of an earlier version, and what opening another one does."""
-
 import shutil
 import time
 import zipfile

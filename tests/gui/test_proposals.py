@@ -1,5 +1,3 @@
-"""What dialogs begin with: of the project's layers those that they can only be, and the guessed class field."""
-
 from pathlib import Path
 
 import numpy as np

@@ -1,5 +1,3 @@
-"""Results in the dock: two lines a row at any width, and the selected image with its landmarks beside the map."""
-
 import shutil
 import threading
 from dataclasses import replace

@@ -1,5 +1,3 @@
-"""The dialog *Set up an area* of the dock: it shows the derived sizes, runs in the background and fills the project."""
-
 import re
 import shutil
 from pathlib import Path

@@ -1,5 +1,3 @@
-"""semref:addmodel: a network of others becomes a model that Segment image uses, with a card."""
-
 import subprocess
 import sys
 from pathlib import Path

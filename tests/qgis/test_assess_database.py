@@ -1,5 +1,3 @@
-"""semref:assessdatabase: layer, report and number of the expected success agree."""
-
 from pathlib import Path
 
 import numpy as np

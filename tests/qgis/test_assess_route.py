@@ -1,5 +1,3 @@
-"""semref:assessroute: expectations along a route, its gaps, and waypoint files."""
-
 import base64
 import json
 import re

@@ -1,5 +1,3 @@
-"""Cached columns of a large database equal its rows bit for bit, or they are not used."""
-
 import os
 import shutil
 import sqlite3

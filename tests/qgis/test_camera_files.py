@@ -1,5 +1,3 @@
-"""Cameras from CSV files, EXIF and XMP, and positions that photos state."""
-
 import struct
 from dataclasses import replace
 from pathlib import Path

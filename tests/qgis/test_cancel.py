@@ -1,5 +1,3 @@
-"""Cancel: an algorithm stops at once, writes no output and does not change an older one."""
-
 import os
 import shutil
 import time

@@ -1,5 +1,3 @@
-"""semref:checkannotation: findings are features and agree with rasterizing."""
-
 import re
 from pathlib import Path
 

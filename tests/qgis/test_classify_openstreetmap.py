@@ -1,5 +1,3 @@
-"""semref:classifyopenstreetmap: an extract, columns of tags or outlines become land cover."""
-
 from pathlib import Path
 
 import pytest

@@ -1,5 +1,3 @@
-"""semref:comparelabels: figures equal manual counts; each disagreement is a polygon, the largest first."""
-
 import json
 import sys
 

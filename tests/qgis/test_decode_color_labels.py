@@ -1,5 +1,3 @@
-"""semref:decodecolorlabels: every color becomes its class, on the grid of the image."""
-
 import numpy as np
 import pytest
 from made_inputs import CLASSES_CSV, NORTH, WEST, read_pixels, scattered_objects, write_raster, write_text

@@ -1,5 +1,3 @@
-"""semref:describeimage: landmarks are on the objects of the image, and the vector is that of matching."""
-
 import json
 from pathlib import Path
 

@@ -1,5 +1,3 @@
-"""The device in the options, its speed and its replacement, and the diagnostics for a bug report."""
-
 import os
 
 import numpy

@@ -1,5 +1,3 @@
-"""semref:evaluatelocalization: outputs agree, a seed repeats them, and wrong inputs are refused."""
-
 import json
 import threading
 from pathlib import Path

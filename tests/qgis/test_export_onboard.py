@@ -1,5 +1,3 @@
-"""semref:exportonboard: the file localizes like the database and does not replace other files silently."""
-
 import json
 import shutil
 import subprocess

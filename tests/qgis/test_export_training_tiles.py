@@ -1,5 +1,3 @@
-"""semref:exporttrainingtiles: images fit labels, training and validation are apart, the manifest is right."""
-
 import json
 from pathlib import Path
 

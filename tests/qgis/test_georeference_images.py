@@ -1,5 +1,3 @@
-"""semref:georeferenceimages: images with a position are georeferenced; the others are named."""
-
 import shutil
 import sys
 from pathlib import Path

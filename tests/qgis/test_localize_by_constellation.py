@@ -1,5 +1,3 @@
-"""semref:localizeimages with Constellation: a position anywhere, at any heading, or a reason."""
-
 import numpy as np
 import pytest
 from made_inputs import NAMES, NORTH, WEST, read_rows, scattered_objects, turned_view, write_raster

@@ -1,5 +1,3 @@
-"""semref:localizeimages with Map correlation: areas instead of landmarks."""
-
 import shutil
 
 import cv2

@@ -1,5 +1,3 @@
-"""semref:localizeflight on a made flight: rows, tracks, report, and bad input."""
-
 import threading
 import time
 from collections.abc import Sequence

@@ -1,5 +1,3 @@
-"""semref:localizeimages for images of a flight: leveled cameras, prior headings, marked jumps."""
-
 import numpy as np
 import pytest
 from made_inputs import NAMES, NORTH, WEST, read_rows, scattered_objects, write_raster, write_text

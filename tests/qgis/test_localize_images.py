@@ -1,5 +1,3 @@
-"""semref:localizeimages: one row per image, with its position or a reason."""
-
 import threading
 from pathlib import Path
 

@@ -1,5 +1,3 @@
-"""semref:localizeimages with MODEL: photos are segmented, then localized; classes are matched by name."""
-
 import json
 import shutil
 from pathlib import Path

@@ -1,5 +1,3 @@
-"""Class tables from a layer's classes, and one class for all polygons."""
-
 from pathlib import Path
 
 import pytest

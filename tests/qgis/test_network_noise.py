@@ -1,5 +1,3 @@
-"""Quality of labels as a preset, or measured by a comparison of label maps."""
-
 import numpy as np
 import pytest
 from made_inputs import NAMES, scattered_objects, write_raster, write_text

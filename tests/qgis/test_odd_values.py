@@ -1,5 +1,3 @@
-"""Values of parameters are read the same way from any form, and unusual ones give one sentence each."""
-
 import os
 from functools import partial
 

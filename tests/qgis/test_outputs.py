@@ -1,5 +1,3 @@
-"""Outputs are complete or missing, keep other content of their file, and never replace an input."""
-
 import os
 import shutil
 import signal

@@ -1,5 +1,3 @@
-"""A photo gives the same labels in QGIS and on board, without GDAL, and is reduced to the size of the dock."""
-
 import json
 
 import numpy as np

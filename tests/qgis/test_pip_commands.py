@@ -1,5 +1,3 @@
-"""Commands of pip for missing packages, and messages about its failures."""
-
 import os
 import sys
 

@@ -1,5 +1,3 @@
-"""semref:repairannotation: a clean layer with its attributes and a list of changes; a second run changes nothing."""
-
 from pathlib import Path
 
 import numpy as np

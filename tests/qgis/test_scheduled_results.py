@@ -1,5 +1,3 @@
-"""SCHEDULER: workers localize, assess and evaluate what QGIS does, with its messages."""
-
 import importlib.util
 import json
 from pathlib import Path

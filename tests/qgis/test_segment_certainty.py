@@ -1,5 +1,3 @@
-"""semref:segmentimage: masks, and the certainty of the network as rasters."""
-
 import numpy as np
 import pytest
 from made_inputs import NORTH, WEST, read_pixels, ring, spatial_reference, square, write_layer, write_raster

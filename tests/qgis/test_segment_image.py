@@ -1,5 +1,3 @@
-"""semref:segmentimage: every kind of raster becomes the network's label map, on its own ground."""
-
 import cv2
 import numpy as np
 import pytest

@@ -1,5 +1,3 @@
-"""Polygons of semref:segmentimage cover every labeled pixel once, share borders and have small regions merged."""
-
 import numpy as np
 import pytest
 import shapely

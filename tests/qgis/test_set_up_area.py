@@ -1,5 +1,3 @@
-"""semref:setuparea: from a map and photos to positions in one run, its bad inputs, and the sample area."""
-
 import csv
 import errno
 import gc

@@ -1,5 +1,3 @@
-"""Undo reverts exactly one update, a failed undo loses neither file, and copies wait for other programs."""
-
 import os
 import shutil
 import sqlite3

@@ -1,5 +1,3 @@
-"""semref:updatedatabase: the same file as a rebuild, with rows and fids of unchanged objects."""
-
 import contextlib
 import os
 import shutil

@@ -1,5 +1,3 @@
-"""Sentences, words and numbers in the user's language."""
-
 import pytest
 from made_inputs import square, write_layer
 from qgis.core import QgsProcessingFeedback, QgsVectorLayer

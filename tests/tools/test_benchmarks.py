@@ -1,5 +1,3 @@
-"""Scenarios are readable, results are complete, and docs/benchmarks.md is generated from them."""
-
 import importlib
 import json
 import re

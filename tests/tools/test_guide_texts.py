@@ -1,5 +1,3 @@
-"""The tutorials and how-to pages use the exact labels and messages of the screen."""
-
 import re
 import sys
 from pathlib import Path

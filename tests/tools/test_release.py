@@ -1,5 +1,3 @@
-"""Releases: news, metadata, and the checks of the zip."""
-
 from __future__ import annotations
 
 import shutil

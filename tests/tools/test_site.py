@@ -1,5 +1,3 @@
-"""The built site: every link works, the search has every page, and no page loads anything from the web."""
-
 import json
 import re
 import sys

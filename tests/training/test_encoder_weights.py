@@ -1,5 +1,3 @@
-"""Encoder weights from a file: complete or refused, matched by the encoder's names or by order."""
-
 import json
 
 import pytest

@@ -1,5 +1,3 @@
-"""The trained network keeps everything at its place."""
-
 import json
 
 PROGRAM = """

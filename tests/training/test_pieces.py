@@ -1,5 +1,3 @@
-"""Input of a network: pieces with labels at their pixels, channels, weights; and measures of its output."""
-
 import csv
 import json
 

@@ -1,5 +1,3 @@
-"""The fitted temperature is the one used to draw the labels."""
-
 import numpy as np
 import pytest
 

@@ -1,5 +1,3 @@
-"""A complete training of some seconds, with torch: messages, files, continuation and refusals."""
-
 import json
 import os
 import subprocess

@@ -1,5 +1,3 @@
-"""Check of land-cover layers: findings, counts and areas agree with plain computations."""
-
 from collections import Counter
 
 import cv2
@@ -40,6 +38,8 @@ def found(features, **settings) -> list:
         ([feature(None)], [(kinds.NO_GEOMETRY, WARNING, 0, None)]),
         ([feature(shapely.from_wkt("POLYGON EMPTY"))], [(kinds.NO_GEOMETRY, WARNING, 0, None)]),
         ([feature(BOWTIE)], [(kinds.INVALID, ERROR, 0, None)]),
+        ([feature(shapely.multipolygons([square(0, 0, 5), square(5, 0, 5)]))], [(kinds.INVALID, ERROR, 0, None)]),
+        ([feature(square(0, 0, 50)), feature(shapely.box(49.9999, 0, 90, 50), 2)], []),
         ([feature(LINE)], BROKEN_LINE),
         ([feature(LINE, NOTHING)], BROKEN_LINE),
         ([AnnotatedFeature(0, b"no geometry", 1)], [(kinds.INVALID, ERROR, 0, None)]),
@@ -77,8 +77,16 @@ def found(features, **settings) -> list:
         ),
     ],
     ids=[
-        *("nothing", "clean neighbors", "null", "empty", "invalid", "no area", "neither area nor class", "unreadable"),
-        *("two broken parts", "overlap", "decided overlap", "same class overlap", "duplicate"),
+        *("nothing", "clean neighbors", "null", "empty", "invalid", "parts that share an edge", "rounding", "no area"),
+        *(
+            "neither area nor class",
+            "unreadable",
+            "two broken parts",
+            "overlap",
+            "decided overlap",
+            "same class overlap",
+            "duplicate",
+        ),
         *("duplicate of another class", "decided duplicate", "duplicate with more vertices", "corner"),
         *("corner of no landmarks", "neighbors that are no landmarks", "corner of one feature", "hidden"),
         *("hidden by several", "gap", "large hole", "sliver"),
@@ -113,15 +121,6 @@ def test_invalid_coordinates_are_reported_and_left_out():
         broken = shapely.to_wkb(shapely.polygons([[0, 0], [np.nan, 5], [5, 5]]))
     findings = check([AnnotatedFeature(7, broken, 1), feature(square(0, 0, 5))])
     assert [(f.kind, f.feature_id) for f in findings] == [(kinds.INVALID, 7)]
-
-
-def test_a_multipolygon_whose_parts_touch_along_an_edge_is_invalid_though_its_parts_are_not():
-    parts = shapely.multipolygons([square(0, 0, 5), square(5, 0, 5)])
-    assert [f.kind for f in check([feature(parts)])] == [kinds.INVALID]
-
-
-def test_rounding_is_no_overlap():
-    assert found([feature(square(0, 0, 50)), feature(shapely.box(49.9999, 0, 90, 50), 2)]) == []
 
 
 @pytest.mark.slow

@@ -1,5 +1,3 @@
-"""Features become classes and valid single polygons; unusable ones are left out or refused."""
-
 import pytest
 import shapely
 from made_annotation import feature, numbered, square

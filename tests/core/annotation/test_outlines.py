@@ -1,5 +1,3 @@
-"""Outlines of the regions of a label map: each region is one valid polygon, and neighbors share vertices."""
-
 import cv2
 import numpy as np
 import pytest

@@ -1,5 +1,3 @@
-"""Repair of land-cover layers: any polygons become clean, and clean polygons do not change."""
-
 from collections import Counter
 from types import SimpleNamespace
 

@@ -1,5 +1,3 @@
-"""Assessments and their model of success give known probabilities."""
-
 from dataclasses import replace
 
 import numpy as np
@@ -25,7 +23,7 @@ def assessed(assessed_database, localizer):
 
 
 @pytest.mark.slow
-def test_success_is_expected_where_landmarks_are_and_nowhere_else(assessed):
+def test_success_and_an_error_are_expected_where_landmarks_are_and_nowhere_else(assessed):
     cells, _, estimates, _ = assessed
     inside = (cells.columns <= 4) & (cells.columns >= 1) & (cells.rows >= 1) & (cells.rows <= 4)
     outside = cells.columns >= 8
@@ -33,27 +31,18 @@ def test_success_is_expected_where_landmarks_are_and_nowhere_else(assessed):
     assert estimates.success[outside].max() < 0.1
     assert estimates.landmarks[inside].min() > 15 and estimates.landmarks[outside].max() == 0
     assert all(estimates.reasons[n] == "too_few_references" for n in np.flatnonzero(outside))
-
-
-@pytest.mark.slow
-def test_success_is_in_its_interval_and_trials_are_spread_evenly(assessed):
-    cells, trials, estimates, _ = assessed
-    assert ((estimates.low <= estimates.success) & (estimates.success <= estimates.high)).all()
-    assert set(estimates.trials.tolist()) <= {len(trials) // len(cells), len(trials) // len(cells) + 1}
-    assert set(estimates.reasons) <= {*REASONS, ""}
-
-
-@pytest.mark.slow
-def test_an_error_is_expected_only_where_there_are_fixes(assessed):
-    cells, _, estimates, _ = assessed
     assert np.isfinite(estimates.error[(cells.columns == 2) & (cells.rows == 2)]).all()
     assert np.isnan(estimates.error[cells.columns == 9]).all()
     assert np.nanmax(estimates.error) < 0.02 * FOOTPRINT
 
 
 @pytest.mark.slow
-def test_predictions_from_the_other_trials_come_true(assessed):
-    model = assessed[3].model
+def test_success_is_in_its_interval_trials_are_spread_evenly_and_predictions_come_true(assessed):
+    cells, trials, estimates, assessment = assessed
+    assert ((estimates.low <= estimates.success) & (estimates.success <= estimates.high)).all()
+    assert set(estimates.trials.tolist()) <= {len(trials) // len(cells), len(trials) // len(cells) + 1}
+    assert set(estimates.reasons) <= {*REASONS, ""}
+    model = assessment.model
     assert brier_score(model.left_out, model.successes > 0) < 0.06
 
 

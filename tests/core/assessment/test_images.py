@@ -1,5 +1,3 @@
-"""Simulated images show the landmarks of the map, with the requested noise."""
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,5 +1,3 @@
-"""Routes and simulated flights along them: expected positions, gaps and proposed shifts."""
-
 import numpy as np
 import pytest
 
@@ -63,13 +61,10 @@ def test_gaps_never_run_from_one_line_into_the_next():
     ]
 
 
-def test_the_shortest_of_equally_good_shifts_is_proposed():
+def test_the_shortest_of_equally_good_shifts_is_proposed_and_none_without_a_gain():
     successes = [np.full(3, value) for value in (0.9, 0.88, 0.3, 0.9)]
     hint = best_shift(np.full(3, 0.2), [-100.0, -50.0, 50.0, 100.0], successes)
     assert hint == ShiftHint(-50.0, pytest.approx(0.88), pytest.approx(0.2))
-
-
-def test_no_shift_is_proposed_without_a_gain():
     assert best_shift(np.full(3, 0.8), [-50.0, 50.0], [np.full(3, 0.85), np.full(3, 0.1)]) is None
 
 

@@ -1,5 +1,3 @@
-"""Assessed squares: where they are, and their verdicts, reasons and distinctive windows."""
-
 from dataclasses import replace
 
 import numpy as np

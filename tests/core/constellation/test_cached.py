@@ -1,5 +1,3 @@
-"""A cached index equals the built index bit for bit, or it is not used."""
-
 from dataclasses import fields, replace
 
 import numpy as np

@@ -1,5 +1,3 @@
-"""Clusters of poses, and the constellation's decision from log odds."""
-
 from dataclasses import replace
 
 import numpy as np
@@ -53,17 +51,13 @@ def test_the_reason_states_what_is_missing(changed, rivals, status, said):
     assert found == status and (reason is None if said is None else str(reason).startswith(said))
 
 
-def test_the_risk_that_is_allowed_decides():
+def test_the_risk_that_is_allowed_decides_and_only_a_rival_above_even_odds_adds_to_it():
     doubtful = replace(SURE, log_odds=20.0)
     told = risk_of_best(doubtful, CONSTELLATION.decision)
     assert verdict(doubtful, 0, 1.01 * told, CONSTELLATION.decision)[0] == Status.FIX
     assert verdict(doubtful, 0, 0.99 * told, CONSTELLATION.decision)[0] == Status.NO_MATCH
     assert may_be_a_fix(replace(doubtful, mirror=19.0), 1.01 * told, CONSTELLATION.decision)
     assert risk_against(doubtful, 19.0, CONSTELLATION.decision) > 100 * told
-
-
-def test_a_rival_below_even_odds_takes_nothing_off_and_one_above_does():
-    doubtful = replace(SURE, log_odds=20.0)
     alone, worse, little = (risk_against(doubtful, rival, CONSTELLATION.decision) for rival in (0.0, -5.0, 0.5))
     assert alone == worse < little
 

@@ -1,5 +1,3 @@
-"""The index describes triangles and finds its own, and none with other labels."""
-
 import numpy as np
 import pytest
 
@@ -18,25 +16,14 @@ from semref.core.database.model import MapLandmarks
 REACH = np.full((40, 5), 0.02)
 
 
-@pytest.fixture(scope="module")
-def asked(index):
-    """Return 40 of the index's own triangles: their numbers, descriptions and labels."""
+def test_each_of_its_own_triangles_is_found(index):
+    # 40 of the index's own triangles: their numbers, descriptions and labels.
     chosen = np.random.default_rng(5).choice(len(index.triangles), 40, replace=False)
     members = np.column_stack(index.members(chosen))
-    return chosen, describe_triangles(index.points[members], index.log_areas[members]), index.ranks[members]
-
-
-def hits_of(index, numbers, ranks):
-    which, first, last = key_ranges(index, numbers, ranks, REACH)
+    numbers = describe_triangles(index.points[members], index.log_areas[members])
+    which, first, last = key_ranges(index, numbers, index.ranks[members], REACH)
     stretch, hits = expand_ranges(first, last)
-    source = which[stretch]
-    like, source = similar_triangles(index, hits, source, numbers, REACH)
-    return source, like
-
-
-def test_each_of_its_own_triangles_is_found(index, asked):
-    chosen, numbers, ranks = asked
-    source, hits = hits_of(index, numbers, ranks)
+    hits, source = similar_triangles(index, hits, which[stretch], numbers, REACH)
     assert {(k, one) for k, one in enumerate(chosen)} <= set(zip(source.tolist(), hits.tolist()))
     assert len(hits) < 40 * 10
 

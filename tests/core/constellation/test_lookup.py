@@ -1,5 +1,3 @@
-"""Lookup of triangles and nearest landmarks, with known truth."""
-
 import dataclasses
 
 import numpy as np

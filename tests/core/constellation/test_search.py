@@ -1,5 +1,3 @@
-"""How the constellation chooses between poses on a made catalogue."""
-
 import numpy as np
 import pytest
 
@@ -58,26 +56,18 @@ def built_twice(catalogue):
 STEP = (900.0, 40.0)
 
 
-def at_the_copy(built_twice, index, cut):
-    """Return an image of the catalogue's middle, its pose, and the evidence for the copy of its place."""
+def test_before_a_place_is_a_fix_ground_around_that_looks_the_same_is_tried_unless_a_prior_excludes_it(
+    built_twice, index, cut
+):
     made = cut(1000.0, 1000.0, 30.0, 1.0)
-    here = made.pose.center + index.origin - built_twice.origin
+    query, here = made.query, made.pose.center + index.origin - built_twice.origin
     verifier = verification.Verifier(built_twice, EDGE, EDGE, 60.0)
-    telling = made.query.select(verification.telling_objects(made.query, CONSTELLATION.limits.largest_objects))
+    telling = query.select(verification.telling_objects(query, CONSTELLATION.limits.largest_objects))
     (copy,) = verification.verify(verifier, telling, [Pose(here + complex(*STEP), made.pose.turn)])
-    return made.query, verifier, here, copy
-
-
-def test_before_a_place_is_a_fix_ground_around_that_looks_the_same_is_tried(built_twice, index, cut):
-    query, verifier, here, copy = at_the_copy(built_twice, index, cut)
     assert copy.log_odds > 100 and len(copy.matched) > 20
     best, other = search.with_copies(verifier, query, [copy], None)[:2]
     assert abs(best.pose.center - here) < 0.5 and other is copy
     assert best.log_odds > copy.log_odds + 20
-
-
-def test_ground_that_a_prior_excludes_is_not_tried(built_twice, index, cut):
-    query, verifier, here, copy = at_the_copy(built_twice, index, cut)
     there = copy.pose.center + built_twice.origin
     prior = Prior(position=(there.real, there.imag), radius=300.0)
     assert search.with_copies(verifier, query, [copy], prior) == [copy]

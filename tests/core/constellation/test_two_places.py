@@ -1,5 +1,3 @@
-"""Images of two places, and of places with a change on one side: a reason, or a fix that names the part."""
-
 import dataclasses
 
 import numpy as np
@@ -22,14 +20,11 @@ def ground():
     return Ground(town(7))
 
 
-def joined(*parts):
-    names = [field.name for field in dataclasses.fields(Landmarks)]
-    return Landmarks(*(np.concatenate([getattr(part, name) for part in parts]) for name in names))
-
-
 def of_two(left, right, cut=SIZE / 2):
     """Return landmarks of one image left of the cut and of the other image right of it."""
-    return joined(left.select(left.centers_xy[:, 0] < cut), right.select(right.centers_xy[:, 0] >= cut))
+    parts = left.select(left.centers_xy[:, 0] < cut), right.select(right.centers_xy[:, 0] >= cut)
+    names = [field.name for field in dataclasses.fields(Landmarks)]
+    return Landmarks(*(np.concatenate([getattr(part, name) for part in parts]) for name in names))
 
 
 def test_an_image_of_two_places_is_recognized(ground):

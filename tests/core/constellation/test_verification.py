@@ -1,5 +1,3 @@
-"""Evidence for poses of a cut of a made catalogue with known noise."""
-
 from dataclasses import replace
 from types import SimpleNamespace
 

@@ -1,5 +1,3 @@
-"""A cached pyramid equals the computed pyramid bit for bit, or it is not used."""
-
 from dataclasses import replace
 
 import numpy as np

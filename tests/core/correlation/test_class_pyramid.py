@@ -1,5 +1,3 @@
-"""Class fractions and evidence of label rasters."""
-
 import numpy as np
 import pytest
 
@@ -14,14 +12,11 @@ def test_a_map_without_labels_has_no_channels():
     assert MapPyramid(np.zeros((40, 40), np.uint8), FRAME).space.channels == 0
 
 
-def test_fractions_count_the_pixels_of_each_class():
+def test_fractions_count_the_pixels_of_each_class_also_of_a_raster_of_one_pixel():
     labels = np.array([[1, 1, 2, 2], [1, 2, 2, 0]], np.uint8)
     fractions = class_fractions(labels, (1, 2), (2, 1))
     assert fractions.shape == (1, 2, 2)
     assert np.abs(fractions / FULL - [[[0.75, 0.25], [0.0, 0.75]]]).max() <= 1 / FULL
-
-
-def test_a_raster_of_one_pixel_has_fractions():
     assert class_fractions(np.full((1, 1), 2, np.uint8), (1, 2), (1, 1)).tolist() == [[[0, FULL]]]
 
 

@@ -1,5 +1,3 @@
-"""The decision of map correlation for known peaks and covariances."""
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,5 +1,3 @@
-"""Effect of leaning roofs on the pose of map correlation, on made maps of equal buildings."""
-
 import numpy as np
 import pytest
 

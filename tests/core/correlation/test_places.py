@@ -1,5 +1,3 @@
-"""Distinct places, search areas, images without information, and parts that disagree."""
-
 import numpy as np
 import pytest
 from made_patches import MODEST, PRIOR, STRONG, error_m, spoiled, view

@@ -1,5 +1,3 @@
-"""First search and refinement of poses, on images of a made map with known poses."""
-
 import numpy as np
 import pytest
 

@@ -1,5 +1,3 @@
-"""Map correlation on a made map of patches and houses."""
-
 from dataclasses import replace
 
 import numpy as np
@@ -72,13 +70,10 @@ def test_a_mirrored_image_is_not_found(labels, pyramid):
     assert "not significantly better than" in str(result.reason)
 
 
-def test_an_image_of_one_class_has_too_little_information(pyramid):
+def test_an_image_of_one_class_has_too_little_information_and_one_of_a_few_meters_asks_for_a_prior(pyramid, labels):
     result = localize(np.full((560, 560), 4, np.uint8), pyramid, PRIOR)
     assert result.status == "no_match"
     assert "class" in str(result.reason)
-
-
-def test_an_image_of_a_few_meters_asks_for_a_prior_instead_of_taking_minutes(labels, pyramid):
     result = localize(view(labels, (1300, 1000), 40, 1.0), pyramid, Prior(pixel_size_range=(0.001, 0.002)))
     assert result.status == "no_match"
     assert "prior" in str(result.reason)
@@ -100,15 +95,9 @@ def test_an_image_is_found_on_a_map_of_only_buildings(labels):
     assert result.status == "fix" and error_m(result.best, center) < 2.0
 
 
-@pytest.fixture(scope="module")
-def doubled(labels):
-    """Return the map with one place twice."""
-    labels = labels.copy()
-    labels[1100:1800, 1700:2500] = labels[200:900, 300:1100]
-    return labels
-
-
-def test_a_place_that_is_on_the_map_twice_is_ambiguous(doubled):
+def test_a_place_that_is_on_the_map_twice_is_ambiguous_without_a_prior(labels):
+    doubled = labels.copy()
+    doubled[1100:1800, 1700:2500] = labels[200:900, 300:1100]
     pyramid = MapPyramid(most_frequent_labels(doubled), FRAME)
     result = localize(view(doubled, (700, 550), 15, 1.0, (480, 480)), pyramid, PRIOR)
     assert result.status == "ambiguous"
@@ -116,10 +105,6 @@ def test_a_place_that_is_on_the_map_twice_is_ambiguous(doubled):
     assert min(places) < 4
     other = (2100, 1450) if places[0] < places[1] else (700, 550)
     assert error_m(result.alternatives[1], other) < 16
-
-
-def test_a_prior_distinguishes_the_two_places(doubled):
-    pyramid = MapPyramid(most_frequent_labels(doubled), FRAME)
     prior = replace(PRIOR, position=(ORIGIN[0] + 2000, ORIGIN[1] - 1400), radius=300.0)
     result = localize(view(doubled, (2100, 1450), 15, 1.0, (480, 480)), pyramid, prior)
     assert result.status == "fix"
@@ -138,16 +123,12 @@ def test_the_result_does_not_depend_on_tiles_or_threads(labels, pyramid, monkeyp
     assert abs(first.peaks.mirror - other.peaks.mirror) < 0.03
 
 
-@pytest.fixture(scope="module")
-def large(pyramid):
-    """Make the map count as so large that coarse pixels choose the places."""
-    return MapPyramid(pyramid.labels, pyramid.frame, replace(CORRELATION, most_at_once=0))
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("center, heading, pixel", [((1500, 700), 123, 0.9), ((1203.7, 905.2), 287, 1.2)])
-def test_a_look_at_larger_pixels_first_finds_the_same_place(labels, pyramid, large, center, heading, pixel):
+def test_a_look_at_larger_pixels_first_finds_the_same_place(labels, pyramid, center, heading, pixel):
     image = spoiled(view(labels, center, heading, pixel), replace(MODEST, patch_size=40).in_pixels(pixel), 5)
+    # The map counts as so large that coarse pixels choose the places.
+    large = MapPyramid(pyramid.labels, pyramid.frame, replace(CORRELATION, most_at_once=0))
     all_places, chosen = (localize(image, one, PRIOR) for one in (pyramid, large))
     assert (all_places.status, chosen.status) == ("fix", "fix")
     assert np.hypot(*np.subtract(all_places.best.position, chosen.best.position)) < 0.5
@@ -165,22 +146,18 @@ def test_a_fix_states_the_accuracy_of_position_heading_and_pixel_size(labels, py
     assert found.covariance.ellipse_95.semi_major >= found.covariance.ellipse_95.semi_minor > 0
 
 
-def test_agreement_is_high_only_at_the_place_of_the_image(labels, pyramid):
+def test_agreement_is_high_only_at_the_place_of_the_image_and_unknown_for_one_class_or_beside_the_map(labels, pyramid):
     image = spoiled(view(labels, (1500, 700), 123, 0.9), MODEST.in_pixels(0.9), 1)
     right = ORIGIN[0] + 1500, ORIGIN[1] - 700
     assert agreement_at(image, pyramid, Place(right, 123.0, 0.9)) > 0.6
     for position, heading in ((right, 303.0), ((ORIGIN[0] + 900, ORIGIN[1] - 1200), 123.0)):
         assert abs(agreement_at(image, pyramid, Place(position, heading, 0.9))) < 0.25
-
-
-def test_agreement_is_unknown_for_one_class_or_beside_the_map(labels, pyramid):
-    here = ORIGIN[0] + 1500, ORIGIN[1] - 700
-    assert agreement_at(np.full((560, 560), 4, np.uint8), pyramid, Place(here, 0.0, 1.0)) is None
-    assert agreement_at(np.zeros((560, 560), np.uint8), pyramid, Place(here, 0.0, 1.0)) is None
+    assert agreement_at(np.full((560, 560), 4, np.uint8), pyramid, Place(right, 0.0, 1.0)) is None
+    assert agreement_at(np.zeros((560, 560), np.uint8), pyramid, Place(right, 0.0, 1.0)) is None
     image = view(labels, (1500, 700), 123, 0.9)
     assert agreement_at(image, pyramid, Place((ORIGIN[0] - 5000, ORIGIN[1]), 123.0, 0.9)) is None
     one_class = MapPyramid(np.full((300, 300), 3, np.uint8), FRAME)
-    assert agreement_at(image, one_class, Place(here, 123.0, 0.9)) is None
+    assert agreement_at(image, one_class, Place(right, 123.0, 0.9)) is None
 
 
 def test_a_place_along_a_straight_shore_is_possible_but_no_fix():
@@ -201,14 +178,12 @@ SWAPPED = np.array([0, 1, 3, 2, 5, 4, 6], np.uint8)
 VALUES = np.arange(1, 7, dtype=np.uint8)
 
 
-def shares_of(labels_hw):
-    return ClassShares(VALUES, class_fractions(labels_hw, VALUES, (280, 280)))
-
-
 def test_shares_count_instead_of_the_labels(labels, pyramid):
     image = view(labels, CENTER, 33.0, 1.0)
     by_labels = localize(image, pyramid, PRIOR)
-    by_shares = localize(SWAPPED[image], pyramid, PRIOR, shares=shares_of(image))
+    by_shares = localize(
+        SWAPPED[image], pyramid, PRIOR, shares=ClassShares(VALUES, class_fractions(image, VALUES, (280, 280)))
+    )
     assert by_labels.is_fix and by_shares.is_fix
     assert error_m(by_shares.best, CENTER) < 4
     assert by_shares.peaks.score == pytest.approx(by_labels.peaks.score, abs=0.02)

@@ -1,5 +1,3 @@
-"""Accuracy of map correlation: effects of tilt and lens, and errors that do not average out."""
-
 import math
 
 import numpy as np

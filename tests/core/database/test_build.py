@@ -1,5 +1,3 @@
-"""Build of a database in memory: content, refused inputs, and cancel."""
-
 import math
 import re
 import threading

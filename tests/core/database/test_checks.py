@@ -1,5 +1,3 @@
-"""Build parameters and other values of a file are read exactly as written, or refused."""
-
 import json
 from dataclasses import asdict, replace
 

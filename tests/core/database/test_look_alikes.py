@@ -1,5 +1,3 @@
-"""Windows of a database, and those similar to a given one."""
-
 import numpy as np
 import pytest
 

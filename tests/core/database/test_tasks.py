@@ -1,5 +1,3 @@
-"""A build gives the same database for any split into tasks, any worker and any order."""
-
 import threading
 import time
 from dataclasses import replace

@@ -1,5 +1,3 @@
-"""An updated database equals a full rebuild for any edit."""
-
 from dataclasses import fields, replace
 from functools import partial
 

@@ -1,5 +1,3 @@
-"""Evaluation: queries show their place, results are judged, and a seed repeats everything."""
-
 import math
 from dataclasses import replace
 

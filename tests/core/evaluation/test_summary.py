@@ -1,5 +1,3 @@
-"""Summaries, rates and JSON count each trial of the right kind."""
-
 import json
 import math
 from dataclasses import replace
@@ -183,12 +181,9 @@ def test_a_rate_counts_true():
     assert rate_of([True, False, np.True_]) == Rate(2, 3)
 
 
-def test_every_value_is_in_its_bin_and_the_last_bin_includes_its_end():
+def test_every_value_is_in_its_bin_and_the_last_bin_includes_its_end_or_has_none():
     first, last = binned([0.0, 0.1, 0.9, 1.0], [True, False, True, True], (0.0, 0.25, 0.5, 1.0))
     assert (first.low, first.high, first.at, first.rate) == (0.0, 0.25, pytest.approx(0.05), Rate(1, 2))
     assert (last.low, last.high, last.at, last.rate) == (0.5, 1.0, pytest.approx(0.95), Rate(2, 2))
-
-
-def test_a_last_bin_may_have_no_end():
     (only,) = binned([300], [False], (0, 80, math.inf))
     assert (only.low, only.high, only.rate) == (80, math.inf, Rate(0, 1))

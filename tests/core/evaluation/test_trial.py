@@ -1,5 +1,3 @@
-"""Judgment of results: right or wrong, and errors against the ground truth."""
-
 import math
 from dataclasses import replace
 
@@ -61,13 +59,10 @@ def test_an_error_is_given_in_units_of_the_stated_radius():
     assert told(away=(0.0, 1.0), error_95_m=10.0, covariance=known).radius_ratio == pytest.approx(0.5)
 
 
-def test_an_error_on_the_ellipse_has_the_ratio_one():
+def test_an_error_on_the_ellipse_has_the_ratio_one_and_an_ellipse_without_extent_contains_only_zero():
     ellipse = Ellipse(4.0, 2.0, 90.0)
     assert ellipse_ratio(4.0, 0.0, ellipse) == pytest.approx(1)
     assert ellipse_ratio(0.0, 1.0, ellipse) == pytest.approx(0.5)
-
-
-def test_an_ellipse_without_extent_contains_only_zero_error():
     ellipse = Ellipse(0.0, 0.0, 0.0)
     assert ellipse_ratio(0.0, 0.0, ellipse) == 0
     assert 1 < ellipse_ratio(0.1, 0.0, ellipse) < math.inf

@@ -1,5 +1,3 @@
-"""The camera of an image from camera table, photo and log, and which of them counts first."""
-
 import pytest
 
 from semref.core.errors import ParameterError

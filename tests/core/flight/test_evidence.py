@@ -1,5 +1,3 @@
-"""Evidence of an image for its own place and for others."""
-
 from dataclasses import replace
 
 import numpy as np

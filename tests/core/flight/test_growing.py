@@ -1,5 +1,3 @@
-"""Reading a growing table: each row once, when it is complete."""
-
 import os
 
 import pytest

@@ -1,5 +1,3 @@
-"""Links give the place of a second image, and are derived from links that leave out an image."""
-
 import numpy as np
 import pytest
 

@@ -1,5 +1,3 @@
-"""Motion from image to image, read from a table."""
-
 import math
 
 import numpy as np
@@ -22,15 +20,11 @@ def links(tmp_path, lines, names, header=HEADER):
     return odometry_links(read_odometry(table(tmp_path, *lines, header=header)), names)
 
 
-def test_a_row_gives_the_motion_since_the_previous_row(tmp_path):
+def test_a_row_gives_the_motion_since_the_previous_row_up_and_right_in_a_view_to_the_north(tmp_path):
     (link,) = links(tmp_path, ["a.jpg,,,", "b.jpg,3,200,-10"], ["a.png", "/x/b.tif"])
     assert (link.first, link.second, link.source, link.in_meters) == (0, 1, LinkSource.ODOMETRY, True)
     assert link.translation == pytest.approx((3, -200))
     assert link.turn == pytest.approx(math.radians(-10))
-
-
-def test_from_a_view_to_the_north_the_second_is_up_and_right(tmp_path):
-    (link,) = links(tmp_path, ["a,,,", "b,3,200,-10"], ["a", "b"])
     center, turn = link.after(0j, 1 + 0j)
     assert center == pytest.approx(3 + 200j)
     assert math.degrees(math.atan2(turn.imag, turn.real)) == pytest.approx(10)

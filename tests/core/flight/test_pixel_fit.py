@@ -1,5 +1,3 @@
-"""Features of two images, and the mapping fitted to matched ones with its uncertainty."""
-
 from functools import partial
 
 import numpy as np

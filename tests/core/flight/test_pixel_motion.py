@@ -1,5 +1,3 @@
-"""Motion between two images from their pixels, on pictures cut from one scene with known truth."""
-
 import functools
 
 import cv2

@@ -1,5 +1,3 @@
-"""Poses of a flight: hypotheses, measurements and records."""
-
 from types import SimpleNamespace
 
 import numpy as np

@@ -1,5 +1,3 @@
-"""The smoother, on simulated tracks with known errors."""
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,5 +1,3 @@
-"""Attitude, height, heading and motion of images from a log."""
-
 import math
 
 import numpy as np

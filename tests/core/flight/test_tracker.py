@@ -1,5 +1,3 @@
-"""Flights over a made map, whole and image by image: positions, restarts and bounded memory."""
-
 from dataclasses import replace
 
 import numpy as np
@@ -83,12 +81,6 @@ def test_the_mirrored_opponent_is_searched_in_as_many_headings_as_the_flight():
     assert opponent.seen.prior == Prior(None, None, 330.0, 10.0, (0.9, 1.1))
 
 
-def moved_state(tracker, east):
-    state = tracker.state()
-    state["held_mean"] = state["held_mean"] + np.eye(8)[0] * east
-    return {**state, "pool_states": state["pool_states"] + np.eye(4)[0] * east}
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("east", [-300.0, 1000.0])
 def test_own_fixes_win_at_once_over_a_past_that_was_moved(labels, localizer, east):
@@ -96,7 +88,10 @@ def test_own_fixes_win_at_once_over_a_past_that_was_moved(labels, localizer, eas
     images, before = with_own(flown), FlightTracker(localizer, FEW)
     for pair in zip(images[:4], [None, *flown.links]):
         before.add(*pair)
-    tracker = FlightTracker.from_state(localizer, moved_state(before, east), FEW)
+    state = before.state()
+    moved = {"held_mean": state["held_mean"] + np.eye(8)[0] * east}
+    moved["pool_states"] = state["pool_states"] + np.eye(4)[0] * east
+    tracker = FlightTracker.from_state(localizer, {**state, **moved}, FEW)
     poses = [tracker.add(*pair) for pair in zip(images[4:], flown.links[3:])]
     errors = errors_m(poses, flown.views[4:])
     assert not (errors > 20).any() and errors[-1] < 5
@@ -173,14 +168,11 @@ def test_a_flight_is_placed_from_its_first_image_on(poses, flown):
     assert errors_m(poses, flown.views).max() < 12
 
 
-def test_headings_and_pixel_sizes_are_those_of_the_images(poses, flown):
+def test_headings_and_pixel_sizes_are_those_of_the_images_and_radii_contain_most_errors(poses, flown):
     for pose, view in zip(poses, flown.views):
         heading, size = pose.place.oriented
         assert abs((heading - view.heading_deg + 180) % 360 - 180) < 3
         assert size == pytest.approx(view.pixel_size, rel=0.03)
-
-
-def test_the_radius_contains_most_errors_and_is_no_larger_than_an_image(poses, flown):
     radii = np.array([pose.error_95_m for pose in poses])
     assert (errors_m(poses, flown.views) <= radii).mean() > 0.8
     assert radii.max() < 60

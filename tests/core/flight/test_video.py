@@ -1,5 +1,3 @@
-"""Frames of a video become images of a flight."""
-
 import csv
 import os
 import sys
@@ -51,12 +49,6 @@ def test_a_gimbal_in_the_log_levels_the_frames(video, tmp_path):
     assert (float(first["heading"]), float(first["pitch"]), float(first["roll"])) == (30, 5, 0)
 
 
-def test_nothing_is_overwritten(video, tmp_path):
-    list(write_frames(str(video), str(tmp_path / "out"), 2.0))
-    with pytest.raises(ParameterError, match="exists already"):
-        list(write_frames(str(video), str(tmp_path / "out"), 2.0))
-
-
 @pytest.mark.parametrize(
     "data", [b"", b"#EXTM3U\nhttp://nowhere/x.ts\n", b"v=0\nc=IN IP4 1.2.3.4\n", b"RIFF0000AVI junk"]
 )
@@ -83,13 +75,16 @@ def test_the_command_takes_subtitles_beside_the_video(video, tmp_path, capsys):
     assert "can't be read" in capsys.readouterr().err
 
 
-def test_an_existing_camera_table_is_reported_before_a_frame_is_written(video, tmp_path):
+def test_nothing_is_overwritten_and_an_existing_camera_table_is_reported_before_a_frame_is_written(video, tmp_path):
     folder = tmp_path / "out"
     folder.mkdir()
     (folder / "cameras.csv").write_text("mine")
     with pytest.raises(ParameterError, match="cameras.csv exists already"):
         list(write_frames(str(video), str(folder), 1.0))
     assert [path.name for path in folder.iterdir()] == ["cameras.csv"]
+    list(write_frames(str(video), str(tmp_path / "other"), 2.0))
+    with pytest.raises(ParameterError, match="exists already"):
+        list(write_frames(str(video), str(tmp_path / "other"), 2.0))
 
 
 @pytest.mark.skipif(os.name == "nt", reason="limits of files are Unix's")

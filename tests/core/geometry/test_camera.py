@@ -1,5 +1,3 @@
-"""Pixel size on the ground: ranges contain the truth and are as narrow as the inputs allow."""
-
 import numpy as np
 import pytest
 

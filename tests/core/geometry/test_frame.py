@@ -1,5 +1,3 @@
-"""Map coordinates, pixels, footprints, and circles and ellipses of errors."""
-
 import numpy as np
 import pytest
 

@@ -1,5 +1,3 @@
-"""Lens distortion: OpenCV's formula and its inverse; lenses without an inverse are not used."""
-
 from dataclasses import replace
 
 import cv2

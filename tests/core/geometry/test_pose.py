@@ -1,5 +1,3 @@
-"""Poses map image points to the map and back, and are fitted to points."""
-
 import numpy as np
 import pytest
 

@@ -1,5 +1,3 @@
-"""The covariance of a pose covers true errors that landmarks share, and lists its parts."""
-
 import numpy as np
 import pytest
 

@@ -1,5 +1,3 @@
-"""The overview of a label map and the hashes of its blocks, for any bands of rows."""
-
 import hashlib
 
 import numpy as np

@@ -1,5 +1,3 @@
-"""The class table: reading, writing, lookup, proposals, and a message for each mistake."""
-
 import re
 
 import pytest
@@ -183,18 +181,12 @@ def test_exactly_the_named_classes_become_references(chosen, values):
     assert [c.name for c in table] == [c.name for c in TABLE]
 
 
-def test_an_unknown_reference_class_is_refused_with_the_classes_there_are():
+def test_unknown_references_value_zero_and_a_table_without_references_are_refused():
     with refuses("There is no class “wood”; the classes are 1 building, 3 bare, dry “land”, 7 water."):
         TABLE.with_references(["wood"])
-
-
-def test_value_zero_can_not_be_chosen_as_a_reference():
     table = ClassTable((LandCoverClass(0, "other", "#000000"), LandCoverClass(1, "a", "#000000")))
     with refuses("Class “other” has the value 0, which means unlabeled; it can't be a reference class."):
         table.with_references(["other"])
-
-
-def test_a_table_without_references_is_refused_where_one_is_needed():
     assert TABLE.require_references() is TABLE
     with refuses(
         "No class is a reference class. Choose at least one of 1 building, 3 bare, dry “land”, "
@@ -207,20 +199,24 @@ def test_long_tables_are_described_in_short():
     assert english(class_table_from_values(range(1, 31)).describe()).endswith("12 12 and 18 more")
 
 
-def test_default_colors_are_valid_distinct_and_always_the_same():
+def test_default_colors_are_valid_distinct_and_always_the_same_and_read_as_red_green_blue():
     colors = [default_color(value) for value in range(1, 256)]
     assert all(re.fullmatch("#[0-9a-f]{6}", color) for color in [default_color(0), *colors])
     assert len(set(colors)) == 255
     assert colors[:2] == ["#cc6677", "#332288"]
+    assert LandCoverClass(1, "a", "#0a80FF").rgb == (10, 128, 255)
 
 
-def test_a_label_map_has_at_most_255_classes():
+def test_a_label_map_has_at_most_255_classes_and_a_full_table_no_room_for_other_ground():
     assert len(class_table_from_names(str(n) for n in range(255))) == 255
     with refuses(
         "There are 256 classes, but a label map can store 255. "
         "Choose another class field, or merge classes with a class table."
     ):
         class_table_from_names(str(n) for n in range(256))
+    full = class_table_from_names([f"class {n}" for n in range(255)])
+    with pytest.raises(ClassTableError, match="255"):
+        full.with_filling()
 
 
 @pytest.mark.parametrize("value", [-3, 256])
@@ -243,10 +239,6 @@ def test_lists_are_text_separated_by_semicolons(text, items):
     assert split_list(text) == items
 
 
-def test_colors_are_read_as_red_green_blue():
-    assert LandCoverClass(1, "a", "#0a80FF").rgb == (10, 128, 255)
-
-
 @pytest.mark.parametrize(
     ("values", "said"),
     [
@@ -261,9 +253,14 @@ def test_what_no_file_could_hold_is_refused(values, said):
     assert LandCoverClass(1, "n" * limits.NAME_CHARACTERS, "#ff0000", draw_order=1e300).draw_order == 1e300
 
 
-def test_a_line_too_long_for_any_table_is_refused():
+def test_long_lines_numbers_and_tables_are_refused_before_colors_are_chosen(monkeypatch):
     with pytest.raises(ClassTableError, match="classes.csv has a line of more than"):
         class_table_from_csv("value,name\n1," + "n" * 200_000, "classes.csv")
+    with pytest.raises(ClassTableError, match="not three numbers"):
+        csv("1,water,,,," + "9" * 5000 + " 0 0,1 2 3")
+    monkeypatch.setattr("semref.core.labels.class_table.chosen_colors", lambda *_: pytest.fail("colors were chosen"))
+    with pytest.raises(ClassTableError, match="300 classes"):
+        csv(*["1,water"] * 300)
 
 
 def test_a_table_gets_a_class_for_ground_that_no_polygon_covers():
@@ -281,23 +278,6 @@ def test_a_class_other_that_is_there_is_taken_and_one_for_no_label_makes_room():
     assert (none.filling.value, len(none)) == (2, 2)
 
 
-def test_a_full_table_has_no_room_for_ground_that_no_polygon_covers():
-    full = class_table_from_names([f"class {n}" for n in range(255)])
-    with pytest.raises(ClassTableError, match="255"):
-        full.with_filling()
-
-
-def test_a_color_range_with_thousands_of_digits_is_refused():
-    with pytest.raises(ClassTableError, match="not three numbers"):
-        csv("1,water,,,," + "9" * 5000 + " 0 0,1 2 3")
-
-
-def test_a_table_with_many_lines_is_refused_before_colors_are_chosen(monkeypatch):
-    monkeypatch.setattr("semref.core.labels.class_table.chosen_colors", lambda *_: pytest.fail("colors were chosen"))
-    with pytest.raises(ClassTableError, match="300 classes"):
-        csv(*["1,water"] * 300)
-
-
 PRESET = class_table_from_csv(
     "value,name,color,role\n5,water,#000080,background\n9,Exotic Forest,#003300,reference\n"
     "23,311 Broad-leaved forest,#80ff00,background\n"
@@ -308,20 +288,17 @@ def rows(table) -> list[tuple]:
     return [(c.value, c.name, c.color, c.role) for c in table]
 
 
-def test_classes_known_by_texts_are_numbered_in_order_colored_and_given_roles_by_name():
+def test_classes_known_by_texts_keep_them_and_are_numbered_colored_and_given_roles_by_name():
     table = proposed_table([FoundClass("forest", "forest"), FoundClass("water", "water")])
     assert [(c.value, c.name, c.role) for c in table] == [(1, "forest", "background"), (2, "water", "reference")]
     assert (table.find("forest").color, table.find("water").color) == ("#1f7a3a", "#3a87c8")
+    table = proposed_table([FoundClass("wa", "Water", "#123456")])
+    assert table.find("wa").color == "#123456"
 
 
 def test_the_styles_colors_come_first_and_name_classes_that_are_numbers():
     found = [FoundClass("7", "Lake", "#123456", 7), FoundClass("3", "House", "#654321", 3)]
     assert rows(proposed_table(found)) == [(3, "House", "#654321", "reference"), (7, "Lake", "#123456", "reference")]
-
-
-def test_texts_keep_their_names_whatever_the_style_calls_them():
-    table = proposed_table([FoundClass("wa", "Water", "#123456")])
-    assert table.find("wa").color == "#123456"
 
 
 def test_a_nomenclature_gives_values_colors_and_roles_and_others_come_behind_it():

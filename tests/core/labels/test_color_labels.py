@@ -1,5 +1,3 @@
-"""Color label images become label maps."""
-
 import colorsys
 
 import cv2
@@ -21,22 +19,12 @@ def image_of(*colors_rgb):
     return np.array([[color[::-1] for color in colors_rgb]], np.uint8).reshape(1, -1, 3)
 
 
-def painted(labels_hw, table):
-    image = np.zeros((*labels_hw.shape, 3), np.uint8)
-    for c in table:
-        image[labels_hw == c.value] = c.rgb[::-1]
-    return image
-
-
-def hue(degrees):
-    return tuple(round(255 * part) for part in colorsys.hsv_to_rgb(degrees / 360, 1, 1))
-
-
 @pytest.mark.parametrize(
     ("degrees", "label"), [(0, 1), (18, 1), (22, 0), (338, 0), (342, 1), (358, 1), (120, 0), (240, 2)]
 )
 def test_a_hue_range_may_wrap_around_red(degrees, label):
-    assert decode_by_hsv(image_of(hue(degrees)), ClassTable((RED, BLUE))).tolist() == [[label]]
+    hue = [round(255 * part) for part in colorsys.hsv_to_rgb(degrees / 360, 1, 1)]
+    assert decode_by_hsv(image_of(hue), ClassTable((RED, BLUE))).tolist() == [[label]]
 
 
 @pytest.mark.parametrize("color", [(70, 0, 0), (255, 200, 200), (40, 10, 10)])
@@ -59,12 +47,9 @@ def test_decoding_by_hsv_without_any_range_is_refused():
         decode_by_hsv(image_of((0, 0, 0)), ClassTable((GREEN,)))
 
 
-def test_a_black_class_keeps_its_pixels():
+def test_a_black_class_keeps_its_pixels_and_equally_near_colors_go_to_the_smaller_value():
     table = ClassTable((RED, LandCoverClass(9, "coal", "#000000")))
     assert decode_by_nearest_color(image_of((0, 0, 0), (9, 9, 9)), table).tolist() == [[9, 9]]
-
-
-def test_equally_near_colors_go_to_the_smaller_value():
     table = ClassTable((LandCoverClass(4, "a", "#640000"), LandCoverClass(8, "b", "#840000")))
     assert decode_by_nearest_color(image_of((0x74, 0, 0)), table).tolist() == [[4]]
 
@@ -79,7 +64,10 @@ def test_equally_near_colors_go_to_the_smaller_value():
 )
 def test_decoding_exactly_inverts_painting(decode, table):
     labels = np.random.default_rng(0).choice(np.array([0, *(c.value for c in table)], np.uint8), (40, 60))
-    assert (decode(painted(labels, table), table) == labels).all()
+    image = np.zeros((*labels.shape, 3), np.uint8)
+    for c in table:
+        image[labels == c.value] = c.rgb[::-1]
+    assert (decode(image, table) == labels).all()
 
 
 @pytest.mark.parametrize("decode", [decode_by_hsv, decode_by_nearest_color])

@@ -1,5 +1,3 @@
-"""Confusion matrix and its figures, compared with counts done by hand."""
-
 import numpy as np
 import pytest
 
@@ -21,15 +19,12 @@ def compare(annotated, predicted):
     return LabelComparison(count_pairs(np.array(annotated, np.uint8), np.array(predicted, np.uint8)))
 
 
-def test_pairs_are_counted():
+def test_pairs_are_counted_exactly_also_of_more_pixels_than_single_precision_holds():
     random = np.random.default_rng(1)
     first, second = random.integers(0, 256, (2, 300, 400)).astype(np.uint8)
     wanted = np.zeros((256, 256), int)
     np.add.at(wanted, (first.ravel(), second.ravel()), 1)
     np.testing.assert_array_equal(count_pairs(first, second), wanted)
-
-
-def test_more_pixels_than_single_precision_holds_are_counted_exactly():
     labels = np.ones((4100, 4100), np.uint8)
     labels[0, 0] = 2
     counts = count_pairs(labels, labels)

@@ -1,5 +1,3 @@
-"""Label images and photos read without GDAL: class values, colors and no data."""
-
 import os
 import re
 import struct
@@ -106,16 +104,6 @@ def test_a_photo_with_damaged_tags_is_refused(image):
         read_photo(image("photo.tif", bytes(data)))
 
 
-@pytest.fixture
-def no_decoding(monkeypatch):
-    """Fail if anything is decoded: decoding allocates gigabytes for the pixels first."""
-
-    def load(_):
-        raise AssertionError("it is decoded")
-
-    monkeypatch.setattr(PngImageFile, "load", load)
-
-
 def png_of(*chunks) -> bytes:
     return b"\x89PNG\r\n\x1a\n" + b"".join(
         struct.pack(">I", length) + name + content + struct.pack(">I", zlib.crc32(name + content))
@@ -135,7 +123,9 @@ def header(width, height) -> tuple:
         (png_of(header(19_000, 19_000), (b"IDAT", b"x" * 20, 20)), "damaged"),
     ],
 )
-def test_a_png_that_claims_too_much_is_refused_before_it_is_decoded(image, no_decoding, read, data, said):
+def test_a_png_that_claims_too_much_is_refused_before_it_is_decoded(image, monkeypatch, read, data, said):
+    # Decoding allocates gigabytes for the pixels first.
+    monkeypatch.setattr(PngImageFile, "load", lambda _: pytest.fail("it is decoded"))
     with pytest.raises((ImageError, LabelMapError), match=said):
         read(image("claims.png", data))
 

@@ -1,5 +1,3 @@
-"""Rules turn tags of OpenStreetMap into classes: the highest priority counts, invalid tables are refused."""
-
 from pathlib import Path
 
 import pytest

@@ -1,5 +1,3 @@
-"""EXIF and XMP are read without GDAL, and become cameras; damaged tags give nothing."""
-
 import struct
 import subprocess
 import sys
@@ -48,7 +46,7 @@ def jpeg(exif_block=None, xmp=XMP, shape_hw=(2250, 4000)):
     return b"\xff\xd8" + b"".join(parts) + segment(0xC0, b"\x08" + struct.pack(">HH", *shape_hw) + b"\x03")
 
 
-def test_a_known_camera_gives_pixel_size_and_heading():
+def test_a_known_camera_gives_pixel_size_and_heading_and_another_one_uses_its_35_mm_focal_length():
     camera = camera_of(photo_tags(jpeg()), "IMG_1.jpg")
     # Focal length 3.61 mm, pixels of 1.5625 µm.
     assert camera.lens.focal_length_px((2250, 4000)) == pytest.approx(3.61 / 0.0015625, rel=1e-6)
@@ -56,9 +54,6 @@ def test_a_known_camera_gives_pixel_size_and_heading():
     assert low < 39.8 / 2310.4 < high and camera.heading_deg == 315
     # Labels of half the size have pixels of twice the size.
     assert camera.pixel_sizes((1125, 2000))[0] == pytest.approx(2 * low, rel=1e-6)
-
-
-def test_another_camera_uses_its_35_mm_focal_length():
     camera = camera_of(photo_tags(jpeg(exif(model=b"OTHER"))), "IMG_1.jpg")
     assert camera.lens.kind == "focal_length_35mm" and camera.lens.value == 20
 
@@ -107,12 +102,9 @@ def photo(offset=8):
     return tiff(entries, at=offset)
 
 
-def test_a_tiff_has_size_orientation_and_xmp():
+def test_a_tiff_has_size_orientation_and_xmp_also_with_its_directory_after_the_pixels(tmp_path):
     tags = photo_tags(photo())
     assert (tags.shape_hw, tags.orientation, tags.number("RelativeAltitude")) == ((30, 40), 6, 52.5)
-
-
-def test_a_large_tiff_is_read_with_its_directory_after_the_pixels(tmp_path):
     path = tmp_path / "large.tif"
     path.write_bytes(photo(limits.TAG_BYTES + 1000))
     assert read_tags(str(path)).number("RelativeAltitude") == 52.5

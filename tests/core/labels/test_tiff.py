@@ -1,5 +1,3 @@
-"""Tags of TIFF files: georeference becomes meters per pixel; damaged or unknown tags become None."""
-
 import io
 import struct
 

@@ -1,5 +1,3 @@
-"""Training and validation tiles do not overlap and have about the asked shares."""
-
 import numpy as np
 import pytest
 

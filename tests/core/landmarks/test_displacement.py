@@ -1,5 +1,3 @@
-"""Comparisons recover noise, class offsets and displacements that were made."""
-
 import numpy as np
 import pytest
 

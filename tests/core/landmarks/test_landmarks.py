@@ -1,5 +1,3 @@
-"""Labels become landmarks: selected regions and their centers of gravity."""
-
 import cv2
 import numpy as np
 import pytest

@@ -1,5 +1,3 @@
-"""Regions that touch a place are found whole with tiles of any size, without reading the rest of the map."""
-
 import cv2
 import numpy as np
 import pytest

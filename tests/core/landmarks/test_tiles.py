@@ -1,5 +1,3 @@
-"""Landmarks found tile by tile, in any order, equal those of the whole map to the last bit."""
-
 import cv2
 import numpy as np
 import pytest

@@ -1,5 +1,3 @@
-"""Images of a distorting lens have more accurate positions if the calibration is known."""
-
 from dataclasses import replace
 
 import cv2

@@ -1,5 +1,3 @@
-"""Localization of leveled images: the level pose is known, and results are those of the original image."""
-
 import numpy as np
 import pytest
 

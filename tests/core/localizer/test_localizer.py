@@ -1,5 +1,3 @@
-"""The published method from label image to position, and its messages without a position."""
-
 from dataclasses import replace
 
 import numpy as np

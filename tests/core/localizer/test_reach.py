@@ -1,5 +1,3 @@
-"""Jumps are flagged, and images without a position are searched on the ground that the aircraft can reach."""
-
 import numpy as np
 import pytest
 

@@ -1,5 +1,3 @@
-"""Localizations as rows, reasons, and sentences of NMEA 0183."""
-
 from dataclasses import replace
 from datetime import datetime, timezone
 

@@ -1,5 +1,3 @@
-"""Cameras on board: table before photo before log, as in QGIS, and motion from the log."""
-
 import os
 
 import pytest

@@ -1,5 +1,3 @@
-"""``python -m core``: output, exit codes, and that it needs only a copy of its folder."""
-
 import json
 import os
 import re

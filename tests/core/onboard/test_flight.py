@@ -1,5 +1,3 @@
-"""``python -m core watch --flight``: each image uses the earlier ones, with bounded memory and after a restart."""
-
 import errno
 import io
 import json

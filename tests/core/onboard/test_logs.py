@@ -1,5 +1,3 @@
-"""The log of the command line, and the growing log of a ground station."""
-
 import json
 import logging
 import math

@@ -1,5 +1,3 @@
-"""``python -m core watch --mavlink``: messages for an autopilot, read by pymavlink."""
-
 import json
 import math
 import os
@@ -75,7 +73,9 @@ def middle_of_map():
     return 600350.0, 5199650.0
 
 
-def test_odometry_has_meters_from_the_middle_of_the_map_and_the_heading(autopilot, lon_lat):
+def test_odometry_has_meters_from_the_middle_of_the_map_the_heading_and_the_covariance_of_the_record(
+    autopilot, lon_lat
+):
     found = sent(autopilot, lon_lat, "ODOMETRY", "odometry", record())
     scale = 111_319.5 * math.cos(math.radians(46.997)) / 80_000
     x, y = middle_of_map()
@@ -87,10 +87,6 @@ def test_odometry_has_meters_from_the_middle_of_the_map_and_the_heading(autopilo
     assert found.time_usec == round(datetime.fromisoformat(TAKEN).timestamp() * 1e6)
     assert (found.reset_counter, found.quality, found.estimator_type) == (2, 98, 2)
     assert math.isnan(found.vx) and math.isnan(found.velocity_covariance[0])
-
-
-def test_its_covariance_is_that_of_the_record_with_what_is_not_known(autopilot, lon_lat):
-    found = sent(autopilot, lon_lat, "ODOMETRY", "odometry", record())
     full = np.zeros((6, 6))
     full[np.triu_indices(6)] = found.pose_covariance
     axes = local_axes(lon_lat, CENTER)

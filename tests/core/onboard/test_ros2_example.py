@@ -41,8 +41,7 @@ class Node:
 PARAMETERS: dict[str, str] = {}
 
 
-@pytest.fixture
-def example(repository, monkeypatch):
+def test_the_node_publishes_where_an_image_was_taken(repository, area, monkeypatch):
     for name in ("rclpy", "rclpy.node", "geometry_msgs", "geometry_msgs.msg", "sensor_msgs", "sensor_msgs.msg"):
         monkeypatch.setitem(sys.modules, name, ModuleType(name))
     sys.modules["rclpy.node"].Node = Node
@@ -50,17 +49,16 @@ def example(repository, monkeypatch):
     messages = sys.modules["sensor_msgs.msg"]
     messages.Image, messages.NavSatFix = Stand, Stand
     messages.NavSatStatus = SimpleNamespace(STATUS_FIX=0, STATUS_NO_FIX=-1)
-    return runpy.run_path(str(repository / "docs" / "examples" / "ros2_node.py"))
-
-
-def test_the_node_publishes_where_an_image_was_taken(example, area, monkeypatch):
+    example = runpy.run_path(str(repository / "docs" / "examples" / "ros2_node.py"))
     PARAMETERS.update(database=area, model="")
     names = example["SemRef"].__init__.__globals__
     made = SimpleNamespace(classes=SimpleNamespace(values_in=lambda table, model: None))
     monkeypatch.setitem(names, "SegmentationModel", lambda path, threads: made)
-    monkeypatch.setitem(
-        names, "PhotoLabels", lambda model, image, values, size: SimpleNamespace(found=lambda: _gray(image))
-    )
+
+    def labels(model, image, values, size):
+        return SimpleNamespace(found=lambda: image.read(0, 0, *image.shape_hw[::-1])[0][:, :, 0])
+
+    monkeypatch.setitem(names, "PhotoLabels", labels)
     node = example["SemRef"]()
     height, width = HERE.shape
     step = 3 * width + 4
@@ -74,7 +72,3 @@ def test_the_node_publishes_where_an_image_was_taken(example, area, monkeypatch)
     assert abs(pose.pose.pose.orientation.z) < 0.02 and pose.pose.pose.orientation.w == pytest.approx(1, abs=1e-3)
     assert len(pose.pose.covariance) == 36 and 0 < pose.pose.covariance[0] < 9
     assert math.isnan(fix.altitude)
-
-
-def _gray(image):
-    return image.read(0, 0, image.shape_hw[1], image.shape_hw[0])[0][:, :, 0]

@@ -1,5 +1,3 @@
-"""A signed onboard file needs its key; an unsigned file is accepted only if no signature is required."""
-
 import json
 from datetime import datetime, timezone
 
@@ -60,11 +58,8 @@ def refusal(path, key) -> str:
     return str(refused.value)
 
 
-def test_an_unsigned_file_is_refused(area, folder):
+def test_an_unsigned_file_and_another_key_are_refused(area, folder, signed):
     assert "is not signed" in refusal(area, folder / "key")
-
-
-def test_another_key_is_refused(signed, folder):
     assert "was not signed with the key" in refusal(signed, folder / "other_key")
 
 

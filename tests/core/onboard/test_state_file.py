@@ -1,5 +1,3 @@
-"""The state file of a flight: private, used only if complete, never blocking."""
-
 import os
 
 import numpy as np
@@ -25,32 +23,21 @@ def test_what_was_written_is_read(state):
     assert all((found[name] == ARRAYS[name]).all() for name in ARRAYS)
 
 
-def test_every_byte_is_authenticated(state, tmp_path):
+def test_every_byte_is_authenticated_before_anything_is_parsed(state, tmp_path, monkeypatch):
     path = tmp_path / "flight.npz"
     data = path.read_bytes()
+    monkeypatch.setattr("numpy.load", lambda *_, **__: pytest.fail("it was parsed"))
     for place in range(len(data)):
         path.write_bytes(data[:place] + bytes([data[place] ^ 1]) + data[place + 1 :])
         with pytest.raises(ParameterError, match="changed since"):
             state.read()
-    for count in (0, 10, 32, len(data) - 1):
-        path.write_bytes(data[:count])
+    for wrong in (*(data[:count] for count in (0, 10, 32, len(data) - 1)), data + b"1"):
+        path.write_bytes(wrong)
         with pytest.raises(ParameterError, match="changed since"):
             state.read()
 
 
-def test_nothing_is_parsed_before_the_code_is_right(state, tmp_path, monkeypatch):
-    monkeypatch.setattr("numpy.load", lambda *_, **__: pytest.fail("it was parsed"))
-    (tmp_path / "flight.npz").write_bytes((tmp_path / "flight.npz").read_bytes() + b"1")
-    with pytest.raises(ParameterError, match="changed since"):
-        state.read()
-
-
-def test_another_key_is_refused(state):
-    with pytest.raises(ParameterError, match="another key than this flight"):
-        StateFile(state.path, KEY[::-1]).read()
-
-
-def test_a_key_of_an_onboard_file_signs_a_state_for_nothing_else(state, tmp_path):
+def test_another_key_and_a_signature_for_something_else_are_refused(state, tmp_path):
     """A signature of other bytes with the same key, such as an onboard file's, is not valid for a state."""
     import hashlib
     import hmac
@@ -59,6 +46,8 @@ def test_a_key_of_an_onboard_file_signs_a_state_for_nothing_else(state, tmp_path
     (tmp_path / "flight.npz").write_bytes(data + hmac.new(KEY, data, hashlib.sha256).digest())
     with pytest.raises(ParameterError, match="changed since"):
         state.read()
+    with pytest.raises(ParameterError, match="another key than this flight"):
+        StateFile(state.path, KEY[::-1]).read()
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with names")
@@ -97,12 +86,9 @@ def test_a_file_that_a_power_failure_emptied_is_no_obstacle(tmp_path, left):
     assert StateFile.at(str(path), None).path == str(path)
 
 
-def test_a_folder_that_is_not_there_is_refused_by_name(tmp_path):
+def test_a_missing_folder_is_refused_by_name_and_without_a_secret_a_key_is_asked_for(tmp_path, monkeypatch):
     with pytest.raises(ParameterError, match="nowhere.*does not exist"):
         StateFile.at(str(tmp_path / "nowhere" / "flight.npz"), None)
-
-
-def test_without_a_secret_a_key_is_asked_for(tmp_path, monkeypatch):
     monkeypatch.setattr("semref.core.onboard.state_file.user_secret", lambda: None)
     with pytest.raises(ParameterError, match="--require-signature"):
         StateFile.at(str(tmp_path / "flight.npz"), None)

@@ -1,5 +1,3 @@
-"""Odometry and camera tables on board: read when an image arrives, bounded, and errors do not end a flight."""
-
 import json
 
 import pytest

@@ -1,5 +1,3 @@
-"""``python -m core watch``: its output and sinks, and that it ends only on request."""
-
 import errno
 import json
 import os

@@ -16,19 +16,13 @@ from onboard_area import CENTER, HERE, write_area
 WITHOUT_NETWORK = ["--no-index", "--no-deps", "--disable-pip-version-check"]
 
 
-def settings(repository):
-    return (repository / "pyproject.toml").read_text(encoding="utf-8")
-
-
-def test_the_wheel_has_all_packages_of_core(repository):
-    named = set(re.findall(r'^    "(semref\.core[^"]*)",$', settings(repository), re.MULTILINE))
+def test_the_wheel_has_all_packages_of_core_and_the_version_of_the_plugin(repository):
+    settings = (repository / "pyproject.toml").read_text(encoding="utf-8")
+    named = set(re.findall(r'^    "(semref\.core[^"]*)",$', settings, re.MULTILINE))
     files = (repository / "core").rglob("__init__.py")
     assert named == {".".join(("semref", *path.parent.relative_to(repository).parts)) for path in files}
-
-
-def test_the_wheel_has_the_version_of_the_plugin(repository):
     (version,) = re.findall(r"^version=(.*)$", (repository / "metadata.txt").read_text(encoding="utf-8"), re.MULTILINE)
-    assert f'version = "{version}"' in settings(repository)
+    assert f'version = "{version}"' in settings
 
 
 def done(*command, **more):

@@ -1,5 +1,3 @@
-"""Writing an onboard file, also of an area: rounding, size, and values that it can't store."""
-
 import zipfile
 from dataclasses import fields, replace
 
@@ -111,20 +109,17 @@ def within(points_xy, margin):
     return ((points_xy >= low) & (points_xy <= high)).all(axis=1)
 
 
-def test_the_mask_is_the_area_to_a_pixel_of_the_overview(squared):
+def test_the_mask_is_the_area_to_a_pixel_of_the_overview_and_a_ring_within_another_is_a_hole(squared):
     mask = area_mask([RING], squared.parameters)
     assert mask.shape == squared.overview.shape
     assert mask[14:49, 26:62].all()
     assert mask.sum() == mask[12:51, 24:64].sum()
-
-
-def test_a_ring_within_another_is_a_hole(squared):
     hole = RING.mean(axis=0) + (RING - RING.mean(axis=0)) / 3
     mask = area_mask([RING, hole], squared.parameters)
     assert mask[15, 30] and not mask[31, 43]
 
 
-def test_only_the_content_of_the_area_is_kept(squared):
+def test_only_the_content_of_the_area_is_kept_and_an_area_without_landmarks_is_refused(squared):
     part = clip_database(squared, area_mask([RING], squared.parameters))
     assert (
         within(part.references.positions, OVERVIEW_PIXEL).all() and within(part.windows.centers, OVERVIEW_PIXEL).all()
@@ -133,8 +128,5 @@ def test_only_the_content_of_the_area_is_kept(squared):
     assert 0 < least <= len(part.references) <= most
     assert part.overview.shape == squared.overview.shape
     assert not part.overview[:, : 200 // 8 - 1].any() and part.overview[20:40, 30:60].any()
-
-
-def test_an_area_without_landmarks_is_refused(squared):
     with pytest.raises(DatabaseError, match="area contains no landmark"):
         clip_database(squared, np.zeros(squared.overview.shape, bool))

@@ -1,5 +1,3 @@
-"""Certainty of a network and the shares of classes made from it, for each kind of network."""
-
 import numpy as np
 import pytest
 from made_models import brightest_color, metadata, write_model, writer
@@ -42,18 +40,14 @@ def photo(shape=(150, 190), seed=1):
     return np.random.default_rng(seed).integers(0, 256, (*shape, 3)).astype(np.uint8)
 
 
-def expected(photo_hw3):
-    """Return the (3, H, W) softmax of red, blue and green, standardized by the metadata."""
-    standardized = (photo_hw3.astype(np.float32) / 255 - 0.5) / 0.5
-    return softmax(np.moveaxis(standardized[:, :, [0, 2, 1]], 2, 0))
-
-
 @pytest.mark.parametrize("overlap", [0, 0.25, 0.6])
 @pytest.mark.parametrize("shape", [(150, 190), (64, 64), (40, 300), (64, 65)])
 def test_scores_become_the_softmax_whatever_the_tiles(made, overlap, shape):
     image = photo(shape)
     labels, percent, each = segmented(made(), ArrayImage(image), overlap)
-    wanted = expected(image) * 100
+    standardized = (image.astype(np.float32) / 255 - 0.5) / 0.5
+    # Red, blue and green, standardized by the metadata.
+    wanted = softmax(np.moveaxis(standardized[:, :, [0, 2, 1]], 2, 0)) * 100
     np.testing.assert_allclose(each, wanted, atol=0.51)
     np.testing.assert_array_equal(percent, each.max(axis=0))
     is_alone = (each == each.max(axis=0)).sum(axis=0) == 1
@@ -178,19 +172,13 @@ def added(seen, size_wh, bands):
     return sums.found()
 
 
-def true_shares(seen, size_wh):
-    """Return (h, w, 2) means of the probabilities of classes 3 and 7 over blocks of whole pixels."""
-    shares = seen / 100
-    planes = np.stack([shares[0] + shares[3], shares[2]], axis=2)
-    width, height = size_wh
-    blocks = planes.reshape(height, planes.shape[0] // height, width, planes.shape[1] // width, 2)
-    return blocks.mean(axis=(1, 3))
-
-
 def test_shares_are_means_of_the_softmax_over_each_pixel_of_the_grid(seen):
     found = added(seen, (15, 12), [0, 60])
     assert found.values.tolist() == [3, 7]
-    np.testing.assert_allclose(found.shares / 255, true_shares(seen, (15, 12)), atol=0.6 / 255)
+    # Means of the probabilities of classes 3 and 7 over blocks of whole pixels.
+    planes = np.stack([seen[0] / 100 + seen[3] / 100, seen[2] / 100], axis=2)
+    wanted = planes.reshape(12, 5, 15, 6, 2).mean(axis=(1, 3))
+    np.testing.assert_allclose(found.shares / 255, wanted, atol=0.6 / 255)
 
 
 @pytest.mark.parametrize("size_wh", [(15, 12), (90, 60), (37, 23), (1, 1)])

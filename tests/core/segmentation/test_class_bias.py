@@ -1,5 +1,3 @@
-"""The metadata keys class_bias and model_card: reading, writing, a database's classes, and invalid content."""
-
 import json
 import os
 from pathlib import Path

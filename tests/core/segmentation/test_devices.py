@@ -1,5 +1,3 @@
-"""Devices of a network: chosen, available and used; each replacement is reported."""
-
 import numpy as np
 import pytest
 from made_models import painted, write_model

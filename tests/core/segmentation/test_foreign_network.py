@@ -1,5 +1,3 @@
-"""Networks of others: a copy has the metadata that SemRef reads, and classes that are merged from several outputs."""
-
 import json
 from dataclasses import replace
 

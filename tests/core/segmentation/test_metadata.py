@@ -1,5 +1,3 @@
-"""Metadata of models: Deepness's keys, our own keys, and invalid values."""
-
 import json
 
 import pytest

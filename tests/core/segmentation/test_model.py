@@ -1,5 +1,3 @@
-"""Networks of every supported shape, and a message for each unsupported one."""
-
 import sys
 
 import numpy as np

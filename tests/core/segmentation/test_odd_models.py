@@ -1,5 +1,3 @@
-"""Files of networks: headers read without onnx, and one sentence each for odd ones."""
-
 import numpy as np
 import pytest
 from made_models import brightest_color, metadata, smallest_model, write_model, writer

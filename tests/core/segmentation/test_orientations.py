@@ -1,5 +1,3 @@
-"""Scores averaged over the orientations of a tile."""
-
 from concurrent.futures import CancelledError
 from threading import Event
 

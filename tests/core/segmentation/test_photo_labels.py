@@ -1,5 +1,3 @@
-"""From a photo to labels on its own pixels, for any resolution of the network."""
-
 import numpy as np
 import pytest
 from made_models import metadata, painted, write_model

@@ -1,5 +1,3 @@
-"""Resampled photos: exact means, independent of the piece that is read, without missing data."""
-
 import cv2
 import numpy as np
 import pytest

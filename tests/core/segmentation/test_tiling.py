@@ -1,5 +1,3 @@
-"""Segmenting in tiles and blocks: every pixel once, no seams, memory bounded by tiles."""
-
 import tracemalloc
 
 import numpy as np

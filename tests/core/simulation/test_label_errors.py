@@ -1,5 +1,3 @@
-"""Label noise and displaced objects: each step has the requested amount, and a seed repeats it."""
-
 import cv2
 import numpy as np
 import pytest

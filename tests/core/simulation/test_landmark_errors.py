@@ -1,5 +1,3 @@
-"""Landmark noise: shares and spreads as requested, shared errors are shared, and impossible settings are refused."""
-
 import math
 
 import numpy as np

@@ -1,5 +1,3 @@
-"""Views of a map have the true class at each pixel."""
-
 import numpy as np
 import pytest
 

@@ -1,5 +1,3 @@
-"""Windows described together equal each window described separately with plain OpenCV."""
-
 import math
 
 import cv2

@@ -1,5 +1,3 @@
-"""The window grid, and the distance of a window's vector to others."""
-
 import re
 
 import numpy as np

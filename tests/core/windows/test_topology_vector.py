@@ -1,5 +1,3 @@
-"""The topology vector and its matching: computed by hand, printed in the paper, and invariant."""
-
 import math
 
 import numpy as np

@@ -1,5 +1,3 @@
-"""A land-cover layer that can’t be rasterized is refused in one sentence with the value."""
-
 from pathlib import Path
 
 import pytest

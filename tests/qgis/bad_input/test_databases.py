@@ -1,5 +1,3 @@
-"""Files that are no database, damaged databases, and unusable label maps and values are refused."""
-
 import shutil
 
 import numpy as np

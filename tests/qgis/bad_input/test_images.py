@@ -1,5 +1,3 @@
-"""Bad images and models, photos that a model can’t read, and missing packages are reported in one sentence."""
-
 import importlib.util
 import re
 from pathlib import Path

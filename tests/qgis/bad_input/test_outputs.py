@@ -1,5 +1,3 @@
-"""An output that can’t be written is refused; older outputs do not change."""
-
 import gc
 from pathlib import Path
 

@@ -1,5 +1,3 @@
-"""One map and its database."""
-
 import contextlib
 import sqlite3
 

@@ -1,5 +1,3 @@
-"""The database in other programs and on a canvas, with titles of columns."""
-
 import contextlib
 import sqlite3
 import sys

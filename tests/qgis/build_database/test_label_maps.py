@@ -1,5 +1,3 @@
-"""Content of a database, also from label maps of other programs, with a note for unusual ones."""
-
 import json
 
 import numpy as np

@@ -1,5 +1,3 @@
-"""A new database is opened by QGIS's own loading of outputs, and only if requested."""
-
 import shutil
 
 import pytest

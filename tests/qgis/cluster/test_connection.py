@@ -1,5 +1,3 @@
-"""Addresses that are no scheduler are refused soon, in one sentence, whatever listens there."""
-
 import contextlib
 import os
 import socket

@@ -1,5 +1,3 @@
-"""Serialized values are restored unchanged and only core's own, and tasks are submitted ahead."""
-
 import json
 import math
 

@@ -1,5 +1,3 @@
-"""Run semref:rasterizeannotation."""
-
 import pytest
 from made_inputs import read_pixels
 from qgis.core import QgsProject

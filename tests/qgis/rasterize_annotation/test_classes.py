@@ -1,5 +1,3 @@
-"""Class values come from a table, a style or the field itself, in any encoding."""
-
 from dataclasses import fields
 from pathlib import Path
 

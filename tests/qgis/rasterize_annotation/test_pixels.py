@@ -1,5 +1,3 @@
-"""Which pixels polygons burn, in which order, on which grid, and what happens to messy geometry."""
-
 import numpy as np
 import pytest
 from made_inputs import NAMES, NORTH, WEST, polygon, read_pixels, rectangle, ring, square, write_layer

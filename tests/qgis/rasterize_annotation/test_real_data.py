@@ -1,5 +1,3 @@
-"""Real land-cover layers become label maps."""
-
 import re
 
 import pytest

@@ -1,5 +1,3 @@
-"""The command that makes the sample area replaces only its own files and repeats no work."""
-
 import subprocess
 import sys
 

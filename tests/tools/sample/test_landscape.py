@@ -1,5 +1,3 @@
-"""Sample landscapes: reproducible, complete, with landmarks everywhere."""
-
 import numpy as np
 import pytest
 import shapely

@@ -1,5 +1,3 @@
-"""Sample photos and pictures show the drawn objects at their place, are on the map, and have unique names."""
-
 import cv2
 import numpy as np
 import pytest

@@ -1,8 +1,5 @@
-"""Reading ArduPilot's onboard log (DataFlash)."""
-
 import struct
 
-import numpy as np
 import pytest
 
 from semref.core.flight.logs.dataflash import read_dataflash
@@ -60,12 +57,3 @@ def test_damage_is_skipped():
     assert len(read_dataflash(whole[:-5]).times_s) == 1
     assert len(read_dataflash(log_of(ATT, b"\xa3\x95\xfejunk\x00\xa3", VELOCITY)).times_s) == 2
     assert len(read_dataflash(b"\xa3\x95").times_s) == 0
-
-
-@pytest.mark.parametrize("seed", range(5))
-def test_noise_is_no_error(seed):
-    rng = np.random.default_rng(seed)
-    data = bytearray(log_of(*[ATT, VELOCITY, HEIGHT] * 20))
-    for place in rng.integers(0, len(data), 60):
-        data[place] = rng.integers(0, 256)
-    read_dataflash(bytes(data))

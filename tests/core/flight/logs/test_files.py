@@ -1,5 +1,3 @@
-"""Logs are recognized by their content, texts are read, and messages become telemetry."""
-
 import numpy as np
 import pytest
 
@@ -45,9 +43,6 @@ def test_entries_are_in_order_of_time_and_in_utc_if_known():
     assert log.values[1, 0] == 20 and np.isnan(log.values[0, 0])
     entries.start_s = 1e9
     assert (entries.telemetry().times_s.tolist(), entries.telemetry().is_clock) == ([1e9 + 1, 1e9 + 2], True)
-
-
-def test_no_entries_are_no_error():
     assert len(Entries().telemetry().times_s) == 0
 
 
@@ -106,10 +101,6 @@ def test_height_of_older_kinds():
     assert read_srt(MAVIC).values[0, 3] == 60.5
 
 
-def test_subtitles_are_recognized_by_their_times():
-    assert is_srt(NEW) and not is_srt("EPSG:4326\na 1 2")
-
-
 def test_a_damaged_entry_is_skipped():
     assert np.isnan(read_srt("1\n00:00:00,000 --> x\n[rel_alt: ]").values).all()
 
@@ -124,5 +115,6 @@ def test_yaw_in_geo_txt_is_the_heading_of_the_image():
     assert np.isnan(log.values[0, 1:]).all() and np.isnan(log.values[1]).all()
 
 
-def test_geo_txt_begins_with_a_reference_system():
+def test_subtitles_are_recognized_by_their_times_and_geo_txt_by_its_reference_system():
     assert is_geo(GEO) and is_geo("\n+proj=utm +zone=32\n") and not is_geo("image,a\n")
+    assert is_srt(NEW) and not is_srt("EPSG:4326\na 1 2")

@@ -1,9 +1,8 @@
-"""Hostile flight logs are read in linear time and bounded memory, and a cancel stops the reading."""
-
 import contextlib
 import struct
 import time
 
+import numpy as np
 import pytest
 from growth import LINEAR, growth, seconds
 
@@ -75,15 +74,11 @@ def test_a_subtitle_of_spaces_takes_no_longer_than_one_of_text():
     assert slow < 5 * usual
 
 
-def test_a_topic_larger_than_a_message_is_not_laid_out():
+def test_topics_larger_than_a_message_and_unused_fields_are_not_kept():
     topics = {}
     ulog._describe(topic(b"double[9999]", 300)[3:], topics)
     ulog._describe(topic(b"float[0]", 3)[3:], topics)
     assert topics == {}
-
-
-def test_unused_fields_of_a_topic_are_not_kept():
-    topics = {}
     ulog._describe(topic(b"float", 300)[3:], topics)
     assert topics["vehicle_attitude"][1] == {}
 
@@ -94,6 +89,18 @@ def test_subtitles_keep_a_bounded_number_of_entries(monkeypatch):
     log = read_srt(text)
     assert 50 <= len(log.times_s) <= 101
     assert (log.times_s[0], log.values[0, 0]) == (0.0, 0.0) and log.times_s[-1] > 2900
+
+
+@pytest.mark.parametrize(
+    ("name", "read"), [("ardupilot.bin", read_dataflash), ("mavlink.tlog", read_tlog), ("px4.ulg", read_ulog)]
+)
+def test_noise_is_no_error(repository, name, read):
+    rng, whole = np.random.default_rng(1), (repository / "tools" / "fuzz" / "samples" / "logs" / name).read_bytes()
+    for _ in range(300):
+        data = bytearray(whole)
+        for place in rng.integers(16, len(data), rng.integers(1, 6)):
+            data[place] = rng.integers(0, 256)
+        read(bytes(data))
 
 
 TLOG_START = struct.pack(">Q", 10**15) + b"\xfe\x00\0\0\0\0\0\0"

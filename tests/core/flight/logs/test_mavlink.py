@@ -1,5 +1,3 @@
-"""Reading logs of ground stations (MAVLink)."""
-
 import math
 import struct
 
@@ -50,15 +48,6 @@ def test_packets_with_a_wrong_checksum_are_skipped():
 
 def test_a_text_is_no_log():
     assert not is_tlog(b"image,dx_m,dy_m,dheading_deg\na,,,\nb,1,2,3\n")
-
-
-@pytest.mark.parametrize("seed", range(5))
-def test_noise_is_no_error(seed):
-    rng = np.random.default_rng(seed)
-    data = bytearray((packet(1, 30, ATTITUDE, 39) + packet(2, 33, PLACE, 104)) * 20)
-    for place in rng.integers(0, len(data), 60):
-        data[place] = rng.integers(0, 256)
-    read_tlog(bytes(data))
 
 
 @pytest.mark.parametrize("step", [1, 7, 40, 200])

@@ -1,9 +1,6 @@
-"""Reading PX4's log (ULog)."""
-
 import math
 import struct
 
-import numpy as np
 import pytest
 
 from semref.core.flight.logs.ulog import angles_of, read_ulog
@@ -59,12 +56,3 @@ def test_angles_of_a_quaternion(quaternion, angles):
 def test_damage_is_skipped():
     assert len(read_ulog(log_of(ATTITUDE, PLACE)[:-5]).times_s) == 1
     assert len(read_ulog(b"ULog\x01\x12\x35\x01").times_s) == 0
-
-
-@pytest.mark.parametrize("seed", range(5))
-def test_noise_is_no_error(seed):
-    rng = np.random.default_rng(seed)
-    data = bytearray(log_of(*[ATTITUDE, PLACE] * 20))
-    for place in rng.integers(16, len(data), 60):
-        data[place] = rng.integers(0, 256)
-    read_ulog(bytes(data))
