@@ -17,7 +17,7 @@ import cv2
 from .. import limits
 from ..errors import DatabaseError, ParameterError, SemRefError, reason_of
 from ..flight.settings import FLIGHT
-from ..labels.image_files import image_files
+from ..labels.image_files import image_files, is_image_name
 from ..localization import LEAST_RISK, RISK, Method, Prior, Status
 from ..localizer.localizer import Localizer
 from ..localizer.record import error_probability
@@ -106,6 +106,9 @@ def _problem(options: argparse.Namespace) -> str | None:
     for output, path in product(outputs, inputs):
         if output and path and os.path.exists(output) and os.path.exists(path) and os.path.samefile(output, path):
             return f"{output} is an input of this command; write to another file"
+    for output in filter(None, outputs):
+        if is_image_name(os.path.basename(output)):
+            return f"{output} has the name of an image; write to another file"
     return None
 
 

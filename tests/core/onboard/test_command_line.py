@@ -1,6 +1,7 @@
 import json
 import os
 import re
+import signal
 import subprocess
 import sys
 
@@ -199,6 +200,34 @@ def test_a_full_stdout_is_reported_in_one_sentence(area, repository, tmp_path):
     assert done.stderr == "info: stdout can't be written: No space left on device. Choose another output.\n"
 
 
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such signal")
+@pytest.mark.parametrize("closed", [1, 2])
+def test_closed_streams_are_no_fault(area, repository, closed):
+    command = [sys.executable, "-m", "core", "info", area]
+    done = subprocess.run(
+        command, cwd=repository, stderr=subprocess.PIPE, preexec_fn=lambda: os.close(closed), check=False
+    )
+    assert (done.returncode, done.stderr) == (ALL_FIXED, b"")
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such signal")
+def test_an_interrupt_while_the_command_is_loaded_shows_no_traceback(repository):
+    program = (
+        "import os, signal, sys\n"
+        "class Loading:\n"
+        "    def find_spec(self, name, *_):\n"
+        "        if name == 'cv2':\n"
+        "            os.kill(os.getpid(), signal.SIGINT)\n"
+        "sys.meta_path.insert(0, Loading())\n"
+        "from core.__main__ import run\n"
+        "run()\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program, "info"], cwd=repository, stderr=subprocess.PIPE, text=True, check=False
+    )
+    assert (done.returncode, done.stderr) == (-signal.SIGINT, "")
+
+
 def test_a_copy_of_core_is_all_that_is_needed(area, image, repository, tmp_path):
     copy_core(repository, tmp_path)
     program = (
@@ -224,3 +253,11 @@ def test_nothing_is_written_into_the_database(area, tmp_path, capsys, option):
     assert ended.value.code == WRONG_USAGE and "is an input of this command" in capsys.readouterr().err
     with open(area, "rb") as file:
         assert file.read() == before
+
+
+@pytest.mark.parametrize("option", ["--state", "--fixes", "--gga"])
+def test_nothing_is_written_into_images(area, image, capsys, option):
+    path = image("here.png")
+    with pytest.raises(SystemExit) as ended:
+        main(["watch", os.path.dirname(path), "--once", "--flight", "--database", area, option, path])
+    assert ended.value.code == WRONG_USAGE and "has the name of an image" in capsys.readouterr().err
