@@ -59,7 +59,7 @@ def _edit(path: str, stored: StoredDatabase, changes: DatabaseChanges) -> Steps[
     if len(changes.removed):
         # Deleting features does not shrink the extent of the layer.
         dataset.ExecuteSQL("RECOMPUTE EXTENT ON references")
-    dataset.CommitTransaction()
+    schema.commit(dataset)
     schema.close(dataset)
 
 

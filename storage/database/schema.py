@@ -138,6 +138,12 @@ def write_feature(
     return feature.GetFID()
 
 
+def commit(dataset: gdal.Dataset) -> None:
+    """End a transaction. Raises DatabaseError if this fails: SQLite then drops all its rows."""
+    if dataset.CommitTransaction() != ogr.OGRERR_NONE:
+        raise DatabaseError("The database can't be written: {reason}.", reason=gdal_failure())
+
+
 def close(dataset: gdal.Dataset) -> None:
     """Write pending data. Raises DatabaseError if this fails."""
     gdal.ErrorReset()

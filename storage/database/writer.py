@@ -82,9 +82,13 @@ def write_database(  # noqa: PLR0913 - what a file holds; only the plugin has PR
     try:
         srs = osr.SpatialReference()
         srs.ImportFromWkt(database.parameters.crs)
-        dataset = ogr.GetDriverByName("GPKG").CreateDataSource(path)
-        if dataset is None:
-            raise DatabaseError("The database can't be written: {reason}.", reason=gdal_failure())
+        dataset = None
+        with gdal_failures() as failures:
+            dataset = ogr.GetDriverByName("GPKG").CreateDataSource(path)
+        if failures or dataset is None:
+            # On a full disk GDAL returns a dataset without tables.
+            reason = gdal_failure(failures[0] if failures else None)
+            raise DatabaseError("The database can't be written: {reason}.", reason=reason)
         for n, _ in enumerate(_write_layers(dataset, srs, rows_of)):
             if n % _FEATURES_A_STEP == 0:
                 yield "Writing the database", 0.9 * n / total
@@ -109,7 +113,7 @@ def _write_layers(
         for wkb, values in rows_of[name]:
             schema.write_feature(layer, columns, wkb, values)
             yield
-        dataset.CommitTransaction()
+        schema.commit(dataset)
 
 
 def _window_rows(windows: Windows, longitudes: np.ndarray, latitudes: np.ndarray) -> Iterator[tuple[bytes, tuple]]:
