@@ -116,7 +116,7 @@ class Batch:
         final = Path(target)
         if not replaces:
             require_empty(final)
-        final.parent.mkdir(parents=True, exist_ok=True)
+        make_folder(final.parent)
         staged = self._stage(final, (lambda: None) if replaces else (lambda: require_empty(final)))
         staged.is_folder, staged.replaces_folder = True, replaces
         staged.made.mkdir()
@@ -182,9 +182,7 @@ class Batch:
                 name=final.name,
             ) from None
         except OSError as error:
-            raise ParameterError(
-                "{path} can't be written: {reason}; choose another place.", path=final, reason=reason_of(error)
-            ) from None
+            raise _no_place(final, error) from None
         self._staged.append(_Staged(final, Path(workplace), require_free))
         return self._staged[-1]
 
@@ -203,6 +201,20 @@ def folder_written_beside(target: str, replaces: bool = False) -> Iterator[str]:
     with Batch() as batch:
         yield batch.folder(target, replaces)
         batch.commit()
+
+
+def make_folder(folder: Path) -> None:
+    """Make a folder and those around it, unless they exist. Raises ParameterError."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise _no_place(folder, error) from None
+
+
+def _no_place(path: Path, error: OSError) -> ParameterError:
+    return ParameterError(
+        "{path} can't be written: {reason}; choose another place.", path=path, reason=reason_of(error)
+    )
 
 
 def require_empty(folder: Path) -> None:

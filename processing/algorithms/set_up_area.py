@@ -29,6 +29,7 @@ from qgis.core import (
 
 from ...core.errors import ModelError, ParameterError
 from ...core.labels.class_table import OTHER
+from ...storage.atomic_output import make_folder
 from ..base import parameters
 from ..base.algorithm import LOCALIZATION, Declared, SemRefAlgorithm, check_canceled
 from ..base.chain import Record, Step
@@ -281,7 +282,7 @@ class SetUpArea(SemRefAlgorithm):
         for warning in area.warnings:
             feedback.pushWarning(warning)
         folder = Path(values.file(self.FOLDER)).absolute()
-        folder.mkdir(parents=True, exist_ok=True)
+        make_folder(folder)
         steps = self._steps(values, area, folder)
         record = Record(folder, self._inputs(values, area))
         for step in steps:

@@ -159,6 +159,12 @@ def test_an_earlier_export_and_any_filled_folder_are_not_changed(export):
     assert sorted(Path(first["OUTPUT"]).rglob("*")) == before
 
 
+def test_a_folder_inside_a_file_is_refused_with_a_reason(export, tmp_path):
+    (tmp_path / "file").write_text("a file")
+    with pytest.raises(QgsProcessingException, match="can't be written: .*; choose another place"):
+        export(OUTPUT=str(tmp_path / "file" / "tiles"))
+
+
 @pytest.mark.parametrize(
     ("labels", "parameters", "sentence"),
     [
