@@ -7432,6 +7432,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>„{output}“ ist {path}, ein Layer einer Datei. Wählen Sie eine Datei oder verwenden Sie „In GeoPackage speichern“, um einen Layer hinzuzufügen.</translation>
   </message>
   <message>
+   <source>“{output}” is {path}. QGIS cannot write to this path because of the character “{character}”. Select another folder or file name.</source>
+   <translation>„{output}“ ist {path}. QGIS kann diesen Pfad wegen des Zeichens „{character}“ nicht schreiben. Wählen Sie einen anderen Ordner oder Dateinamen.</translation>
+  </message>
+  <message>
    <source>“{source}” cannot be read completely: {reason}. Copy or download it again.</source>
    <translation>„{source}“ kann nicht vollständig gelesen werden: {reason}. Kopieren Sie die Datei noch einmal oder laden Sie sie neu herunter.</translation>
   </message>

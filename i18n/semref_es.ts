@@ -7432,6 +7432,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>“{output}” es {path}, que es una capa de un archivo. Seleccione un archivo o use “Save to GeoPackage” para añadir una capa.</translation>
   </message>
   <message>
+   <source>“{output}” is {path}. QGIS cannot write to this path because of the character “{character}”. Select another folder or file name.</source>
+   <translation>“{output}” es {path}. QGIS no puede escribir en esta ruta debido al carácter “{character}”. Seleccione otra carpeta u otro nombre de archivo.</translation>
+  </message>
+  <message>
    <source>“{source}” cannot be read completely: {reason}. Copy or download it again.</source>
    <translation>“{source}” no se puede leer por completo: {reason}. Cópielo o descárguelo de nuevo.</translation>
   </message>

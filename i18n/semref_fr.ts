@@ -7432,6 +7432,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>« {output} » est {path}, qui est une couche d’un fichier. Sélectionnez un fichier, ou utilisez « Enregistrer vers un GeoPackage » pour ajouter une couche.</translation>
   </message>
   <message>
+   <source>“{output}” is {path}. QGIS cannot write to this path because of the character “{character}”. Select another folder or file name.</source>
+   <translation>« {output} » est {path}. QGIS ne peut pas écrire à ce chemin à cause du caractère « {character} ». Sélectionnez un autre dossier ou un autre nom de fichier.</translation>
+  </message>
+  <message>
    <source>“{source}” cannot be read completely: {reason}. Copy or download it again.</source>
    <translation>« {source} » ne peut pas être lu entièrement : {reason}. Copiez-le ou téléchargez-le de nouveau.</translation>
   </message>

@@ -7432,6 +7432,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>“{output}”为 {path}，它是某个文件中的图层。请选择文件，或用“保存到 GeoPackage”添加图层。</translation>
   </message>
   <message>
+   <source>“{output}” is {path}. QGIS cannot write to this path because of the character “{character}”. Select another folder or file name.</source>
+   <translation>“{output}”为 {path}。由于字符“{character}”，QGIS 无法写入此路径。请选择其他文件夹或文件名。</translation>
+  </message>
+  <message>
    <source>“{source}” cannot be read completely: {reason}. Copy or download it again.</source>
    <translation>无法完整读取“{source}”：{reason}。请重新复制或下载。</translation>
   </message>

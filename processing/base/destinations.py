@@ -32,6 +32,10 @@ _DATABASE = re.compile(r"""dbname=(?:'([^']*)'|"([^"]*)"|(\S+))""")
 _PROVIDER = re.compile(r"^(memory|postgis|postgres|spatialite|mssql|oracle|hana|mysql|ogr):", re.IGNORECASE)
 _LAYER_NAME = re.compile(r"layername=([^|]*)", re.IGNORECASE)
 _LAYER_OF_FILE = re.compile(r"\|(layername|layerid|table)=", re.IGNORECASE)
+_READ_AS_PROVIDER = re.compile(r".{3,}?:")
+"""QGIS reads the text before a colon in the path of a layer as the name of a data provider; “C:” is too short."""
+_SPECIAL = "`~!@#$%^&*()+-={}|[]\\:\";'<>?,./"
+"""Characters with which GDAL lets no layer of a GeoPackage begin; QGIS names the layer after the file."""
 _TABLE = re.compile(r"""table=(?:"([^"]*)"|'([^']*)'|(\S+))""")
 
 
@@ -146,6 +150,7 @@ def require_outputs_apart(
                 output=definition.description(),
                 path=wanted.path,
             )
+        _require_possible(definition, wanted, is_layer)
         for read in inputs:
             allowed = may_replace.get(definition.name()) == read.key or _adds_a_layer(wanted, read)
             if not allowed and _same(wanted.path, read.path):
@@ -168,6 +173,29 @@ def require_outputs_apart(
                 )
         seen.append((definition, wanted))
         _require_free(definition, wanted)
+
+
+def _require_possible(definition: QgsProcessingParameterDefinition, wanted: Destination, is_layer: bool) -> None:
+    """Refuse a path that QGIS would refuse when the layer is written, after all the work."""
+    path = os.path.abspath(wanted.path)
+    is_database = path.lower().endswith(".gpkg")
+    found = ""
+    if "|" in path and (is_layer or is_database):
+        found = "|"
+    elif is_layer and not wanted.is_table:
+        name = os.path.basename(path)
+        if _READ_AS_PROVIDER.match(path):
+            found = ":"
+        elif is_database and name[0] in _SPECIAL:
+            found = name[0]
+    if found:
+        raise ParameterError(
+            "“{output}” is {path}. QGIS cannot write to this path because of the character “{character}”. Select "
+            "another folder or file name.",
+            output=definition.description(),
+            path=wanted.path,
+            character=found,
+        )
 
 
 def _require_free(definition: QgsProcessingParameterDefinition, wanted: Destination) -> None:
