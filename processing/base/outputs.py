@@ -185,7 +185,7 @@ class Outputs:
                 raise _unwritable(title)
             sink.require_all_in(written, wanted.has_index)
         else:
-            style_in_memory(written, given, self._values.context)
+            style_in_memory(written, crs, given, self._values.context)
         final = _final_source(written, wanted) if beside else written
         self._layers.append(_Layer(written, final, given))
         self.results[key] = final

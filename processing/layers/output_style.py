@@ -7,7 +7,13 @@ import sqlite3
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from qgis.core import QgsFeatureRenderer, QgsProcessingContext, QgsProcessingLayerPostProcessorInterface, QgsVectorLayer
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsFeatureRenderer,
+    QgsProcessingContext,
+    QgsProcessingLayerPostProcessorInterface,
+    QgsVectorLayer,
+)
 from qgis.PyQt.QtXml import QDomDocument
 
 from ...storage.vector_files import STYLE_OF_SEMREF, leave_wal
@@ -78,10 +84,14 @@ def _remove_style(path: str, table: str) -> None:
             connection.execute(query, (table,))
 
 
-def style_in_memory(destination: str, look: Look, context: QgsProcessingContext) -> None:
-    """Style a layer in memory; other layers are not changed."""
+def style_in_memory(
+    destination: str, crs: QgsCoordinateReferenceSystem, look: Look, context: QgsProcessingContext
+) -> None:
+    """Style a layer in memory and set its CRS; other layers are not changed."""
     layer = context.getMapLayer(destination)
     if isinstance(layer, QgsVectorLayer) and layer.providerType() == "memory":
+        # QGIS gives a layer without a CRS degrees.
+        layer.setCrs(crs)
         look.apply(layer)
 
 

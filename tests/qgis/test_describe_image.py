@@ -34,6 +34,14 @@ def describe(run_algorithm, feedback, tmp_path):
     return run
 
 
+def test_temporary_points_of_an_image_without_a_crs_have_none(run_algorithm, tmp_path):
+    image = write_raster(tmp_path / "image.tif", WIDE, transform=None, names=NAMES)
+    table = str(write_text(tmp_path / "classes.csv", CLASSES_CSV))
+    given = {"INPUT": str(image), "CLASS_TABLE": table, "MINIMUM_AREA": 40, "REFERENCES": "TEMPORARY_OUTPUT"}
+    layer = run_algorithm(DESCRIBE, given)["REFERENCES"]
+    assert layer.featureCount() and not layer.crs().isValid()
+
+
 def expected_objects(labels: np.ndarray, minimum_area_px: float):
     return extract_landmarks(np.ascontiguousarray(labels), (1, 2, 3), minimum_area_px)
 
