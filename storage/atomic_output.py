@@ -14,7 +14,7 @@ from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from ..core.errors import ParameterError, reason_of
+from ..core.errors import ParameterError, UnwritableError, reason_of
 from .replaceable import (
     derived_files,
     is_foreign_note,
@@ -24,6 +24,9 @@ from .replaceable import (
     require_replaceable,
     stranger_beside,
 )
+
+FULL_BYTES = 100_000
+"""A disk with less space is full: other files may still fit."""
 
 _OLDER = ".older"
 """Folder in a workplace for the older output and its companions while the new files are renamed."""
@@ -81,8 +84,20 @@ class Batch:
     def __enter__(self) -> Batch:
         return self
 
-    def __exit__(self, *_: object) -> None:
+    def __exit__(self, _kind: object, error: BaseException | None, _trace: object) -> None:
+        full = self._full_target() if isinstance(error, UnwritableError) else None
         self.close()
+        if full is not None:
+            # GDAL's message is technical, and names the file in the workplace.
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(full)) from None
+
+    def _full_target(self) -> Path | None:
+        """Return an output whose disk is full; None without one."""
+        for staged in self._staged:
+            with contextlib.suppress(OSError):
+                if shutil.disk_usage(staged.workplace).free < FULL_BYTES:
+                    return staged.final
+        return None
 
     def file(self, target: str, suffix: str = "", tables: Collection[str] | None = ()) -> str:
         """Return a path to write ``target`` to. Files beside this path are renamed as well.

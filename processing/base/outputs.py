@@ -61,8 +61,8 @@ class Outputs:
     def __enter__(self) -> Outputs:
         return self
 
-    def __exit__(self, *_: object) -> None:
-        self._batch.close()
+    def __exit__(self, *error: Any) -> None:
+        self._batch.__exit__(*error)
 
     def commit(self) -> None:
         """Rename everything to its target and let QGIS load it from there."""
