@@ -19,7 +19,7 @@ def test_window_and_stride_follow_from_the_shorter_side_of_a_photo(village):
     assert (plan.window_m, plan.stride_m) == (150, 37.5)
 
 
-def test_the_smallest_landmarks_set_minimum_area_and_pixels(village):
+def test_the_smallest_landmarks_set_minimum_area_and_pixels_which_are_larger_on_large_maps(village):
     plan = plan_area(village, (200.0, 150.0))
     assert (plan.minimum_area_m2, plan.pixel_size_m) == (30, 0.5)
     # A landmark of the minimum area has 50 pixels or more.
@@ -27,9 +27,6 @@ def test_the_smallest_landmarks_set_minimum_area_and_pixels(village):
     plan = plan_area(sheds, (200.0, 150.0))
     assert (plan.minimum_area_m2, plan.pixel_size_m) == (4, 0.25)
     assert plan.minimum_area_m2 / plan.pixel_size_m**2 >= 50
-
-
-def test_large_maps_have_larger_pixels(village):
     country = replace(village, extent=(0.0, 0.0, 100_000.0, 100_000.0))
     assert plan_area(country, (200.0, 150.0)).pixel_size_m == 2.0
 
@@ -41,11 +38,8 @@ def test_landmarks_in_a_photo_are_those_around_a_landmark(village):
     assert (plan.landmarks, plan.per_photo) == (0, 0)
 
 
-def test_the_size_of_the_database_is_estimated(village):
+def test_the_size_of_the_database_is_estimated_and_a_window_is_not_larger_than_the_map(village):
     assert 0.2 < plan_area(village, (160.0, 160.0)).megabytes < 0.4
-
-
-def test_a_window_is_not_larger_than_the_map(village):
     assert plan_area(village, (5000.0, 4000.0)).window_m == 800
 
 

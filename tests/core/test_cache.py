@@ -94,20 +94,8 @@ def test_a_forged_file_is_built_again_though_all_checksums_without_the_secret_ar
     assert_same(loaded(2), arrays(2))
 
 
-def put_pipe(place, _victim):
-    os.mkfifo(place)
-
-
-def put_link(place, victim):
-    place.symlink_to(victim)
-
-
-def put_folder(place, _victim):
-    place.mkdir()
-
-
 @ON_POSIX
-@pytest.mark.parametrize("put", [put_pipe, put_link, put_folder])
+@pytest.mark.parametrize("put", ["pipe", "link", "folder"])
 @pytest.mark.parametrize("name", ["array", "secret"])
 def test_a_pipe_a_link_or_a_folder_in_the_place_of_a_file_neither_blocks_nor_is_followed(path, tmp_path, put, name):
     loaded()
@@ -115,9 +103,10 @@ def test_a_pipe_a_link_or_a_folder_in_the_place_of_a_file_neither_blocks_nor_is_
     victim.write_bytes(place.read_bytes())
     before = victim.read_bytes()
     place.unlink()
-    put(place, victim)
+    puts = {"pipe": lambda: os.mkfifo(place), "link": lambda: place.symlink_to(victim), "folder": place.mkdir}
+    puts[put]()
     assert_same(loaded(1), arrays(1))
-    assert_same(loaded(2), arrays(2 if put is put_folder else 1))
+    assert_same(loaded(2), arrays(2 if put == "folder" else 1))
     assert victim.read_bytes() == before and not place.is_symlink()
 
 
@@ -256,13 +245,10 @@ def test_processes_that_start_at_once_give_the_same_arrays(path, repository):
     assert not list(path.parent.glob("*.semref-tmp"))
 
 
-def test_a_digest_depends_on_the_borders_between_columns():
+def test_a_digest_is_that_of_the_bytes_with_their_number_before_them():
     assert digest([b"ab", b"c"]) != digest([b"a", b"bc"])
     column = np.arange(6)
     assert digest([column]) == digest([column.tobytes()]) == digest([np.repeat(column, 2)[::2]])
-
-
-def test_a_digest_is_that_of_the_bytes_with_their_number_before_them():
     bits = np.arange(4).reshape(2, 2) > 1
     expected = hashlib.sha256((4).to_bytes(8, "little") + b"\0\0\1\1" + (0).to_bytes(8, "little")).hexdigest()
     assert digest([bits, np.zeros((0, 3))]) == expected

@@ -16,10 +16,6 @@ def drawn(svg):
     return ElementTree.fromstring(svg)
 
 
-def texts(svg):
-    return [element.text for element in drawn(svg).iter(f"{SVG}text")]
-
-
 LINE = Series(HOSTILE, [0.0, 0.25, 0.5], [0.0, 1.0, 0.5], [0.0, 0.9, 0.4], [0.1, 1.0, 0.6])
 X, Y = charts.linear_axis(HOSTILE, 0.0, 0.5), charts.percent_axis("right")
 
@@ -67,13 +63,10 @@ def test_texts_are_escaped_everywhere():
     assert "<b> &" not in html and "</script>" not in html and "&lt;b&gt; &amp;" in html
 
 
-def test_a_table_aligns_numbers_and_marks_good_and_bad():
+def test_a_table_aligns_numbers_marks_good_and_bad_and_shades_shares():
     html = page.table(["a", "b"], [[page.Marked("yes", True), "1"], [page.Marked("no", False), "2"]], [1])
     assert html.count('class="number"') == 3
     assert '<td class="good">yes</td>' in html and '<td class="bad">no</td>' in html
-
-
-def test_a_cell_is_as_dark_as_its_share():
     html = page.table(["a", "b", "c"], [[page.Shaded(HOSTILE, 1.0), page.Shaded("50 %", 0.5), page.Shaded("–", None)]])
     assert html.count("style=") == 2 and ",0.70)" in html and ",0.35)" in html and "<b> &" not in html
 
@@ -95,15 +88,12 @@ def test_no_two_of_sixteen_lines_look_the_same():
     assert len(pieces) == 16 and len(set(pieces)) == 16
 
 
-def test_a_page_has_the_colors_of_the_maps_in_the_light_in_the_dark_and_on_paper():
+def test_a_page_has_the_colors_of_the_maps_and_a_list_of_what_to_do_next():
     style = page.page("t", "s")
     for color in (palette.FIX, palette.FLIGHT, palette.BAD):
         assert style.count(color) >= 2
         assert palette.DARK[color] in style
     assert "prefers-color-scheme: dark" in style and "@page" in style
-
-
-def test_what_to_do_next_is_a_list_of_sentences_and_nothing_without_any():
     assert page.next_steps("Next", []) == ""
     assert page.next_steps("Next", ["Do <this>."]).count("<li>Do &lt;this&gt;.</li>") == 1
 

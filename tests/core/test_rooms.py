@@ -190,13 +190,10 @@ def test_at_most_one_file_of_core_imports_onnxruntime():
     assert len([path for path in source_files("core") if imports_of(path, "onnxruntime")]) <= 1
 
 
-@for_each([ROOT / "cluster" / f"{name}.py" for name in ("__init__", "task_names")])
-def test_what_qgis_imports_of_the_cluster_needs_no_package(path):
-    assert imports_of(path, "dask", "distributed", "cloudpickle", "osgeo", "numpy", "storage") == set()
-
-
-@for_each([ROOT / "training" / f"{name}.py" for name in ("__init__", "job")])
-def test_what_training_shares_with_qgis_needs_no_torch(path):
+@for_each(
+    [ROOT / f"{name}.py" for name in ("cluster/__init__", "cluster/task_names", "training/__init__", "training/job")]
+)
+def test_what_qgis_imports_of_the_cluster_and_of_training_needs_no_package(path):
     assert {name for name in imported_modules(path) if name.partition(".")[0] not in STANDARD} == set()
 
 

@@ -20,16 +20,8 @@ from update_translations import MAKERS, name_of, templates_of  # noqa: E402
 ROOMS = ("core", "storage", "cluster", "training", "processing", "ui")
 FILES = [path for room in ROOMS for path in sorted((ROOT / room).rglob("*.py")) if "__pycache__" not in path.parts]
 
-OF_OTHERS = {
-    "ArgumentTypeError",
-    "AttributeError",
-    "ValueError",
-    "BadZipFile",
-    "RuntimeError",
-    "NotImplementedError",
-    "error",
-    "OperationalError",
-}
+OF_OTHERS = {"ArgumentTypeError", "AttributeError", "BadZipFile", "NotImplementedError", "OperationalError"}
+OF_OTHERS |= {"RuntimeError", "ValueError", "error"}
 """Errors of Python and its libraries (``struct.error``, ``sqlite3.OperationalError``)."""
 
 SHOWS = {"pushInfo", "pushWarning", "pushMessage", "reportError", "setProgressText", "setText", "setToolTip"}
@@ -42,11 +34,8 @@ TOO_FAR = "The nearest window has distance {distance:.3f}, more than {threshold:
 DAMAGED = "{path} is damaged or cut short; copy it again."
 
 
-def test_a_sentence_without_values_is_its_template():
+def test_a_sentence_is_its_template_with_numbers_in_its_format():
     assert english(NO_PIXELS) == "The image has no pixels."
-
-
-def test_numbers_have_the_format_of_the_template():
     said = Sentence(TOO_FAR, distance=0.123456, threshold=0.25)
     assert str(said) == "The nearest window has distance 0.123, more than 0.25."
 
@@ -96,13 +85,10 @@ def test_any_value_is_shown_in_one_line(value, said):
     text.encode("utf-8")
 
 
-def test_a_long_value_is_cut_in_its_middle():
+def test_a_long_value_is_cut_in_its_middle_and_a_path_of_usual_length_is_not():
     path = "/folder/" + "x" * 100_000 + "/name.png"
     text = english(Sentence(DAMAGED, path=path))
     assert text.startswith("/folder/xxx") and "x/name.png is damaged" in text and len(text) < 600
-
-
-def test_a_path_of_usual_length_is_not_cut():
     path = "/folder" * 60 + "/name.png"
     assert english(Sentence(DAMAGED, path=path)).startswith(f"{path} is damaged")
 
@@ -126,10 +112,6 @@ def test_long_lists_are_cut_too(value, said):
 def test_names_of_all_classes_of_a_table_are_not_cut():
     names = tuple(f"class {n}" for n in range(1, 129))
     assert ", ".join(names) in english(Sentence("{kind}", kind=names))
-
-
-def is_pair(node: ast.expr | None) -> bool:
-    return isinstance(node, ast.Tuple) and len(node.elts) == 2
 
 
 def literals(nodes: list[ast.expr]) -> Iterator[str]:
@@ -200,7 +182,8 @@ def test_a_step_is_named_by_a_text_that_can_be_translated():
     """``yield f"…", share`` would be shown untranslated; ``update_translations.py`` finds ``yield "…", share``."""
     found = []
     for path in FILES:
-        steps = [node.value.elts[0] for node in nodes_of(path) if isinstance(node, ast.Yield) and is_pair(node.value)]
+        pairs = [node.value for node in nodes_of(path) if isinstance(node, ast.Yield)]
+        steps = [pair.elts[0] for pair in pairs if isinstance(pair, ast.Tuple) and len(pair.elts) == 2]
         found += [(path.name, step.lineno) for step in steps if isinstance(step, ast.JoinedStr)]
     assert found == []
 

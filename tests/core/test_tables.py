@@ -84,7 +84,7 @@ def test_a_small_file_takes_no_room_for_the_largest(tmp_path):
         tracemalloc.stop()
 
 
-def test_json_is_read_up_to_its_longest_and_deepest():
+def test_json_is_read_up_to_its_longest_its_deepest_and_its_numbers_of_most_digits():
     assert read_json('{"a": [1, 2.5, "]]"]}') == {"a": [1, 2.5, "]]"]}
     assert read_json("[1, 2]", longest=6) == [1, 2]
     deepest = "[" * limits.JSON_DEPTH + "]" * limits.JSON_DEPTH
@@ -93,14 +93,8 @@ def test_json_is_read_up_to_its_longest_and_deepest():
         read_json("[1, 22]", longest=6)
     with pytest.raises(ValueError, match="more than 32 lists"):
         read_json(f"[{deepest}]")
-
-
-def test_brackets_within_texts_are_no_depth():
     text = '["' + "[" * 100 + r"\"{{" + '"]'
     assert read_json(text) == ["[" * 100 + '"{{']
-
-
-def test_a_whole_number_of_too_many_digits_is_refused():
     assert read_json("9" * 64) == 10**64 - 1
     with pytest.raises(ValueError, match="65 digits"):
         read_json("9" * 65)

@@ -99,13 +99,10 @@ def test_statistics_of_several_folders_are_those_of_all_their_tiles(tmp_path):
     np.testing.assert_allclose(deviation, np.sqrt(0.01 + (0.3**2 + 3 * 0.1**2) / 4))
 
 
-def test_folders_with_different_classes_are_refused(tmp_path):
+def test_folders_with_different_classes_or_without_tiles_are_refused(tmp_path):
     paths = [write_folder(tmp_path / "a"), write_folder(tmp_path / "b", names=("building", "forest"))]
     with pytest.raises(TrainingError, match="have different classes"):
         tiles.open_folders(paths)
-
-
-def test_a_folder_without_tiles_is_refused(tmp_path):
     with pytest.raises(TrainingError, match="has no exported training tiles"):
         tiles.open_folder(tmp_path)
     with pytest.raises(TrainingError, match="has no tiles for training"):

@@ -113,16 +113,11 @@ def test_class_areas_are_enough_where_landmarks_are_missing_or_do_not_come_out_w
     assert (found.references > 20) == built.any()
 
 
-@pytest.fixture(scope="module")
-def twin_houses():
-    """Return the houses of the left half repeated in the right half, over other ground."""
+@pytest.mark.slow
+def test_class_areas_resolve_an_ambiguity_of_landmarks():
     built = HOUSES.copy()
     built[:, WIDTH // 2 :] = built[:, : WIDTH // 2]
-    return built
-
-
-@pytest.mark.slow
-def test_class_areas_resolve_an_ambiguity_of_landmarks(twin_houses):
+    twin_houses = built
     localizer = localizer_of(GROUND, twin_houses)
     for column in (600, 600 + WIDTH // 2):
         image = view(GROUND, twin_houses, column, 1000)
@@ -142,15 +137,12 @@ def test_without_an_overview_only_the_constellation_is_used():
         assert localizer.localize(image, Method.AUTOMATIC) == localizer.localize_by_constellation(image)
 
 
-def test_without_a_fix_the_reasons_of_both_methods_are_shown(localizer):
+def test_without_a_fix_the_reasons_of_both_methods_are_shown_and_missing_landmarks_counted(localizer):
     found = localizer.localize(view(patches(8), houses(4)), Method.AUTOMATIC)
     assert found.status in (Status.NO_MATCH, Status.AMBIGUOUS) and found.position is None
     assert str(found.reason).startswith("The best candidate position (log odds")
     assert "Map correlation found no position either: " in str(found.reason)
     assert str(found.reason).endswith("all headings, the whole map.")
-
-
-def test_an_image_without_labels_counts_the_missing_landmarks(localizer):
     found = localizer.localize(np.zeros((SIZE, SIZE), np.uint8), Method.AUTOMATIC)
     assert found.status == Status.TOO_FEW_REFERENCES
     assert "more are needed. Map correlation found no position either: only 0%" in str(found.reason)
@@ -257,21 +249,25 @@ def test_an_inaccurate_place_is_not_confirmed_by_an_earlier_look():
     assert confirm_by_earlier(found, replace(earlier, is_doubted=False), 1000) == found
 
 
-def test_the_constellation_searches_again_at_the_place_of_map_correlation():
+def test_the_constellation_searches_again_at_the_place_of_map_correlation_but_not_without_a_fix():
     prior = prior_near(AREAS, Prior(), 1000)
     assert (prior.position, prior.radius, prior.heading_deg) == ((103.0, 204.0), 20.0, 30.0)
     assert prior_near(replace(AREAS, error_95_m=48.0), Prior(), 1000).radius == 60.0
     assert prior.pixel_size_range[0] < 1.0 < prior.pixel_size_range[1]
+    with pytest.raises(ValueError, match="no fix"):
+        prior_near(replace(AREAS, status=Status.NO_MATCH), Prior(), 1000)
 
 
 def around(radius):
     return Prior(AREAS.position, radius)
 
 
-def test_a_second_look_refines_a_fix_but_does_not_lower_its_risk():
+def test_a_second_look_anywhere_refines_a_fix_but_does_not_lower_its_risk():
     found = confirm(AREAS, STARS, around(20.0))
     assert (found.position, found.error_95_m, found.method) == (STARS.position, 1.0, Method.CONSTELLATION)
     assert (found.risk, found.confidence) == (AREAS.risk, 1 - AREAS.risk)
+    assert confirm(AREAS, STARS, Prior()).position == STARS.position
+    assert confirm(AREAS, STARS, Prior(AREAS.position)).position == STARS.position
 
 
 def test_of_places_alike_the_one_where_class_areas_agree_is_taken_if_it_is_the_only_one():
@@ -321,13 +317,3 @@ def test_without_a_fix_agreement_of_both_methods_lowers_the_risk():
     found = combine_without_fix(doubted(STARS, 0.9), doubted(AREAS, 0.9), 1000)
     assert (found.method, found.best) == (Method.CONSTELLATION, STARS.best)
     assert found.risk == pytest.approx(1 / (1 + np.exp(LOCALIZER.agreement_worth) / 81))
-
-
-def test_a_prior_without_a_place_confirms_wherever_the_constellation_looks():
-    assert confirm(AREAS, STARS, Prior()).position == STARS.position
-    assert confirm(AREAS, STARS, Prior(AREAS.position)).position == STARS.position
-
-
-def test_without_a_fix_of_map_correlation_there_is_nothing_to_look_for():
-    with pytest.raises(ValueError, match="no fix"):
-        prior_near(replace(AREAS, status=Status.NO_MATCH), Prior(), 1000)

@@ -47,11 +47,6 @@ def localizer(localizer_and_windows):
     return localizer_and_windows[0]
 
 
-@pytest.fixture(scope="module")
-def windows(localizer_and_windows):
-    return localizer_and_windows[1]
-
-
 @pytest.mark.parametrize(
     ("image", "reason"),
     [
@@ -80,7 +75,8 @@ def test_an_image_without_pixels_is_refused(localizer, shape):
 
 
 @pytest.mark.parametrize("quarter_turns", [0, 1, 2, 3])
-def test_an_image_cut_on_a_window_is_found_however_it_is_turned_by_right_angles(localizer, windows, quarter_turns):
+def test_an_image_cut_on_a_window_is_found_however_it_is_turned_by_right_angles(localizer_and_windows, quarter_turns):
+    localizer, windows = localizer_and_windows
     assert windows.described.sum() > 40
     for k in np.flatnonzero(windows.described):
         result = localizer.localize_by_topology_vector(np.rot90(cut(MAP, windows.names[k]), quarter_turns))

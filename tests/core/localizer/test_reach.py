@@ -38,13 +38,10 @@ def test_the_error_probability_is_that_of_both_positions():
     assert found[1].confidence == pytest.approx(1 - 5e-5)
 
 
-def test_the_start_leaves_less_error_probability_for_the_search():
+def test_the_start_leaves_less_error_probability_for_the_search_and_is_not_used_if_none():
     reaches = []
     search_within_reach([fix(0, risk=4e-5), NOTHING], [0, 10], 10.0, 1e-4, lambda n, reach: reaches.append(reach))
     assert reaches[0].allowed_risk == pytest.approx(6e-5)
-
-
-def test_a_start_that_leaves_nothing_is_not_used():
     assert asked([fix(0, risk=1e-4), NOTHING], [0, 10], {1: fix(50)}) == ([], {})
 
 
@@ -104,12 +101,9 @@ def test_the_fewest_fixes_are_flagged(times, xs, expected):
     assert flagged(times, xs) == expected
 
 
-def test_errors_of_both_fixes_are_allowed_for():
+def test_errors_of_both_fixes_are_allowed_for_and_fixes_of_the_same_moment_must_be_close():
     assert flagged([0, 1, 2], [0, 16, 20], errors=[3, 3, 3]) == []
     assert flagged([0, 1, 2], [0, 17, 20], errors=[3, 3, 3]) == [1]
-
-
-def test_fixes_of_the_same_moment_must_be_close():
     assert flagged([0, 0, 1], [0, 50, 5]) == [1]
 
 

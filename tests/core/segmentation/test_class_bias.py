@@ -19,12 +19,6 @@ TABLE = class_table_from_csv(
 STATED = {"building": ClassBias(0, east=-0.13, north=0.6, spread=0.35, sun_deg=150.0)}
 
 
-def read(content):
-    return read_class_bias(
-        {"class_bias": content if isinstance(content, str) else json.dumps(content)}, NAMES, "m.onnx"
-    )
-
-
 def test_what_is_written_is_read():
     assert read_class_bias({"class_bias": class_bias_text(STATED)}, NAMES, "m.onnx") == STATED
     assert read_class_bias({}, NAMES, "m.onnx") == {}
@@ -40,7 +34,7 @@ def test_what_is_written_is_read():
 )  # fmt: skip
 def test_impossible_values_are_refused_with_their_key(content):
     with pytest.raises(ModelError, match="class_bias"):
-        read(content)
+        read_class_bias({"class_bias": content if isinstance(content, str) else json.dumps(content)}, NAMES, "m.onnx")
 
 
 def test_biases_are_those_of_the_databases_classes_and_others_have_the_usual_spread():
@@ -134,12 +128,6 @@ def test_what_is_of_another_shape_is_left_out(said):
     card = card_of_texts(texts, "model.onnx")
     assert (card.name, card.trained_on, card.license, card.minutes, card.mean_iou) == ("", (), "", None, None)
     assert all(not one.iou for one in card.tested_on)
-
-
-def test_a_file_is_read_without_running_it(tmp_path):
-    path = tmp_path / "model.onnx"
-    path.write_bytes(with_metadata(smallest_model(), KEY, json.dumps(TOLD)))
-    assert read_card(str(path)).name == TOLD["name"]
 
 
 def test_files_that_are_no_segmentation_model_are_reported_and_no_pipe_is_waited_for(tmp_path):

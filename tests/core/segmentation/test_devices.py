@@ -72,7 +72,7 @@ def load(tmp_path):
     return make
 
 
-def test_automatic_tries_what_is_there_the_cpu_last():
+def test_automatic_tries_what_is_there_the_cpu_last_and_each_device_has_its_key():
     assert devices_to_try(AUTO, ["XyzProvider", CPU.provider, DIRECTML.provider, CUDA.provider]) == [
         CUDA,
         DIRECTML,
@@ -80,9 +80,6 @@ def test_automatic_tries_what_is_there_the_cpu_last():
     ]
     assert devices_to_try(AUTO, EVERY) == list(AUTOMATIC) and AUTOMATIC[-1] is CPU
     assert devices_to_try("something of another version", [CPU.provider]) == [CPU]
-
-
-def test_keys_are_those_of_the_devices():
     assert KEYS == ("auto", "cpu", "cuda", "directml", "coreml", "openvino")
     assert [device_of(key) for key in KEYS] == [None, *DEVICES]
 

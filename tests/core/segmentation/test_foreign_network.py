@@ -164,21 +164,13 @@ def test_other_inputs_than_three_bands_first_are_refused(tmp_path):
         assert "it must be 1 × 3 × height × width" in refusal(last, FACTS, tmp_path)
 
 
-def test_a_number_of_classes_that_does_not_match_is_refused(tmp_path):
+def test_classes_that_do_not_match_and_missing_statements_are_refused(tmp_path):
     source = bare(tmp_path / "bare.onnx")
     text = refusal(source, replace(FACTS, classes=("a", "b")), tmp_path)
     assert "has 3 outputs, but there are 2 class names" in text
     assert "every pixel would have it" in refusal(source, replace(FACTS, classes=("a", "", "a")), tmp_path)
     assert "Enter the class of each output" in refusal(source, replace(FACTS, classes=("", "", "")), tmp_path)
-
-
-def test_a_name_that_no_class_can_have_is_refused(tmp_path):
-    source = bare(tmp_path / "bare.onnx")
     assert "bare.onnx: " in refusal(source, replace(FACTS, classes=("a" * 300, "b", "c")), tmp_path)
-
-
-def test_missing_statements_are_asked_for(tmp_path):
-    source = bare(tmp_path / "bare.onnx")
     assert "Enter the license" in refusal(source, replace(FACTS, license=" "), tmp_path)
     assert "Enter the resolution" in refusal(source, replace(FACTS, resolution_m=0.0), tmp_path)
     assert "three numbers" in refusal(source, replace(FACTS, std=(1.0, 0.0, 1.0)), tmp_path)

@@ -91,13 +91,10 @@ def test_a_given_table_overrides_the_metadata_by_name():
     assert [c.role for c in found.table] == ["background", "reference"]
 
 
-def test_channels_are_mapped_to_a_database_by_name():
+def test_channels_are_mapped_to_a_database_by_name_and_unknown_reference_classes_refused():
     classes = read_classes({"class_names": '["Building", "water", "snow"]'}, 3, "m.onnx")
     database = class_table_from_csv("value,name,role\n4,water,reference\n6,building,reference\n7,field,background\n")
     assert classes.values_in(database, "m.onnx") == (6, 4, 0)
-
-
-def test_a_reference_class_that_the_model_does_not_know_is_refused():
     classes = read_classes({"class_names": NAMES}, 2, "m.onnx")
     database = class_table_from_csv("value,name,role\n4,bare_land,reference\n6,building,reference\n")
     with pytest.raises(

@@ -23,12 +23,9 @@ def test_labels_are_on_the_photos_own_pixels(model, pixel_size_m):
     np.testing.assert_array_equal(PhotoLabels(model, PHOTO, (1, 2, 3), pixel_size_m).found(), LABELS)
 
 
-def test_the_steps_report_the_share_done(model):
+def test_the_steps_report_the_share_done_and_a_model_without_a_temperature_gives_no_shares_of_classes(model):
     shares = list(PhotoLabels(model, PHOTO, (1, 2, 3)).steps())
     assert shares == sorted(shares) and shares[-1] == 1
-
-
-def test_a_model_without_a_temperature_gives_no_shares(model):
     assert PhotoLabels(model, PHOTO, (1, 2, 3)).seen().shares is None
 
 
@@ -81,14 +78,11 @@ def reader_of(model, shape_hw) -> PhotoReader:
     return PhotoReader(model, TABLE, lambda path: Photo(photo, None))
 
 
-def test_a_small_photo_can_be_labeled_again(model):
+def test_a_small_photo_can_be_labeled_again_and_a_large_one_not(model):
     seen = reader_of(model, (100, 140))("a.jpg")
     again = seen.look_again()
     np.testing.assert_array_equal(again.labels_hw, seen.labels_hw)
     assert again.look_again is None and again.biases == seen.biases
-
-
-def test_a_large_photo_is_labeled_once(model):
     tile = model.tile_hw[0]
     assert reader_of(model, (2 * tile, 2 * tile))("a.jpg").look_again is not None
     assert reader_of(model, (8 * tile, 8 * tile))("a.jpg").look_again is None

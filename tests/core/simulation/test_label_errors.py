@@ -132,15 +132,12 @@ def test_mislabeled_landmarks_keep_their_shape():
     assert 8 <= len(changed) <= 32
 
 
-def test_background_gets_other_background_and_landmarks_stay():
+def test_background_gets_other_background_if_there_is_any_and_landmarks_stay():
     labels = squares()
     labels[:, 200:] = np.where(labels[:, 200:] == 7, 8, labels[:, 200:])
     found = spoiled(labels, LabelNoise(background=1.0), values=(1, 2))
     np.testing.assert_array_equal(found == 8, labels == 7)
     np.testing.assert_array_equal(found == 1, labels == 1)
-
-
-def test_background_of_one_class_stays():
     np.testing.assert_array_equal(spoiled(squares(), LabelNoise(background=1.0), values=(1, 2)), squares())
 
 
