@@ -40,7 +40,6 @@ def exists(path: Path) -> bool:
 
 
 def source_files() -> list[Path]:
-    """Return all Python files of the repository."""
     rooms = ("core", "storage", "cluster", "processing", "ui", "tools", "benchmarks", "tests")
     return sorted([*ROOT.glob("*.py"), *(path for room in rooms for path in (ROOT / room).rglob("*.py"))])
 

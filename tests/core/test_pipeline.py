@@ -17,8 +17,6 @@ LABELS = np.zeros((40, 60), np.uint8)
 
 
 class Localizer:
-    """Localizer that records its input."""
-
     landmark_classes = ("building",)
 
     def __init__(self):
@@ -75,8 +73,12 @@ def test_a_photo_that_is_not_found_names_its_network():
 FIX = Localization(Status.FIX, Method.CONSTELLATION, best=Place((1.0, 2.0), heading_deg=30.0, pixel_size_m=0.5))
 
 
-def test_a_fix_has_the_position_of_the_image():
+def test_a_fix_has_the_position_of_the_image_and_its_orientation_if_both_parts_are_known():
     assert (FIX.is_fix, FIX.position, FIX.heading_deg, FIX.pixel_size_m) == (True, (1.0, 2.0), 30.0, 0.5)
+    assert Place((0.0, 0.0), 30.0, 0.5).oriented == (30.0, 0.5)
+    for place in (Place((0.0, 0.0), heading_deg=30.0), Place((0.0, 0.0), pixel_size_m=0.5)):
+        with pytest.raises(ValueError, match="no heading and pixel size"):
+            _ = place.oriented
 
 
 @pytest.mark.parametrize("status", [status for status in Status if status not in (Status.FIX, Status.LIKELY)])
@@ -84,13 +86,6 @@ def test_the_best_place_is_kept_without_a_fix_but_is_no_position(status):
     found = replace(FIX, status=status)
     assert found.best == FIX.best
     assert (found.is_fix, found.place, found.position, found.heading_deg, found.pixel_size_m) == (False, *[None] * 4)
-
-
-def test_a_place_without_heading_or_pixel_size_has_no_orientation():
-    assert Place((0.0, 0.0), 30.0, 0.5).oriented == (30.0, 0.5)
-    for place in (Place((0.0, 0.0), heading_deg=30.0), Place((0.0, 0.0), pixel_size_m=0.5)):
-        with pytest.raises(ValueError, match="no heading and pixel size"):
-            _ = place.oriented
 
 
 def test_methods_and_states_are_their_keys_and_methods_keep_their_numbers():

@@ -57,17 +57,8 @@ ABOVE_THE_IMAGE = {"geometry", "labels", "landmarks", "database", "localization"
 
 MAY_IMPORT = {
     "core": {
-        "sentences": set(),
-        "steps": set(),
-        "errors": set(),
-        "events": set(),
-        "limits": set(),
-        "values": set(),
-        "named_files": set(),
-        "tables": set(),
-        "area_plan": set(),
-        "geometry": set(),
-        "cache": set(),
+        **{leaf: set() for leaf in ("sentences", "steps", "errors", "events", "limits", "values", "named_files")},
+        **{leaf: set() for leaf in ("tables", "area_plan", "geometry", "cache")},
         "labels": {"geometry"},
         "landmarks": {"geometry", "labels"},
         "windows": {"geometry", "labels", "landmarks"},

@@ -65,13 +65,11 @@ def run_desktop(
 
 
 def make_package(repository: Path, target: Path) -> None:
-    """Write the zip of the plugin."""
     command = [sys.executable, str(repository / "tools" / "release" / "package.py"), "--output", str(target)]
     subprocess.run(command, check=True, timeout=TIMEOUT_S)
 
 
 def install_package(repository: Path, plugins: Path) -> None:
-    """Unzip the packaged plugin into a folder of plugins."""
     plugins.mkdir(parents=True, exist_ok=True)
     package = plugins.parent / "semref.zip"
     make_package(repository, package)

@@ -136,7 +136,6 @@ def shown_center(iface):
 
 
 def cut_extent():
-    """Return the place of the window on the map."""
     left, top = ORIGIN[0] + CUT[0], ORIGIN[1] - CUT[1]
     return QgsRectangle(left, top - WINDOW, left + WINDOW, top)
 

@@ -72,8 +72,6 @@ def painted(labels_hw: np.ndarray, names=(None, *NAMES)) -> np.ndarray:
 
 
 def smallest_model() -> bytes:
-    """Return a model of one operator."""
-
     def part(number: int, data: bytes) -> bytes:
         return bytes([number << 3 | 2, len(data)]) + data
 

@@ -33,7 +33,6 @@ NOTHING = np.full((SIZE, SIZE), 4, np.uint8)
 
 
 def write_area(path):
-    """Write the map's onboard file."""
     database = build_from_labels(
         ArrayLabels(MAP), FRAME, TABLE, BuildSettings(200.0, 100.0, minimum_area=30.0), "1.2.3"
     )
@@ -42,5 +41,4 @@ def write_area(path):
 
 
 def copy_core(repository, folder):
-    """Copy core into a folder."""
     shutil.copytree(repository / "core", folder / "core", ignore=shutil.ignore_patterns("__pycache__"))

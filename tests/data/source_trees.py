@@ -14,7 +14,6 @@ def tree_of(path: Path) -> ast.Module:
 
 @functools.cache
 def nodes_of(path: Path) -> tuple[ast.AST, ...]:
-    """Return all nodes of the file's tree."""
     return tuple(ast.walk(tree_of(path)))
 
 

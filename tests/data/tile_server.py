@@ -33,9 +33,7 @@ def tile_png(zoom: int, column: int, row: int, ground=labels_at) -> bytes:
 
 
 @contextmanager
-def tile_server(
-    status: int = 200, delay_s: float = 0.0, ground=labels_at, redirect: str = "", sent: list | None = None
-):
+def tile_server(status: int = 200, delay_s: float = 0, ground=labels_at, redirect: str = "", sent: list | None = None):
     """Yield the URI of an XYZ layer.
 
     status: other than 200 answers every tile with it; delay_s: before each; ground: classes at (x, y) of EPSG:3857;

@@ -150,7 +150,6 @@ def issues(qgis_app, dock):
 
 @pytest.fixture
 def tab(dock):
-    """The dock's tab Localize."""
     return dock.content.localize
 
 

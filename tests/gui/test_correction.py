@@ -79,9 +79,7 @@ def press(dock, box) -> None:
 
 
 @pytest.mark.slow
-def test_one_button_makes_the_database_that_a_full_build_would(
-    dock, iface, box, annotation, database, run_algorithm, tmp_path
-):
+def test_one_button_makes_the_database_of_a_full_build(dock, iface, box, annotation, database, run_algorithm, tmp_path):
     before = landmarks(database)
     assert box.annotation.currentLayer().id() == annotation.id()
     assert (box.class_field.currentField(), box.priority_field.currentField()) == ("class", "zorder")
@@ -99,9 +97,7 @@ def test_one_button_makes_the_database_that_a_full_build_would(
     assert sorted(shown) == sorted(row[0] for row in landmarks(database))
 
 
-def test_the_next_update_rasterizes_and_compares_only_what_was_changed_since(
-    dock, iface, box, annotation, database, run_algorithm, tmp_path
-):
+def test_the_next_update_rasterizes_only_what_changed(dock, iface, box, annotation, database, run_algorithm, tmp_path):
     run, extents = dock.content.correct.updating.run, []
     start = run._run.start_algorithm
     run._run.start_algorithm = lambda name, given, title: extents.append(given.get("EXTENT")) or start(
@@ -262,9 +258,7 @@ def test_the_map_shows_a_label_map_that_was_rasterized_again(dock, annotation, r
     assert drawn(layer) != before and repainted
 
 
-def test_a_label_map_that_the_update_made_old_is_offered_to_be_rasterized_again(
-    dock, iface, box, annotation, database, monkeypatch
-):
+def test_a_label_map_that_the_update_made_old_can_be_made_again(dock, iface, box, annotation, database, monkeypatch):
     import processing
 
     labels = database.replace(".gpkg", ".tif")

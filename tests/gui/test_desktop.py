@@ -23,18 +23,17 @@ def desktop(repository, display, area, tmp_path_factory) -> dict:
     return run_desktop(home, display, Path(__file__).with_name("desktop_session.py"), variables)
 
 
-def test_a_database_that_is_dropped_on_qgis_comes_without_a_question(desktop):
+def test_a_database_that_is_dropped_on_qgis_comes_without_a_question_and_other_files_are_left_to_qgis(desktop):
     assert desktop["drops"]["database"] == {"asked": [], "layers": ["Landmarks", "Overview", "Windows"]}
-
-
-def test_other_files_that_are_dropped_are_left_to_qgis(desktop):
     (asked,) = desktop["drops"]["other"]["asked"]
     assert asked.startswith("Select Items to Add")
 
 
-def test_no_python_error_is_logged(desktop):
+def test_no_python_error_is_logged_and_qgis_quits_cleanly_with_the_plugin_loaded(desktop):
     assert desktop["messages"] == [] and [text for text in desktop["logged"] if "Traceback" in text] == []
     assert "Traceback" not in desktop["output"]
+    assert desktop["stays"] is True
+    assert desktop["exit_status"] == 0, desktop["output"]
 
 
 def test_each_of_five_loads_brings_algorithms_and_parts_of_the_window_and_unloading_takes_them(desktop):
@@ -42,11 +41,6 @@ def test_each_of_five_loads_brings_algorithms_and_parts_of_the_window_and_unload
     for one in desktop["rounds"]:
         assert (one["loaded"], one["unloaded"], one["left"]) == (True, True, [])
         assert "semref:rasterizeannotation" in one["algorithms"] and one["added"] != []
-
-
-def test_qgis_quits_cleanly_with_the_plugin_loaded(desktop):
-    assert desktop["stays"] is True
-    assert desktop["exit_status"] == 0, desktop["output"]
 
 
 def test_annotations_are_checked_and_repaired_beside_the_geos_of_qgis(desktop):

@@ -116,9 +116,7 @@ def test_a_dock_that_is_opened_first_has_room_for_the_titles_of_its_tabs(plugin,
 
 
 @pytest.mark.slow
-def test_layers_removed_and_the_project_closed_while_everything_is_shown_break_nothing(
-    dock, iface, area, issues, tab, tmp_path, monkeypatch
-):
+def test_removed_layers_and_a_closed_project_break_nothing(dock, iface, area, issues, tab, tmp_path, monkeypatch):
     dock.content.database.file.setFilePath(area.database)
     dock.content.database.add_to_map.click()
     choose_method(dock, CONSTELLATION)
@@ -268,16 +266,10 @@ def test_there_is_one_list_of_models_at_a_time_and_it_goes_with_the_dock(dock, t
 SAID, ASIDE = "2 of 2 images have a position.", "CPU, 11.6 tiles per second."
 
 
-@pytest.fixture
-def line(qgis_app):
+def test_a_narrow_line_shows_the_second_sentence_in_the_tool_tip_and_is_shortened_in_the_middle(qgis_app):
     line = StatusLine()
     line.show_text(SAID, ASIDE)
     line.show()
-    yield line
-    line.close()
-
-
-def test_a_narrow_line_shows_the_second_sentence_in_the_tool_tip_and_is_shortened_in_the_middle(line):
     line.resize(2000, 20)
     assert line.text() == f"{SAID} {ASIDE}"
     line.resize(line.fontMetrics().horizontalAdvance(SAID) + 5, 20)

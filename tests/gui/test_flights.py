@@ -27,20 +27,14 @@ def database(run_algorithm, tmp_path_factory):
     return run_algorithm("semref:builddatabase", parameters)["DATABASE"]
 
 
-@pytest.fixture(scope="module")
-def flight(tmp_path_factory):
-    """Label images from west to east; one shows nothing."""
-    folder = tmp_path_factory.mktemp("flight")
-    for number in range(COUNT):
-        column = 60 + STEP * number
-        image = MAP[90 : 90 + SIZE, column : column + SIZE]
-        write_raster(folder / f"{number}.png", image * 0 if number == BLANK else image, transform=None)
-    return folder
-
-
 @pytest.fixture
-def flown(dock, tab, database, flight):
-    """The tab with a flight that was localized."""
+def flown(dock, tab, database, tmp_path):
+    """The tab with a flight that was localized: images from west to east; one shows nothing."""
+    flight = tmp_path / "flight"
+    flight.mkdir()
+    for number in range(COUNT):
+        image = MAP[90 : 90 + SIZE, 60 + STEP * number : 60 + STEP * number + SIZE]
+        write_raster(flight / f"{number}.png", image * 0 if number == BLANK else image, transform=None)
     choose_method(dock, CONSTELLATION)
     tab.images.flight.setChecked(True)
     start(dock, database, [str(flight)])

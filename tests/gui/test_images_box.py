@@ -54,7 +54,7 @@ def test_a_model_that_is_trained_from_the_dock_is_the_chosen_one(tab, tmp_path, 
     assert tab.images.model_path() == str(tmp_path / "own.onnx")
 
 
-def test_the_report_of_a_training_is_opened_from_a_message_and_not_in_qgis_s_results_viewer(
+def test_the_report_of_training_is_opened_from_a_message_not_by_qgis(
     tab, iface, tmp_path, training_dialog, monkeypatch
 ):
     # Dialogs and tasks make their own copies.

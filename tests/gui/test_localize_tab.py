@@ -192,7 +192,6 @@ def test_only_the_circle_drawn_on_the_map_is_searched(dock, area, away_m, fixes,
 
 @pytest.fixture
 def show_in(iface):
-    """Set the CRS of the canvas."""
     canvas = iface.mapCanvas()
     before = canvas.mapSettings().destinationCrs()
     yield canvas.setDestinationCrs
@@ -200,9 +199,7 @@ def show_in(iface):
 
 
 @pytest.mark.slow
-def test_circles_in_custom_crs_are_measured_in_meters_and_without_crs_have_the_coordinates_of_the_database(
-    dock, tab, show_in
-):
+def test_circles_in_custom_crs_are_measured_in_meters_and_without_crs_in_units_of_the_database(dock, tab, show_in):
     globe = QgsCoordinateReferenceSystem.fromProj("+proj=ortho +lat_0=48 +lon_0=8 +datum=WGS84")
     assert globe.isValid() and not globe.authid()
     show_in(globe)

@@ -140,11 +140,6 @@ def photo(tmp_path):
     return str(write_raster(tmp_path / "photo.tif", pixels, transform=(0, 0.25, 0, 0, 0, -0.25)))
 
 
-def name_classes(adding, *names):
-    for row, name in enumerate(names):
-        adding.classes.item(row, 0).setText(name)
-
-
 def says(adding, text: str) -> None:
     wait_until(lambda: text in adding.state.text(), f"“{text}”, not “{adding.state.text()}”")
 
@@ -153,7 +148,8 @@ def test_a_network_without_names_is_tested_and_added(models, adding, photo, tmp_
     adding.file.setFilePath(str(write_model(tmp_path / "bare.onnx", metadata={}, size=(64, 64))))
     says(adding, "3 outputs")
     assert adding.classes.rowCount() == 3 and not adding.threshold.isEnabled()
-    name_classes(adding, "building", "water", "building")
+    for row, name in enumerate(("building", "water", "building")):
+        adding.classes.item(row, 0).setText(name)
     adding.resolution_cm.setValue(25)
     adding.picture.setValue(photo, QgsProcessingContext())
     adding.test.click()

@@ -116,9 +116,7 @@ def test_a_project_of_another_profile_works_with_the_model_that_ships_here(dock,
         assert tab.images.model_path() == str(expected)
 
 
-def test_results_go_with_their_database_and_come_back_with_it_and_stay_with_other_images(
-    dock, iface, area, tab, tmp_path
-):
+def test_results_go_and_come_back_with_their_database_and_stay_with_other_images(dock, iface, area, tab, tmp_path):
     localize(dock, area.database, [area.image])
     shown, other = results_of(dock), str(shutil.copy(area.database, tmp_path / "other.gpkg"))
     dock.content.database.file.setFilePath(other)

@@ -113,23 +113,14 @@ def test_a_new_model_is_a_file_of_the_models_folder_that_no_model_has(add, proje
     assert training_at_hand(project)["OUTPUT"] == str(folder / "orthophoto_2.onnx")
 
 
-@pytest.fixture
-def ground(project, tmp_path):
-    """`ground(widths)` adds a photo of 10 cm and buildings of these widths, all of them twice as long."""
-
-    def make(widths):
-        fine = (WEST, 0.1, 0, NORTH, 0, -0.1)
-        file = write_raster(tmp_path / "orthophoto.tif", np.full((3, 20, 20), 9, np.uint8), transform=fine)
-        rows = [(rectangle(30 * n, 0, width, 2 * width), "building") for n, width in enumerate(widths)]
-        layer = QgsVectorLayer(str(write_layer(tmp_path / "cover.gpkg", rows)), "cover", "ogr")
-        project.addMapLayers([QgsRasterLayer(str(file), "orthophoto"), layer])
-
-    return make
-
-
-def test_the_resolution_is_proposed_from_the_smallest_typical_building(ground, project):
+def test_the_resolution_is_proposed_from_the_smallest_typical_building(project, tmp_path):
+    fine = (WEST, 0.1, 0, NORTH, 0, -0.1)
+    file = write_raster(tmp_path / "orthophoto.tif", np.full((3, 20, 20), 9, np.uint8), transform=fine)
     # One shed in twenty does not count; 3.6 m in 14 pixels.
-    ground([1.0, *[3.6] * 5, *[12.0] * 14])
+    widths = [1.0, *[3.6] * 5, *[12.0] * 14]
+    rows = [(rectangle(30 * n, 0, width, 2 * width), "building") for n, width in enumerate(widths)]
+    layer = QgsVectorLayer(str(write_layer(tmp_path / "cover.gpkg", rows)), "cover", "ogr")
+    project.addMapLayers([QgsRasterLayer(str(file), "orthophoto"), layer])
     assert training_at_hand(project)["RESOLUTION"] == 25
 
 

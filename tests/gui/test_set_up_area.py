@@ -32,9 +32,7 @@ def test_a_dock_without_a_database_offers_it(dock):
     assert dock.content.database.set_up.isHidden()
 
 
-def test_it_asks_for_what_is_missing_and_shows_the_sizes_before_it_starts(
-    project_map, dialog, sample, repository, tmp_path, monkeypatch
-):
+def test_it_asks_for_what_is_missing_and_shows_sizes(project_map, dialog, sample, repository, tmp_path, monkeypatch):
     dialog.model.setFilePath(str(repository / "models" / "sample_area.onnx"))
     shows(dialog, "enter the ground width of a typical photo")
     assert not dialog.start.isEnabled()

@@ -23,7 +23,6 @@ FARTHEST_M = 10
 
 @pytest.fixture(scope="module")
 def tool(repository, display):
-    """tools/docs/time_walk.py."""
     if shutil.which("qgis") is None or shutil.which("xvfb-run") is None:
         pytest.skip("desktop QGIS or xvfb-run is not installed")
     folder = repository / "tools" / "docs"

@@ -55,11 +55,6 @@ def picture(name):
     QApplication.primaryScreen().grabWindow(0).save(file)
 
 
-def python_errors(logged):
-    """Return messages of QGIS's log about errors, caught or not."""
-    return [text for text, tag, _level in logged if "Traceback" in text or tag == "Python Error"]
-
-
 def menu_entries():
     (menu,) = [one.menu() for one in qgis.utils.iface.pluginMenu().actions() if one.text() == "SemRef"]
     return menu.actions()
@@ -194,7 +189,8 @@ def session():
         seen["help"] = asked_for_help(browser)
         _, seconds["sample"] = timed(made_sample)
         seen["rows"], seconds["localize"] = timed(localized)
-    return {**seen, "seconds": seconds, "errors": python_errors(logged)}
+    errors = [text for text, tag, _level in logged if "Traceback" in text or tag == "Python Error"]
+    return {**seen, "seconds": seconds, "errors": errors}
 
 
 start(session)

@@ -40,16 +40,12 @@ def test_every_square_has_a_row_for_every_footprint_and_success_is_where_landmar
 
 
 @pytest.mark.slow
-def test_the_layer_brings_its_style(assessed):
+def test_the_layer_brings_its_style_and_the_report_states_the_assumptions(assessed):
     layer = QgsVectorLayer(assessed[0]["OUTPUT"], "map", "ogr")
     labels = [one.label() for one in layer.renderer().ranges()]
     assert labels[0] == "very reliably (95–100 %)" and labels[-1] == "hardly ever (0–30 %)"
     # Squares of other footprints are not drawn over the first one's.
     assert '"footprint" = 250' in layer.renderer().classAttribute()
-
-
-@pytest.mark.slow
-def test_the_report_states_the_assumptions(assessed):
     text = Path(assessed[0]["REPORT"]).read_text(encoding="utf-8")
     assumed = ("<svg", "Footprint 160", "Assumptions: ", "camera tilt 2°", "In the 95 % ellipse")
     for part in (*assumed, "too few landmarks", "Brier score", "building"):

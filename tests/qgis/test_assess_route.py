@@ -176,17 +176,12 @@ def assessed(assess, database, tmp_path_factory):
 
 
 @pytest.mark.slow
-def test_points_along_the_route_have_expectations(assessed):
-    rows = assessed[1]
+def test_points_along_the_route_have_expectations_and_the_longest_gap_ends_it(assessed):
+    results, rows = assessed
     assert [row["along"] for row in rows] == pytest.approx(np.arange(0, 551, 50).tolist(), abs=0.1)
     assert all(row["heading"] == pytest.approx(90, abs=0.1) for row in rows)
     assert all(row["success"] > 0.85 for row in rows[:3])
     assert all(row["success"] < 0.2 and row["reason"].startswith("Too few") for row in rows[-2:])
-
-
-@pytest.mark.slow
-def test_the_longest_gap_ends_the_route_and_is_given_in_seconds_too(assessed):
-    results, rows = assessed
     assert 100 < results["LONGEST_GAP"] < 400
     assert results["LONGEST_GAP_SECONDS"] == pytest.approx(results["LONGEST_GAP"] / 10)
     assert rows[0]["gap"] == 0

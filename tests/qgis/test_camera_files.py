@@ -248,9 +248,7 @@ def lon_lat(east: float, north: float) -> tuple[float, float]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("algorithm", ["semref:localizeimages", "semref:localizeflight"])
-def test_photos_taken_far_away_show_the_distance_with_their_reason(
-    run_algorithm, database, tmp_path, feedback, algorithm
-):
+def test_photos_taken_far_away_show_the_distance_and_reason(run_algorithm, database, tmp_path, feedback, algorithm):
     """This applies with and without a position: the user decides about a fix far from the photo's GPS."""
     empty = np.zeros((SIZE, SIZE), np.uint8)
     shown = {"empty": empty, "found": turned_view(LABELS, SIZE, 311.4, 207.8, 40)}

@@ -89,7 +89,6 @@ def end_of(installer) -> str:
 
 
 def python_that_answers(folder: Path, script: str) -> str:
-    """Return a replacement for QGIS's Python."""
     path = folder / "python3"
     path.write_text(f"#!/bin/sh\n{script}\n")
     path.chmod(0o755)

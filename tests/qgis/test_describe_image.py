@@ -46,14 +46,9 @@ def expected_objects(labels: np.ndarray, minimum_area_px: float):
     return extract_landmarks(np.ascontiguousarray(labels), (1, 2, 3), minimum_area_px)
 
 
-@pytest.fixture
-def georeferenced(tmp_path):
+def test_points_fall_on_the_objects_of_a_georeferenced_image(describe, tmp_path):
     transform = (WEST, PIXEL, 0, NORTH, 0, -PIXEL)
-    return write_raster(tmp_path / "image.tif", WIDE, transform=transform, names=NAMES)
-
-
-def test_points_fall_on_the_objects_of_a_georeferenced_image(describe, georeferenced):
-    found, _, results = describe(georeferenced)
+    found, _, results = describe(write_raster(tmp_path / "image.tif", WIDE, transform=transform, names=NAMES))
     expected = expected_objects(SQUARE, 40 / PIXEL**2)
     assert results["REFERENCE_COUNT"] == len(found) == len(expected) > 10
     for n, row in enumerate(found):

@@ -115,9 +115,7 @@ def test_tiles_that_cannot_be_drawn_are_refused(segment, tiles, tmp_path):
     assert not (tmp_path / "labels.tif").exists()
 
 
-def test_tiles_without_an_end_are_given_up_though_python_collects_garbage_and_little_of_them_is_read(
-    segment, tiles, tmp_path, monkeypatch
-):
+def test_of_tiles_without_an_end_little_is_read_though_python_collects_garbage(segment, tiles, tmp_path, monkeypatch):
     is_for_raster, sent = downloads._is_for_raster, []
     timer = threading.Timer(0.5, gc.collect)
     monkeypatch.setattr(downloads, "_is_for_raster", lambda request: (gc.collect(), is_for_raster(request))[1])

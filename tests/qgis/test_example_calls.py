@@ -70,9 +70,7 @@ def test_both_calls_have_the_same_parameters(calls):
 
 
 @pytest.mark.slow
-def test_the_examples_run_one_after_the_other_on_the_sample_area(
-    calls, run_algorithm, repository, sample, tmp_path, monkeypatch
-):
+def test_the_examples_run_in_turn_on_the_sample_area(calls, run_algorithm, repository, sample, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     shutil.copy(repository / "models" / calls.MODEL, tmp_path)
     shutil.copytree(sample, tmp_path / "sample")

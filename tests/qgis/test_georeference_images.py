@@ -190,14 +190,6 @@ MIDDLE = np.array([400_000.0, 5_400_000.0])
 WKT = spatial_reference(25832).ExportToWkt()
 
 
-@pytest.fixture(scope="module")
-def photo(tmp_path_factory):
-    """Return two bands with the column and the row of each pixel."""
-    rows_columns = np.indices(SHAPE_HW, np.uint16)
-    path = tmp_path_factory.mktemp("photo") / "photo.tif"
-    return str(write_raster(path, rows_columns[::-1], transform=None, kind=gdal.GDT_UInt16))
-
-
 def footprint_of(roll, pitch, heading=0.0, pixel_m=0.5):
     if roll == pitch == 0:
         return image_corners(tuple(MIDDLE), heading, pixel_m, SHAPE_HW[1], SHAPE_HW[0])
@@ -208,7 +200,10 @@ def footprint_of(roll, pitch, heading=0.0, pixel_m=0.5):
 @pytest.mark.slow
 @pytest.mark.parametrize("attitude", [(0, 0), (0, 10), (12, 20), (-5, -30)])
 @pytest.mark.parametrize("heading", [0.0, 200.0])
-def test_each_pixel_is_where_a_camera_without_distortion_saw_it(photo, tmp_path, attitude, heading):
+def test_each_pixel_is_where_a_camera_without_distortion_saw_it(qgis_app, tmp_path, attitude, heading):
+    # Two bands with the column and the row of each pixel.
+    columns_rows = np.indices(SHAPE_HW, np.uint16)[::-1]
+    photo = str(write_raster(tmp_path / "photo.tif", columns_rows, transform=None, kind=gdal.GDT_UInt16))
     footprint = footprint_of(*attitude, heading)
     target = str(tmp_path / "laid.vrt")
     write_draped(photo, target, WKT, footprint)

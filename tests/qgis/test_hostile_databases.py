@@ -45,7 +45,6 @@ def built(build_area):
 
 @pytest.fixture
 def database(built, tmp_path):
-    """Return a copy to damage."""
     return Path(shutil.copy(built, tmp_path / "area.gpkg"))
 
 
@@ -89,20 +88,16 @@ def writing(path):
         process.stdout.close()
 
 
-def test_what_a_killed_writer_left_is_rolled_back(read, built, database):
+def test_what_a_killed_writer_left_is_rolled_back_if_it_may_be_and_else_refused(read, built, database, monkeypatch):
     with writing(database):
         pass
     assert Path(f"{database}-journal").stat().st_size
+    with monkeypatch.context() as patch:
+        patch.setattr("os.access", lambda path, mode: False)
+        assert "another program" in refusal(read, database)
     found, whole = read(database), read(built)
     assert len(found.references) == len(whole.references)
     np.testing.assert_array_equal(found.windows.centers, whole.windows.centers)
-
-
-def test_what_a_killed_writer_left_is_refused_where_nothing_may_be_written(read, database, monkeypatch):
-    with writing(database):
-        pass
-    monkeypatch.setattr("os.access", lambda path, mode: False)
-    assert "another program" in refusal(read, database)
 
 
 def test_a_database_that_another_program_writes_is_refused(read, database, short_wait):
@@ -184,19 +179,13 @@ def test_a_table_that_is_no_table_is_refused(read, database, statements):
 BAD_VALUES = [
     "UPDATE windows SET center_x = 1e308",
     "UPDATE windows SET center_x = NULL",
-    "UPDATE windows SET size = 0",
     "UPDATE windows SET size = 1e308",
-    "UPDATE windows SET level = 9",
     "UPDATE windows SET level = 1e300",
-    "UPDATE windows SET reference_count = -4",
     "UPDATE windows SET reference_count = 9e18",
-    "UPDATE windows SET distinctiveness = -1",
     "UPDATE windows SET vector = zeroblob(3)",
     "UPDATE windows SET vector = replace(hex(zeroblob(60)), '00', 'a')",
     "UPDATE windows SET vector = CAST(replace(hex(zeroblob(30)), '00', x'ffff') AS BLOB)",
     'UPDATE "references" SET area = NULL',
-    'UPDATE "references" SET area = 0',
-    'UPDATE "references" SET area = 1e308',
     'UPDATE "references" SET class = 77',
     'UPDATE "references" SET class = 300',
     "UPDATE \"references\" SET class = 'x'",
@@ -209,19 +198,14 @@ BAD_VALUES = [
     "UPDATE classes SET name = hex(zeroblob(4000000))",
     "UPDATE parameters SET value = hex(zeroblob(4000000)) WHERE key = 'crs'",
     "UPDATE parameters SET value = replace(hex(zeroblob(50000)), '00', '[') WHERE key = 'levels'",
-    "UPDATE parameters SET value = '[]' WHERE key = 'levels'",
     "UPDATE parameters SET value = '[1, 0]' WHERE key = 'levels'",
     "UPDATE parameters SET value = '[-1]' WHERE key = 'levels'",
     "UPDATE parameters SET value = '1e308' WHERE key = 'pixel_size'",
-    "UPDATE parameters SET value = 'NaN' WHERE key = 'stride'",
-    "UPDATE parameters SET value = '[1e308, 1, 0, 1e308, 0, -1]' WHERE key = 'geotransform'",
     "UPDATE parameters SET value = '[NaN, 1, 0, 0, 0, -1]' WHERE key = 'geotransform'",
     "UPDATE parameters SET value = '[550000, 0, 0, 5220000, 0, 0]' WHERE key = 'geotransform'",
     "UPDATE parameters SET value = '1e400' WHERE key = 'minimum_area'",
     "UPDATE parameters SET value = replace(hex(zeroblob(5000)), '0', '1') WHERE key = 'map_width_px'",
-    "UPDATE parameters SET value = '2000000000' WHERE key = 'references_per_vector'",
     "UPDATE parameters SET value = '11' WHERE key = 'references_per_vector'",
-    "UPDATE parameters SET value = '{}' WHERE key = 'crs'",
     "UPDATE parameters SET key = x'ff'",
 ]
 

@@ -256,9 +256,7 @@ def test_a_name_that_reads_like_an_archive_is_one_as_any(annotation, run_algorit
     assert any("<history>" in text for (text,) in noted)
 
 
-def test_a_label_map_has_the_same_metadata_beside_it_and_a_layer_in_memory_its_look(
-    annotation, run_algorithm, tmp_path
-):
+def test_a_label_map_has_the_same_metadata_beside_it_and_a_memory_layer_its_look(annotation, run_algorithm, tmp_path):
     given, output = {"INPUT": annotation, "CLASS_FIELD": "class"}, tmp_path / "labels.tif"
     run_algorithm("semref:rasterizeannotation", {**given, "OUTPUT": str(output)})
     layer = QgsRasterLayer(str(output), "labels")
@@ -305,7 +303,9 @@ def notes(path: str) -> list[QgsLayerMetadata]:
     return [QgsVectorLayer(f"{path}|layername={table}", table, "ogr").metadata() for table in TABLES]
 
 
-def test_both_tables_have_title_history_and_licenses(database):
+def test_both_tables_have_title_history_and_licenses_and_results_name_the_sources_once(
+    database, run_algorithm, tmp_path
+):
     landmarks, windows = notes(database)
     assert (landmarks.title(), windows.title()) == ("Landmarks", "Windows")
     assert landmarks.abstract() != windows.abstract()
@@ -313,6 +313,10 @@ def test_both_tables_have_title_history_and_licenses(database):
         assert metadata.rights() == [SOURCES]
         (line,) = metadata.history()
         assert "SemRef" in line and 'processing.run("semref:builddatabase"' in line and "'STRIDE':100" in line
+    image = write_raster(tmp_path / "image.png", LABELS[100:300, 100:300])
+    output = str(tmp_path / "positions.gpkg")
+    run_algorithm(LOCALIZE, {"DATABASE": database, "IMAGES": [str(image)], "OUTPUT": output})
+    assert QgsVectorLayer(output, "positions", "ogr").metadata().rights() == [SOURCES]
 
 
 def test_an_update_adds_itself_to_the_history_and_keeps_the_rest(database, label_map, run_algorithm):
@@ -326,31 +330,19 @@ def test_an_update_adds_itself_to_the_history_and_keeps_the_rest(database, label
         assert metadata.rights() == [SOURCES]
 
 
-def history_after(lines: list[str]) -> list[str]:
-    """Return the history of a layer with these lines after one more run."""
-    metadata = QgsLayerMetadata()
-    metadata.setHistory(lines)
+def test_the_history_of_many_updates_keeps_the_first_line_and_the_newest_ones(qgis_app):
     layer = QgsVectorLayer("Point?crs=epsg:2056", "landmarks", "memory")
     note = Note("Landmarks", history=("2026-01-02 03:04 UTC, SemRef 1: processing.run('update')",))
-    return note.after(metadata).metadata(layer).history()
-
-
-def test_the_history_of_many_updates_keeps_the_first_line_and_the_newest_ones(qgis_app):
     lines = ["built"]
     for number in range(120):
-        lines = history_after(lines)
+        metadata = QgsLayerMetadata()
+        metadata.setHistory(lines)
+        lines = note.after(metadata).metadata(layer).history()
         assert len(lines) == (number + 2 if number < 49 else 51)
         # Each line has the number of its run.
         lines[-1] = f"update {number}"
     assert lines[:2] == ["built", "…"]
     assert lines[2:] == [f"update {number}" for number in range(71, 120)]
-
-
-def test_what_is_made_of_a_database_names_its_sources_once(database, run_algorithm, tmp_path):
-    image = write_raster(tmp_path / "image.png", LABELS[100:300, 100:300])
-    output = str(tmp_path / "positions.gpkg")
-    run_algorithm(LOCALIZE, {"DATABASE": database, "IMAGES": [str(image)], "OUTPUT": output})
-    assert QgsVectorLayer(output, "positions", "ogr").metadata().rights() == [SOURCES]
 
 
 def test_each_table_has_its_metadata_once_and_the_overview_has_them_on_the_map(database, label_map):

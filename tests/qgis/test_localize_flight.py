@@ -26,11 +26,6 @@ BLANK = 5
 
 
 @pytest.fixture(scope="module")
-def database(build_area):
-    return build_area(MAP, NAMES, SIZE, SIZE / 2)
-
-
-@pytest.fixture(scope="module")
 def flight(tmp_path_factory):
     """Return a folder of label images, with tables of their times and motion."""
     folder = tmp_path_factory.mktemp("images") / "flight"
@@ -55,17 +50,14 @@ def odometry(spoilt: float = 0.0) -> str:
 
 
 @pytest.fixture(scope="module")
-def localize(run_algorithm, database, flight, tmp_path_factory):
+def localize(run_algorithm, build_area, flight, tmp_path_factory):
     """`localize(feedback=None, **parameters)` returns (rows of OUTPUT, results)."""
+    database = build_area(MAP, NAMES, SIZE, SIZE / 2)
 
     def run(feedback=None, **parameters):
         folder = tmp_path_factory.mktemp("outputs")
-        given = {
-            "DATABASE": database,
-            "IMAGES": str(flight),
-            "METHOD": 2,
-            "ODOMETRY": str(flight.parent / "motion.csv"),
-        }
+        given = {"DATABASE": database, "IMAGES": str(flight), "METHOD": 2}
+        given["ODOMETRY"] = str(flight.parent / "motion.csv")
         for key, name in {"OUTPUT": "positions.gpkg", "TRACK": "track.gpkg", "REPORT": "report.html"}.items():
             given[key] = str(folder / name)
         results = run_algorithm(FLIGHT, {**given, **parameters}, feedback)
@@ -80,7 +72,7 @@ def found(localize, flight):
     return localize(ATTITUDE=str(flight.parent / "times.csv"))
 
 
-def test_the_flight_is_placed_on_one_track(found):
+def test_the_flight_is_placed_on_one_track_with_its_image_without_content(found):
     rows, results = found
     assert [Path(row["image"]).stem for row in rows] == [f"image{n}" for n in range(5, 5 + COUNT)]
     assert [row["number"] for row in rows] == list(range(1, COUNT + 1))
@@ -91,27 +83,13 @@ def test_the_flight_is_placed_on_one_track(found):
         assert (row["heading"] - view.heading_deg + 180) % 360 - 180 == pytest.approx(0, abs=5)
         assert row["track"] == 1 and row["source"] in ("own", "flight") and row["confidence"] > 0.999
         assert row["sigma_east"] > 0 and -1 <= row["correlation"] <= 1
-
-
-def test_an_image_without_content_is_placed_by_the_flight(found):
-    rows, _ = found
     row, view = rows[BLANK], VIEWS[BLANK]
     assert (row["status"], row["source"], row["outvoted"]) == ("fix", "flight", 0)
     assert np.hypot(row["x"] - view.x, row["y"] - view.y) < 10
     assert row["error_95"] > rows[BLANK - 1]["error_95"]
 
 
-def test_its_times_are_dates_that_qgis_can_play(found):
-    rows, results = found
-    assert [row["time"][:19] for row in rows[:2]] == ["2025/05/09 10:00:10", "2025/05/09 10:00:12"]
-    layer = QgsVectorLayer(results["OUTPUT"], "flight", "ogr")
-    # QGIS 3.22 does not read the times of a default style when it opens a file.
-    layer.loadDefaultStyle()
-    played = layer.temporalProperties()
-    assert played.isActive() and played.startField() == "time" and played.accumulateFeatures()
-
-
-def test_the_track_goes_through_its_images(found):
+def test_the_track_goes_through_its_images_and_its_times_are_dates_that_qgis_can_play(found):
     rows, results = found
     (line,) = read_rows(results["TRACK"])
     placed = [(row["x"], row["y"]) for row in rows if row["status"] == "fix"]
@@ -119,6 +97,12 @@ def test_the_track_goes_through_its_images(found):
     own = sum(row["source"] == "own" for row in rows)
     assert (line["track"], line["images"], line["own"]) == (1, len(placed), own)
     assert line["length"] == pytest.approx(line["geometry"].Length())
+    assert [row["time"][:19] for row in rows[:2]] == ["2025/05/09 10:00:10", "2025/05/09 10:00:12"]
+    layer = QgsVectorLayer(results["OUTPUT"], "flight", "ogr")
+    # QGIS 3.22 does not read the times of a default style when it opens a file.
+    layer.loadDefaultStyle()
+    played = layer.temporalProperties()
+    assert played.isActive() and played.startField() == "time" and played.accumulateFeatures()
 
 
 def test_the_report_lists_images_times_and_reasons(found):
@@ -166,18 +150,20 @@ def test_headings_of_a_log_narrow_the_search(localize, flight, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("text", "sentence"),
-    [("no log", "not a supported flight log"), (geo(["other.png"]), "contains no entry for these images")],
+    ("key", "text", "sentence"),
+    [
+        ("LOG", "no log", "not a supported flight log"),
+        ("LOG", geo(["other.png"]), "contains no entry for these images"),
+        (
+            "ODOMETRY",
+            "image,dx_m,dy_m,dheading_deg\nother1,,,\nother2,1,1,0\n",
+            "no motion between two of these images",
+        ),
+    ],
 )
-def test_what_is_no_log_of_this_flight_is_refused(localize, tmp_path, text, sentence):
+def test_what_is_no_log_or_odometry_table_of_this_flight_is_refused(localize, tmp_path, key, text, sentence):
     with pytest.raises(QgsProcessingException, match=sentence):
-        localize(LOG=str(write_text(tmp_path / "geo.txt", text)))
-
-
-def test_an_odometry_table_of_other_images_stops_before_any_work(localize, tmp_path):
-    table = write_text(tmp_path / "table.csv", "image,dx_m,dy_m,dheading_deg\nother1,,,\nother2,1,1,0\n")
-    with pytest.raises(QgsProcessingException, match="no motion between two of these images"):
-        localize(ODOMETRY=str(table))
+        localize(**{key: str(write_text(tmp_path / "table.txt", text))})
 
 
 @pytest.mark.slow

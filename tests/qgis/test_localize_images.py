@@ -86,12 +86,6 @@ def test_the_labels_folder_has_a_label_map_for_each_image_by_its_stem(localize, 
         assert "1,building,#c8372d" in labels.GetMetadataItem("SEMREF_CLASS_TABLE")
 
 
-def test_the_published_method_has_no_matches(localize, tmp_path):
-    matches = tmp_path / "matches.gpkg"
-    localize([image(tmp_path, "a.png", window(0, 0))], MATCHES=str(matches))
-    assert rows(str(matches)) == []
-
-
 def test_the_columns_are_those_of_the_format_in_order(localize, tmp_path):
     _, results = localize([image(tmp_path, "a.png", window(0, 0))])
     source = ogr.Open(results["OUTPUT"])
@@ -171,9 +165,11 @@ def test_a_georeference_is_not_needed_and_not_used(localize, tmp_path):
     assert localize([str(path)])[0][0]["window"] == "160_200"
 
 
-def test_footprints_are_the_matched_windows(localize, tmp_path):
+def test_footprints_are_the_matched_windows_and_the_published_method_has_no_matches(localize, tmp_path):
     paths = [image(tmp_path, "a.png", window(160, 200)), str(tmp_path / "missing.png")]
-    _, results = localize(paths, FOOTPRINTS=str(tmp_path / "footprints.gpkg"))
+    outputs = {key: str(tmp_path / f"{key}.gpkg") for key in ("FOOTPRINTS", "MATCHES")}
+    _, results = localize(paths, **outputs)
+    assert rows(results["MATCHES"]) == []
     (footprint,) = read_rows(results["FOOTPRINTS"])
     left, top = WEST + 160, NORTH - 200
     assert footprint["geometry"].GetEnvelope() == (left, left + SIZE, top - SIZE, top)
@@ -181,9 +177,8 @@ def test_footprints_are_the_matched_windows(localize, tmp_path):
     assert footprint["geometry"].GetSpatialReference().GetAuthorityCode(None) == str(METRIC_CRS)
 
 
-@pytest.fixture
-def likely(localize, tmp_path, feedback):
-    """Return (rows, results) of a likely position, a fix and an unreadable image."""
+@pytest.mark.slow
+def test_a_likely_position_is_shown_with_a_reason_and_counted_apart(localize, run_algorithm, tmp_path, feedback):
     labels = window(180, 150, 60).copy()
     labels[np.random.default_rng(1).random(labels.shape) < 0.2] = 4
     images = [image(tmp_path, "a.png", labels), image(tmp_path, "b.png", window(180, 150))]
@@ -194,12 +189,7 @@ def likely(localize, tmp_path, feedback):
     outputs = {key: str(tmp_path / f"{key}.gpkg") for key in ("FOOTPRINTS", "ALTERNATIVES", "MATCHES")}
     found, results = localize([*images, str(tmp_path / "missing.png")], METHOD=3, RISK=risk, **outputs)
     assert [row["status"] for row in found] == ["likely", "fix", "error"]
-    return found, results
-
-
-@pytest.mark.slow
-def test_a_likely_position_is_shown_with_a_reason_and_counted_apart(likely, run_algorithm, tmp_path, feedback):
-    (found, fix, _), results = likely
+    found, fix, _ = found
     assert found["point"] == pytest.approx((WEST + 210, NORTH - 180), abs=2)
     assert (found["x"], found["y"]) == found["point"] and found["longitude"] is not None
     assert 0.8 <= found["confidence"] < 1 and 0 < found["error_95_minor"] <= found["error_95"] < 20

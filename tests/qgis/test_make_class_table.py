@@ -31,7 +31,7 @@ def layer_of(tmp_path, *values, kind="text") -> str:
     return str(write_layer(tmp_path / "annotation.gpkg", features, [("class", kind)]))
 
 
-def test_a_layers_classes_get_values_colors_and_roles(made, tmp_path):
+def test_a_layers_classes_get_values_colors_and_roles_and_keep_the_colors_of_its_style(made, tmp_path):
     layer = layer_of(tmp_path, "water", "forest", "building", "water", None)
     table, results = made(layer)
     assert results["CLASS_COUNT"] == 3
@@ -39,9 +39,6 @@ def test_a_layers_classes_get_values_colors_and_roles(made, tmp_path):
     assert [c.name for c in table.references] == ["building", "water"]
     assert table.find("water").color == "#3a87c8"
     assert [c.name for c in made(layer, REFERENCE_CLASSES="forest")[0].references] == ["forest"]
-
-
-def test_the_colors_of_the_layers_style_are_kept(made, tmp_path):
     path = Path(layer_of(tmp_path, 4, 9, kind="integer"))
     table, _ = made(styled_layer(path, [(4, "Lake", "#112233"), (9, "House", "#445566")]))
     assert [(c.value, c.name, c.color) for c in table] == [(4, "Lake", "#112233"), (9, "House", "#445566")]

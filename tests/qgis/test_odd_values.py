@@ -220,14 +220,11 @@ def test_files_are_a_list_one_path_or_several_as_text(read, tmp_path):
     assert read(files=f"{second}; d.png").files("files") == [str(second), "d.png"]
 
 
-def test_a_point_comes_in_the_crs_asked_for(read):
+def test_a_point_comes_in_the_crs_asked_for_and_an_unreadable_source_is_refused(read):
     crs = QgsCoordinateReferenceSystem("EPSG:32632")
     assert read().point("point", crs) is None
     x, y = read(point="9,47 [EPSG:4326]").point("point", crs)
     assert (round(x), round(y)) == (500000, 5205164)
-
-
-def test_an_unreadable_source_is_refused_and_a_missing_one_is_none(read):
     assert read().source("source") is None
     with pytest.raises(ParameterError):
         read(source="no/such/layer.gpkg").source("source")

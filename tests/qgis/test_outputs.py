@@ -22,7 +22,6 @@ RASTERIZE, CHECK, REPAIR = "semref:rasterizeannotation", "semref:checkannotation
 
 @pytest.fixture
 def describe(run_algorithm, given):
-    """`describe(target)` writes the landmarks of a photo."""
     asked = {"INPUT": str(given / "photo.png"), "DATABASE": str(given / "area.gpkg")}
     return lambda target: run_algorithm(DESCRIBE, {**asked, "REFERENCES": str(target)})
 
@@ -84,14 +83,11 @@ def test_an_input_that_is_a_layer_of_the_project_is_seen(run_algorithm, given):
     assert (given / "annotation.gpkg").read_bytes() == before
 
 
-def test_two_outputs_in_one_file_are_refused(run_algorithm, given):
+def test_two_outputs_in_one_file_are_refused_but_a_database_may_be_updated_in_place(run_algorithm, given):
     asked = {"DATABASE": str(given / "area.gpkg"), "IMAGES": [str(given / "photo.png")]}
     with pytest.raises(QgsProcessingException, match="the same file"):
         run_algorithm(LOCALIZE, {**asked, **dict.fromkeys(("OUTPUT", "FOOTPRINTS"), str(given / "both.gpkg"))})
     assert not (given / "both.gpkg").exists()
-
-
-def test_a_database_may_be_updated_in_place(run_algorithm, given):
     area = str(given / "area.gpkg")
     run_algorithm(UPDATE, {"DATABASE": area, "LABELS": str(given / "labels.tif"), "OUTPUT": area})
     assert ogr.Open(area).GetLayerByName("windows").GetFeatureCount() > 0

@@ -42,7 +42,6 @@ def algorithms(qgis_app):
 
 
 def described(parameter) -> dict:
-    """Return the public properties of a parameter."""
     flags, stored = parameter.flags(), parameter.toVariantMap()
     public = {
         "type": parameter.type(),

@@ -67,9 +67,7 @@ def model(tmp_path_factory):
     return str(write_model(tmp_path_factory.mktemp("model") / "colors.onnx", metadata=metadata(resolution=100)))
 
 
-def test_a_part_of_an_orthophoto_on_a_server_is_segmented_without_fetching_the_rest(
-    run_algorithm, model, served, tmp_path
-):
+def test_a_part_of_an_orthophoto_on_a_server_is_segmented_without_the_rest(run_algorithm, model, served, tmp_path):
     file = photo(tmp_path / "ortho.tif", LABELS)
     size = file.stat().st_size
     extent = f"{WEST + 500},{WEST + 660},{NORTH - 460},{NORTH - 300} [EPSG:32632]"

@@ -93,9 +93,7 @@ def windows(path):
         return connection.execute("SELECT * FROM windows ORDER BY fid").fetchall()
 
 
-def test_what_the_annotation_lacks_is_found_and_the_correction_reaches_the_database(
-    run_algorithm, repository, folder, tmp_path
-):
+def test_what_the_annotation_lacks_is_found_and_corrected_in_the_database(run_algorithm, repository, folder, tmp_path):
     asked = {"IMAGE": str(folder / "orthophoto.tif"), "MODEL": str(repository / "models" / "sample_area.onnx")}
     outputs = {"segment:Predicted label map": "predicted.tif", "compare:Disagreements": "disagreements.gpkg"}
     outputs["compare:Report"] = "report.html"

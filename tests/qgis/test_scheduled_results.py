@@ -137,9 +137,7 @@ def test_workers_evaluate_what_qgis_evaluates(run_algorithm, trial_area, tmp_pat
     assert len(numbers["trials"]) == 24 and numbers["scaling"]
 
 
-def test_a_database_that_changes_before_workers_begin_is_noticed(
-    run_algorithm, build_area, trial_area, tmp_path, monkeypatch
-):
+def test_a_database_changed_before_workers_begin_is_seen(run_algorithm, build_area, trial_area, tmp_path, monkeypatch):
     area, wait = tmp_path / "area.gpkg", Workers.wait
     area.write_bytes(Path(trial_area).read_bytes())
     other = Path(build_area(scattered_objects(420, 480, 280, seed=5, background=0), NAMES, SIZE, 40)).read_bytes()

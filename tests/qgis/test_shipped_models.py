@@ -22,7 +22,6 @@ each_id = pytest.mark.parametrize("name", IDS)
 
 
 def texts_of(algorithm) -> list:
-    """Return the texts of a model that QGIS shows."""
     shown = [algorithm.displayName(), algorithm.group(), algorithm.shortDescription()]
     return shown + [definition.description() for definition in algorithm.parameterDefinitions()]
 

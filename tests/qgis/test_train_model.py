@@ -68,7 +68,6 @@ def train(run_algorithm, trainer, tmp_path):
 
 @pytest.fixture
 def kept(tmp_path):
-    """Return a folder that KEEP fills."""
     return tmp_path / "kept"
 
 
@@ -97,7 +96,6 @@ def job_in(kept):
 
 
 def folders(place):
-    """Return the folders that training left beside its model."""
     return sorted(place.glob("model.training*"))
 
 

@@ -211,7 +211,7 @@ def test_a_full_disk_is_not_reported_as_a_damaged_database(update, old, rebuilt,
 
 
 @pytest.mark.parametrize("begin", ["BEGIN IMMEDIATE", pytest.param("BEGIN EXCLUSIVE", marks=pytest.mark.slow)])
-def test_a_database_that_another_program_locks_before_the_end_is_not_replaced(
+def test_a_database_that_is_locked_before_the_end_is_not_replaced(
     update, old, tmp_path, monkeypatch, short_wait, begin
 ):
     """Otherwise the other program would commit into a file that is no longer in use."""

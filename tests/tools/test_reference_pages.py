@@ -5,8 +5,6 @@ import sys
 from dataclasses import fields
 from pathlib import Path
 
-import pytest
-
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.append(str(ROOT / "tools" / "docs"))
 
@@ -18,12 +16,8 @@ import list_settings  # noqa: E402
 import reference_pages  # noqa: E402
 
 
-@pytest.fixture(scope="module")
-def sentences() -> dict[str, str]:
-    return list_messages.sentences()
-
-
-def test_the_page_of_messages_has_every_message_and_notes_of_all_reasons(sentences):
+def test_the_page_of_messages_has_every_message_and_notes_of_all_reasons():
+    sentences = list_messages.sentences()
     page, notes = list_messages.page(sentences), set(list_messages.notes())
     assert [template for template in sentences if list_messages.shown(template) not in page] == []
     assert notes <= set(sentences) and list_messages.reasons() <= notes

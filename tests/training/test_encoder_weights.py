@@ -52,22 +52,12 @@ print(json.dumps({"spreads": spreads, "refusals": refusals, "taken": taken}))
 """
 
 
-@pytest.fixture(scope="module")
-def answers(tmp_path_factory, with_torch):
-    done = with_torch(PROGRAM, tmp_path_factory.mktemp("weights") / "weights.pth")
+def test_weights_are_taken_by_name_with_or_without_prefix_or_by_order_or_refused(tmp_path, with_torch):
+    done = with_torch(PROGRAM, tmp_path / "weights.pth")
     assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout.splitlines()[-1])
-
-
-def test_the_packaged_weights_give_the_features_that_they_gave_when_they_were_taken_by_name(answers):
+    answers = json.loads(done.stdout.splitlines()[-1])
     assert answers["spreads"] == pytest.approx(SPREADS, rel=1e-3)
-
-
-def test_weights_that_do_not_fill_the_encoder_are_refused(answers):
     another, none = "has the weights of another encoder", "has no torch weights"
     for said, part in zip(answers["refusals"], (another, another, none, none)):
         assert part in said
-
-
-def test_weights_are_taken_by_the_encoders_names_with_or_without_its_prefix_and_by_their_order(answers):
     assert answers["taken"] == [True, True, True]

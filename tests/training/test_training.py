@@ -62,7 +62,6 @@ def command(python: Path, job: Job) -> list[str]:
 
 
 def trained(python: Path, job: Job) -> list[dict]:
-    """Return the events of the process."""
     done = subprocess.run(command(python, job), capture_output=True, text=True, check=False)
     events = [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
     assert events, done.stderr
@@ -98,7 +97,7 @@ def test_training_reports_each_epoch_and_its_results(first):
     assert rows[0].startswith("epoch,training_loss,mean_iou") and len(rows) == 3
 
 
-def test_the_model_is_one_that_semref_segments_with(first):
+def test_the_model_is_one_that_semref_segments_with_and_carries_a_card(first):
     job, _ = first
     model = SegmentationModel(job.output, 1)
     assert model.settings.resolution_m == 0.5
@@ -107,10 +106,6 @@ def test_the_model_is_one_that_semref_segments_with(first):
     photo = np.broadcast_to(np.uint8(COLORS[1]), (160, 200, 3)).copy()
     seen = PhotoLabels(model, ArrayImage(photo), model.classes.values).seen()
     assert seen.labels_hw.shape == (160, 200) and seen.shares.values.tolist() == [1, 2]
-
-
-def test_the_model_carries_a_card(first):
-    job, _ = first
     card = read_card(job.output)
     assert (card.fault, card.classes, card.resolution_m) == (None, ("other", "building", "water"), 0.5)
     assert [ground.place for ground in card.trained_on] == ["made up"]

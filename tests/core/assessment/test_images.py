@@ -17,9 +17,7 @@ IN_TOWN = 600300.0, 5199700.0
 
 
 @pytest.mark.parametrize("heading", [0.0, 30.0, 137.0])
-def test_a_simulated_image_has_the_landmarks_that_an_image_of_the_map_shows(
-    assessed_database, localizer, map_labels, heading
-):
+def test_a_simulated_image_has_the_landmarks_of_an_image_of_the_map(assessed_database, localizer, map_labels, heading):
     simulator = ImageSimulator(localizer, assessed_database, FOOTPRINT)
     found, centers = simulator.whole_landmarks(simulator.view(*IN_TOWN, heading))
     frame = assessed_database.parameters.frame

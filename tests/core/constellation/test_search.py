@@ -56,9 +56,7 @@ def built_twice(catalogue):
 STEP = (900.0, 40.0)
 
 
-def test_before_a_place_is_a_fix_ground_around_that_looks_the_same_is_tried_unless_a_prior_excludes_it(
-    built_twice, index, cut
-):
+def test_before_a_fix_ground_around_it_that_looks_the_same_is_tried_unless_a_prior_excludes_it(built_twice, index, cut):
     made = cut(1000.0, 1000.0, 30.0, 1.0)
     query, here = made.query, made.pose.center + index.origin - built_twice.origin
     verifier = verification.Verifier(built_twice, EDGE, EDGE, 60.0)

@@ -55,7 +55,6 @@ def built(run, labels, settings=SETTINGS):
 
 @pytest.fixture
 def whole():
-    """Return the database built in one task."""
     return built(Threads(ArrayLabels(LABELS)), LABELS)
 
 

@@ -65,9 +65,7 @@ def random_labels(seed, height, width, count=7):
 
 @pytest.mark.parametrize("factor", range(1, 21))
 @pytest.mark.parametrize(("extra_rows", "extra_columns"), [(0, 0), (0, 1), (1, 0), (1, 1), (2, 3), (-1, -1)])
-def test_every_block_shows_its_most_frequent_label_and_those_over_the_edge_count_the_pixels_they_have(
-    factor, extra_rows, extra_columns
-):
+def test_every_block_shows_the_most_frequent_label_of_the_pixels_that_it_has(factor, extra_rows, extra_columns):
     height, width = max(1, 3 * factor + extra_rows), max(1, 4 * factor + extra_columns)
     labels = random_labels(100 + factor, height, width, 4)
     found = most_frequent_labels(labels, factor)

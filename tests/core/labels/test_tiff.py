@@ -31,19 +31,13 @@ def test_meters_are_meters(order):
     assert pixel_size_m(georeferenced(METERS, *scaled(0.25, 0.5), order=order), SHAPE_HW) == (0.25, 0.5)
 
 
-def test_feet_are_turned_into_meters():
+def test_pixels_in_feet_in_degrees_and_of_a_turned_image_are_turned_into_meters():
     feet = georeferenced(((1024, 0, 1, 1), (3076, 0, 1, 9002)), *scaled(10.0))
     assert pixel_size_m(feet, SHAPE_HW) == pytest.approx((3.048, 3.048))
-
-
-def test_a_turned_image_has_the_pixels_of_its_matrix():
     matrix = (0.3, -0.4, 0, 0, 0.8, 0.6, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1)
     assert pixel_size_m(georeferenced(METERS, (34264, 12, matrix)), SHAPE_HW) == pytest.approx(
         (np.hypot(0.3, 0.8), np.hypot(0.4, 0.6))
     )
-
-
-def test_a_degree_of_longitude_is_half_as_long_at_60_north():
     found = pixel_size_m(georeferenced(DEGREES, *scaled(1e-6, top=60 + 50e-6)), SHAPE_HW)
     # Lengths of a degree at 60° on WGS 84, from the table of the National Geospatial-Intelligence Agency.
     assert found == pytest.approx((55_800e-6, 111_412e-6), rel=1e-5)

@@ -24,11 +24,13 @@ def test_no_pixel_is_used_for_both(shape_hw, stride):
     assert not (training & validation).any()
 
 
-def test_tiles_stay_on_the_image():
+def test_tiles_stay_on_the_image_and_one_smaller_than_a_tile_is_refused():
     tiles = plan_tiles((333, 777), 64, 50, np.zeros((4, 7), bool), 128)
     assert max(tile.row + 64 for tile in tiles) <= 333
     assert max(tile.column + 64 for tile in tiles) <= 777
     assert len(tiles) == 6 * 15
+    with pytest.raises(ParameterError, match="300 × 50 pixels, less than one tile of 64"):
+        plan_tiles((50, 300), 64, 64, np.zeros((1, 5), bool), 64)
 
 
 @pytest.mark.parametrize("fraction", [0.1, 0.25, 0.5])
@@ -36,11 +38,6 @@ def test_validation_has_about_the_asked_fraction_of_the_labels(fraction):
     labeled = np.random.default_rng(3).integers(0, 1000, (8, 8))
     taken = validation_blocks(labeled, fraction)
     assert labeled[taken].sum() / labeled.sum() == pytest.approx(fraction, abs=0.02)
-
-
-def test_an_image_smaller_than_a_tile_is_refused():
-    with pytest.raises(ParameterError, match="300 × 50 pixels, less than one tile of 64"):
-        plan_tiles((50, 300), 64, 64, np.zeros((1, 5), bool), 64)
 
 
 @pytest.mark.parametrize(

@@ -28,7 +28,6 @@ def written(database, lon_lat, tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def area(tmp_path_factory) -> str:
-    """Return the path of the onboard file of `onboard_area`."""
     path = str(tmp_path_factory.mktemp("onboard") / "area.npz")
     write_area(path)
     return path
@@ -42,6 +41,5 @@ def never_late(monkeypatch):
 
 @pytest.fixture
 def folder(tmp_path):
-    """Return an empty folder, in which images arrive."""
     (tmp_path / "incoming").mkdir()
     return tmp_path / "incoming"

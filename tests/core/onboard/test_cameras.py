@@ -48,14 +48,11 @@ def test_a_growing_camera_table_gives_what_qgis_reads(tmp_path, table):
     assert cameras.of(images[1]).heading_deg == 40
 
 
-def test_a_log_fills_gaps_of_the_camera_table(tmp_path, table, srt):
+def test_a_log_fills_gaps_of_the_camera_table_and_what_it_does_not_cover_is_unknown(tmp_path, table, srt):
     cameras = open_cameras(str(table), str(srt), is_ended=True, is_strict=True)
     known, logged = (cameras.of(put(tmp_path, name, 2)) for name in ("a.png", "b.png"))
     assert (known.attitude.roll_deg, known.height.meters, known.heading_deg) == (3, 120, 30)
     assert (logged.attitude.pitch_deg, logged.height.meters, logged.heading_deg) == pytest.approx((5, 102, 20))
-
-
-def test_what_a_log_does_not_cover_is_unknown(tmp_path, srt):
     cameras = open_cameras(None, str(srt), is_ended=True, is_strict=True)
     assert cameras.of(put(tmp_path, "a.png", 50)).height is None
 

@@ -52,10 +52,12 @@ def test_an_image_is_localized_as_the_localizer_does(area, image, capsys):
     assert (found["longitude"], found["latitude"]) == pytest.approx((longitudes[0], latitudes[0]), abs=1e-7)
 
 
-def test_without_json_a_person_can_read_it(area, image, capsys):
+def test_without_json_a_person_can_read_it_and_places_far_from_near_are_not_searched(area, image, capsys):
     assert main(["localize", image("here.png"), "--database", area]) == ALL_FIXED
     said = capsys.readouterr().out
     assert re.search(r"here\.png: fix, 600250\.\d+ 5199600\.\d+, longitude 9\.003\d+, .* heading 90\.0°", said)
+    near = ["--near", "600650", "5199950", "20"]
+    assert main(["localize", image("here.png"), "--database", area, *near]) == SOME_WITHOUT_FIX
 
 
 def test_an_image_without_a_fix_has_a_reason(area, image, capsys):
@@ -88,11 +90,6 @@ def test_a_bad_image_does_not_stop_the_others(area, image, tmp_path, capsys):
     assert [row["status"] for row in rows] == ["error", "fix"]
     entry = json.loads(captured.err)
     assert (entry["level"], entry["event"], entry["status"]) == ("warning", "image", "error")
-
-
-def test_places_far_from_near_are_not_searched(area, image, capsys):
-    near = ["--near", "600650", "5199950", "20"]
-    assert main(["localize", image("here.png"), "--database", area, *near]) == SOME_WITHOUT_FIX
 
 
 @pytest.mark.parametrize(

@@ -73,9 +73,7 @@ def middle_of_map():
     return 600350.0, 5199650.0
 
 
-def test_odometry_has_meters_from_the_middle_of_the_map_the_heading_and_the_covariance_of_the_record(
-    autopilot, lon_lat
-):
+def test_odometry_has_meters_from_the_middle_of_the_map_the_heading_and_the_record_s_covariance(autopilot, lon_lat):
     found = sent(autopilot, lon_lat, "ODOMETRY", "odometry", record())
     scale = 111_319.5 * math.cos(math.radians(46.997)) / 80_000
     x, y = middle_of_map()

@@ -17,7 +17,6 @@ DATE = datetime(2026, 5, 1, tzinfo=timezone.utc)
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """Return a folder with two keys."""
     folder = tmp_path_factory.mktemp("signed")
     (folder / "key").write_bytes(KEY)
     (folder / "other_key").write_bytes(KEY[::-1])

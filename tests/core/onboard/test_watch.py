@@ -48,7 +48,6 @@ def watching(area, folder, repository, tmp_path):
 
 
 def put(folder, name, labels=HERE):
-    """Move a complete image into the folder."""
     cv2.imwrite(str(folder.parent / "made.png"), labels)
     os.rename(folder.parent / "made.png", os.path.join(os.fsencode(folder), os.fsencode(name)))
 
@@ -134,9 +133,7 @@ def test_with_once_a_folder_that_is_gone_is_an_error(area, folder, monkeypatch, 
 
 @needs_full_device
 @pytest.mark.parametrize(("full", "other"), [("--fixes", "--gga"), ("--gga", "--fixes")])
-def test_a_full_disk_under_one_sink_stops_neither_the_other_nor_the_watching(
-    area, folder, tmp_path, capsys, full, other
-):
+def test_a_full_disk_under_one_sink_stops_neither_the_other_nor_watching(area, folder, tmp_path, capsys, full, other):
     for name in ("a.png", "b.png"):
         put(folder, name)
     arguments = [full, "/dev/full", other, str(tmp_path / "lines")]

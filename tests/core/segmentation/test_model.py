@@ -126,13 +126,10 @@ def test_networks_that_do_not_segment_are_refused(load, network, options, messag
         load(network, **options)
 
 
-def test_values_that_are_no_numbers_are_refused(load):
+def test_values_that_are_no_numbers_and_class_numbers_beyond_the_names_are_refused(load):
     model = load(brightest_color().add("Sqrt"))
     with pytest.raises(ModelError, match=r"values that are not numbers \(NaN"):
         model.scores([PHOTO])
-
-
-def test_class_numbers_beyond_the_names_are_refused(load):
     network = brightest_color().add("ArgMax", axis=1, keepdims=0)
     model = load(
         network,

@@ -52,9 +52,14 @@ def test_texts_as_output_are_refused(tmp_path):
     assert "one array of numbers" in refusal(path)
 
 
-def test_a_huge_fixed_input_is_refused_before_it_is_made(tmp_path):
+def test_a_huge_fixed_input_and_metadata_that_are_no_text_are_refused(tmp_path):
     path = write_model(tmp_path / "huge.onnx", size=(1 << 20, 1 << 20))
     assert "takes images of 1048576 × 1048576 pixels" in refusal(path)
+    path = write_model(tmp_path / "odd.onnx")
+    data = path.read_bytes()
+    place = data.index(b"Segmentor")
+    path.write_bytes(data[:place] + b"\xff\xfe" + data[place + 2 :])
+    assert "not UTF-8 text" in refusal(path)
 
 
 ODD = [
@@ -85,14 +90,6 @@ def test_odd_metadata_are_refused_in_a_sentence(key, text):
         read_settings(texts, "odd.onnx")
         read_class_bias(texts, read_classes(texts, 3, "odd.onnx").names, "odd.onnx")
     assert len(str(refused.value)) < 1000
-
-
-def test_metadata_that_are_no_text_are_refused(tmp_path):
-    path = write_model(tmp_path / "odd.onnx")
-    data = path.read_bytes()
-    place = data.index(b"Segmentor")
-    path.write_bytes(data[:place] + b"\xff\xfe" + data[place + 2 :])
-    assert "not UTF-8 text" in refusal(path)
 
 
 @pytest.mark.parametrize("content", [b"", b"\x08\x08", b"no model at all", b"\xff" * 40, b"\x3a\x7f"])

@@ -37,16 +37,13 @@ def test_a_tile_in_each_orientation_has_the_same_average(tile_hw, count):
     np.testing.assert_allclose(mirrored[0], whole[1, :, :, ::-1], rtol=1e-6)
 
 
-def test_errors_that_depend_on_a_direction_average_out():
+def test_errors_that_depend_on_a_direction_average_out_and_a_network_without_them_gives_its_own_scores():
     image = np.zeros((16, 16, 3), np.uint8)
     image[8, 4] = 255
     found = averaged_scores(Shifting((16, 16)), [image], GOING_ON)[0, 0]
     rows, columns = np.indices(found.shape)
     center = (found * rows).sum() / found.sum(), (found * columns).sum() / found.sum()
     assert center == pytest.approx((8, 4))
-
-
-def test_a_network_without_such_errors_gives_its_own_scores():
     model, tiles = Shifting((12, 20), 0, 0), images(12, 20)
     np.testing.assert_array_equal(averaged_scores(model, tiles, GOING_ON), model.scores(tiles))
 

@@ -75,13 +75,10 @@ def test_only_landmarks_below_the_area_are_missed(village):
     assert buildings(spoiled(village, LabelNoise(missed=1.0))) == 0
 
 
-def test_boundaries_move_as_far_as_asked_for(village):
+def test_boundaries_move_as_far_and_over_the_length_asked_for(village):
     labels = spoiled(village, LabelNoise(jitter=6.0, jitter_length=18.0), 3)
     shore = (labels[210:] == WATER).argmax(axis=1)
     assert 3 < np.sqrt(np.mean((shore - 300.0) ** 2)) < 12
-
-
-def test_boundaries_move_alike_over_the_length_asked_for(village):
     near, far = (
         (spoiled(village, LabelNoise(jitter=3.0, jitter_length=length), 3)[210:] == WATER).argmax(axis=1)
         for length in (8.0, 60.0)

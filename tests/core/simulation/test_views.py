@@ -55,12 +55,9 @@ def test_a_mirrored_view_shows_left_and_right_exchanged(labels_hw):
     assert mirrored.plain() == plain and plain.plain() is plain
 
 
-def test_the_center_of_a_tilted_view_stays_where_it_is():
+def test_a_tilted_camera_sees_farther_where_it_is_tilted_to_and_its_center_stays():
     view = View(100.0, 120.0, 30.0, 1.5, 80, 60, tilt_deg=10.0, tilt_direction_deg=50.0)
     assert map_coordinates(view, np.array(40.0), np.array(30.0)) == (100.0, 120.0)
-
-
-def test_a_tilted_camera_sees_farther_where_it_is_tilted_to():
     view = View(0.0, 0.0, 0.0, 1.0, 100, 100, tilt_deg=10.0)
     x, y = map_coordinates(view, np.array([50.0, 50.0]), np.array([0.0, 100.0]))
     assert y[0] > 55 > 50 > -y[1] and x == pytest.approx([0, 0])

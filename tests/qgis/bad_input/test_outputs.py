@@ -28,9 +28,7 @@ UNWRITABLE = {
 @pytest.mark.parametrize(
     ("folder", "algorithm"), [(folder, one) for folder, writers in UNWRITABLE.items() for one in writers]
 )
-def test_an_output_in_a_folder_that_cannot_be_written_to_is_refused(
-    run_algorithm, defaults, tmp_path, folder, algorithm
-):
+def test_an_output_in_a_folder_that_cannot_be_written_is_refused(run_algorithm, defaults, tmp_path, folder, algorithm):
     if folder == "/proc" and not Path("/proc/self").exists():
         pytest.skip("no /proc on this machine")
     (tmp_path / "a file").write_text("a file")

@@ -105,7 +105,7 @@ def test_a_local_crs_that_leads_to_no_longitude_gives_null(build, tmp_path):
     assert {row[LONGITUDE : LONGITUDE + 2] for row in made["windows"]} == {(None, None)}
 
 
-def test_the_references_are_the_objects_of_the_whole_map(built, database):
+def test_references_and_overview_are_those_of_the_whole_map(built, database):
     objects = extract_landmarks(map_labels(), (1, 2, 3), MINIMUM_AREA)
     rows = read_rows(database, "references")
     assert len(rows) == len(objects) == built["REFERENCE_COUNT"]
@@ -115,21 +115,15 @@ def test_the_references_are_the_objects_of_the_whole_map(built, database):
         found = row["class"], row["class_name"], row["area"], bool(row["touches_edge"])
         value = objects.classes[n]
         assert found == (value, NAMES[value], objects.areas_px[n], objects.touches_edge[n])
-
-
-def test_the_values_of_the_overview_come_back_exactly(database):
     overview = gdal.Open(f"GPKG:{database}:overview")
     assert overview.RasterCount == 1
     np.testing.assert_array_equal(overview.ReadAsArray(), most_frequent(map_labels(), 4))
     assert overview.GetGeoTransform() == (WEST, 4, 0, NORTH, 0, -4)
 
 
-def test_the_classes_are_the_table_of_the_map_with_the_asked_roles(query):
+def test_classes_and_parameters_are_those_of_the_map_and_those_asked_for(query):
     found = query("SELECT value, name, role FROM classes ORDER BY value")
     assert found == [(n, NAMES[n], "background" if n == 4 else "reference") for n in range(1, 5)]
-
-
-def test_the_parameters_show_how_it_was_built(query):
     stored = {key: json.loads(value) for key, value in query("SELECT key, value FROM parameters")}
     expected = {"format_version": 1, "window_size": SIZE, "stride": STRIDE, "minimum_area": MINIMUM_AREA}
     expected |= {"levels": [1.0], "pixel_size": 1.0, "map_width_px": WIDTH, "map_height_px": HEIGHT}
@@ -162,15 +156,12 @@ def test_every_window_is_its_square_on_the_ground(database):
         assert row["geometry"].GetArea() == SIZE**2
 
 
-def test_longitude_and_latitude_are_those_of_the_center(query):
+def test_windows_have_longitude_and_latitude_of_their_center_and_a_vector_with_three_references(query):
     degrees = osr.CoordinateTransformation(spatial_reference(METRIC_CRS), spatial_reference(4326))
     for x, y, longitude, latitude in query("SELECT center_x, center_y, longitude, latitude FROM windows"):
         expected = degrees.TransformPoint(x, y)
         assert (longitude, latitude) == pytest.approx(expected[:2], abs=1e-9)
         assert 9 < longitude < 10 and 47 < latitude < 48
-
-
-def test_a_vector_has_three_rows_of_float32_and_is_null_with_fewer_than_three_references(query):
     rows = query("SELECT reference_count, vector FROM windows")
     assert {count >= 3 for count, _ in rows} == {True, False}
     for count, blob in rows:

@@ -38,9 +38,7 @@ def test_without_table_and_style_text_classes_are_numbered_by_name_and_numbers_s
     np.testing.assert_array_equal(labels(layer)[0], [7] * 4 + [200] * 4)
 
 
-def test_a_categorized_style_gives_values_labels_and_colors_below_a_class_table(
-    rasterize, labels, tmp_path, classes_csv
-):
+def test_a_categorized_style_gives_values_labels_and_colors_below_a_table(rasterize, labels, tmp_path, classes_csv):
     path = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "w"), (square(4, 0, 4), "b")])
     results = rasterize(styled_layer(path, [("b", "Buildings", "#ff0000"), ("w", "Water", "#0000ff")]))
     np.testing.assert_array_equal(read_pixels(results["OUTPUT"])[0], [2] * 4 + [1] * 4)

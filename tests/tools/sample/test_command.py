@@ -6,8 +6,6 @@ import pytest
 
 @pytest.fixture
 def run(repository):
-    """`run(*arguments)` returns the finished process."""
-
     def command(*arguments: str) -> subprocess.CompletedProcess:
         whole = [sys.executable, "-m", "tools.sample", *arguments]
         return subprocess.run(whole, cwd=repository, capture_output=True, text=True, check=False)

@@ -15,15 +15,9 @@ pytestmark = pytest.mark.slow
 
 @pytest.fixture(scope="module")
 def land():
-    """Return a small landscape."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(landscape, "SIZE_XY", SMALL_XY)
         return landscape.make_landscape(SEED)
-
-
-@pytest.fixture(scope="module")
-def whole_land():
-    return landscape.make_landscape(SEED)
 
 
 def test_the_same_seed_gives_the_same_landscape(land, monkeypatch):
@@ -54,7 +48,8 @@ def test_no_house_is_in_water(land):
     assert tree.query(houses, predicate="intersects").size == 0
 
 
-def test_the_whole_landscape_has_its_houses_and_nearly_every_window_ten_landmarks(whole_land):
+def test_the_whole_landscape_has_its_houses_and_nearly_every_window_ten_landmarks():
+    whole_land = landscape.make_landscape(SEED)
     assert 1000 <= sum(f.class_value == classes.BUILDING for f in whole_land.features) <= 1600
     x0, y0, x1, y1 = whole_land.extent
     points = np.array(
