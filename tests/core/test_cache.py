@@ -150,12 +150,16 @@ def test_only_the_user_can_read_the_folder_and_its_files(path):
         assert file.stat().st_mode & 0o777 == 0o600, file
 
 
-def test_arrays_are_built_where_no_folder_can_be_made(monkeypatch, tmp_path, caplog):
+def test_arrays_are_built_where_no_folder_can_be_made_and_for_a_user_without_a_home(monkeypatch, tmp_path, caplog):
     (tmp_path / "file").write_text("no folder")
     monkeypatch.setenv("SEMREF_CACHE", str(tmp_path / "file" / "cache"))
     assert_same(loaded(), arrays())
     assert_same(loaded(1), arrays(1))
     assert [record.message for record in caplog.records] == ["not_cached"] * 2
+    for name in ("SEMREF_CACHE", "XDG_CACHE_HOME", "LOCALAPPDATA"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr(cache.Path, "home", lambda: (_ for _ in ()).throw(RuntimeError("no home directory")))
+    assert_same(loaded(), arrays())
 
 
 def test_a_folder_that_became_read_only_is_still_read(path, monkeypatch):
@@ -177,13 +181,6 @@ def test_a_disk_that_is_full_leaves_nothing(path, monkeypatch):
     monkeypatch.setattr(os, "replace", lambda *_: (_ for _ in ()).throw(OSError(28, "No space left on device")))
     assert_same(loaded(1, digest([b"other"])), arrays(1))
     assert sorted(path.parent.iterdir()) == before
-
-
-def test_a_user_without_a_home_has_no_cache_and_still_arrays(monkeypatch):
-    for name in ("SEMREF_CACHE", "XDG_CACHE_HOME", "LOCALAPPDATA"):
-        monkeypatch.delenv(name, raising=False)
-    monkeypatch.setattr(cache.Path, "home", lambda: (_ for _ in ()).throw(RuntimeError("no home directory")))
-    assert_same(loaded(), arrays())
 
 
 def test_each_system_has_its_own_cache_folder(monkeypatch, tmp_path):

@@ -51,9 +51,7 @@ def qt_names(source: str) -> set[tuple[str, tuple[str, ...]]]:
     modules = {}
     for node in ast.walk(tree):
         if isinstance(node, ast.ImportFrom) and (node.module or "").startswith(PREFIX):
-            modules.update(
-                {alias.asname or alias.name: (node.module[len(PREFIX) :], alias.name) for alias in node.names}
-            )
+            modules.update({one.asname or one.name: (node.module[len(PREFIX) :], one.name) for one in node.names})
     found = {(module, (name,)) for module, name in modules.values()}
     for scope in [tree, *(n for n in ast.walk(tree) if isinstance(n, (ast.FunctionDef, ast.ClassDef)))]:
         kinds = {name: name for name in modules} if scope is tree else kinds_in(scope, modules)

@@ -93,10 +93,7 @@ MAY_IMPORT = {
         "packages": {"compat", "translation", "version"},
         "layers": {"compat", "translation", "messages", "threads"},
         "reports": {"compat", "translation", "messages", "layers"},
-        "base": {
-            *("compat", "translation", "version", "threads"),
-            *("messages", "packages", "layers", "reports"),
-        },
+        "base": {*("compat", "translation", "version", "threads"), *("messages", "packages", "layers", "reports")},
         "inspection": {"compat", "translation", "threads", "messages", "layers", "base"},
         "algorithms": {
             *("compat", "translation", "version", "threads"),

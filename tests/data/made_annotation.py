@@ -49,7 +49,7 @@ def _star(random):
     return shapely.polygons(random.uniform(0, 60, 2) + corners)
 
 
-def _bowtie(random):
+def _bow(random):
     return shapely.polygons(random.uniform(0, 50, 2) + random.uniform(0, 15, (int(random.integers(4, 9)), 2)))
 
 
@@ -73,12 +73,5 @@ def _stacked(random):
     return square(*(4.0 * random.integers(0, 4, 2)), 5.0)
 
 
-_SHAPES = {
-    "stars": _star,
-    "bowties": _bowtie,
-    "blocks": _block,
-    "shaken": _shaken,
-    "strips": _strip,
-    "stacked": _stacked,
-}
+_SHAPES = {"stars": _star, "bowties": _bow, "blocks": _block, "shaken": _shaken, "strips": _strip, "stacked": _stacked}
 KINDS = tuple(_SHAPES)

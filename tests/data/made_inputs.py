@@ -166,9 +166,7 @@ def write_older(path: Path) -> bytes:
             connection.execute("PRAGMA page_size=512")
             connection.execute("PRAGMA user_version=7")
     else:
-        path.write_bytes(
-            {".tif": b"II*\0", ".npz": b"PK\x03\x04", ".html": b"<", ".json": b"{"}[path.suffix] + b"older"
-        )
+        path.write_bytes({".tif": b"II*\0", ".npz": b"PK\x03\x04", ".html": b"<", ".json": b"{"}[path.suffix] + b"old")
     return path.read_bytes()
 
 

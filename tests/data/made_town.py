@@ -39,11 +39,9 @@ def town(seed, size=3000, count=2500):
 class Ground:
     def __init__(self, labels):
         self.source = ArrayLabels(labels)
-        self.objects = extract_landmarks(labels, CLASSES, 80)
-        positions = self.objects.centers_xy * (1, -1) + ORIGIN
-        self.references = MapLandmarks(
-            positions, self.objects.classes, self.objects.areas_px, self.objects.touches_edge
-        )
+        self.objects = seen = extract_landmarks(labels, CLASSES, 80)
+        positions = seen.centers_xy * (1, -1) + ORIGIN
+        self.references = MapLandmarks(positions, seen.classes, seen.areas_px, seen.touches_edge)
         self.index = build_index(self.references, 1.0)
 
     def see(self, view, noise=None, seed=0):

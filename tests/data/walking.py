@@ -42,9 +42,7 @@ def wait_until(condition, what: str) -> None:
 
 def _what_stands_still() -> str:
     """Return Python errors, tasks with their status, and the place of each Python thread."""
-    tasks = [
-        f"task {task.description()!r}: status {int(task.status())}" for task in QgsApplication.taskManager().tasks()
-    ]
+    tasks = [f"task {one.description()!r}: status {int(one.status())}" for one in QgsApplication.taskManager().tasks()]
     threads = ["".join(traceback.format_stack(frame)) for frame in sys._current_frames().values()]
     return "\n\n".join([*messages, *tasks, *threads])
 

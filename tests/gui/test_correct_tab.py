@@ -252,11 +252,8 @@ def shapes(layer) -> list:
 
 def press_repair(tab, monkeypatch, answer: str) -> list[str]:
     asked = []
-    monkeypatch.setattr(
-        QMessageBox,
-        "question",
-        lambda _parent, _title, text: asked.append(text) or getattr(QMessageBox.StandardButton, answer),
-    )
+    answered = getattr(QMessageBox.StandardButton, answer)
+    monkeypatch.setattr(QMessageBox, "question", lambda *said: asked.append(said[2]) or answered)
     tab.repair.click()
     wait_until(lambda: not tab.repair.run.running, "the repair")
     settle()

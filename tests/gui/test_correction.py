@@ -22,11 +22,8 @@ def annotation(qgis_app, tmp_path):
     """A GeoPackage layer of squares of two classes."""
     rows = []
     for number in range(ACROSS * ACROSS):
-        left, top, size = (
-            ORIGIN[0] + SIDE * (number % ACROSS) + 3,
-            ORIGIN[1] - SIDE * (number // ACROSS) - 3,
-            8 + number % 5,
-        )
+        left, top = ORIGIN[0] + SIDE * (number % ACROSS) + 3, ORIGIN[1] - SIDE * (number // ACROSS) - 3
+        size = 8 + number % 5
         rows.append(((left, top - size, size, size), ("building", "water")[number % 2], 1))
     return rectangles("cover", {"class": "string", "zorder": "integer"}, rows, str(tmp_path / "cover.gpkg"))
 
@@ -100,9 +97,7 @@ def test_one_button_makes_the_database_of_a_full_build(dock, iface, box, annotat
 def test_the_next_update_rasterizes_only_what_changed(dock, iface, box, annotation, database, run_algorithm, tmp_path):
     run, extents = dock.content.correct.updating.run, []
     start = run._run.start_algorithm
-    run._run.start_algorithm = lambda name, given, title: extents.append(given.get("EXTENT")) or start(
-        name, given, title
-    )
+    run._run.start_algorithm = lambda name, what, title: extents.append(what.get("EXTENT")) or start(name, what, title)
     correct(annotation)
     press(dock, box)
     assert "CHANGED" not in run.asked
@@ -160,9 +155,8 @@ def test_a_land_cover_layer_may_be_removed_while_it_is_rasterized(dock, iface, b
     QgsProject.instance().addMapLayer(QgsRasterLayer(database.replace(".gpkg", ".tif"), "Label map"))
     correct(annotation)
     removed = annotation.id()
-    box.run.textChanged.connect(
-        lambda text: text == "Rasterizing polygons" and QgsProject.instance().removeMapLayer(removed)
-    )
+    project = QgsProject.instance()
+    box.run.textChanged.connect(lambda text: text == "Rasterizing polygons" and project.removeMapLayer(removed))
     press(dock, box)
     assert QgsProject.instance().mapLayer(removed) is None
     # Without the layer, the label map cannot be rasterized again.

@@ -107,9 +107,7 @@ def test_a_dialog_begins_with_the_class_field_and_not_with_the_first_one(dialog_
 
 
 def test_the_class_field_follows_the_layer_and_its_style_and_a_layer_without_one_shows_none(dialog_of, polygons):
-    first, second, third = (
-        polygons("id:integer", *more) for more in (["class:string"], ["cover:string"], ["n:integer"])
-    )
+    first, second, third = (polygons("id:integer", name) for name in ("class:string", "cover:string", "n:integer"))
     second.setRenderer(QgsCategorizedSymbolRenderer("cover", []))
     wrappers = dialog_of("rasterizeannotation")
     for layer, field in ((first, "class"), (second, "cover"), (third, None), (first, "class")):

@@ -35,11 +35,8 @@ def database(build_area):
 
 
 def lon_lat(turns):
-    transform = QgsCoordinateTransform(
-        QgsCoordinateReferenceSystem("EPSG:32632"),
-        QgsCoordinateReferenceSystem("EPSG:4326"),
-        QgsCoordinateTransformContext(),
-    )
+    metric, degrees = (QgsCoordinateReferenceSystem(f"EPSG:{code}") for code in (32632, 4326))
+    transform = QgsCoordinateTransform(metric, degrees, QgsCoordinateTransformContext())
     points = [transform.transform(QgsPointXY(WEST + x, NORTH - y)) for x, y in turns]
     return [(point.x(), point.y()) for point in points]
 

@@ -59,9 +59,8 @@ def test_what_dji_states_of_its_lens_straightens_the_image(tmp_path):
     photo(tmp_path / "IMG_1.jpg", f'{DEWARP} drone-dji:DewarpFlag="0" drone-dji:RelativeAltitude="+40.0"')
     (camera,) = read_cameras([label_image(tmp_path)], "")
     lens = camera.distortion
-    assert lens.focal_xy == pytest.approx((60.2 / 80, 60.1 / 80)) and lens.center_xy == pytest.approx(
-        (-0.13 / 80, 0.75 / 80)
-    )
+    assert lens.focal_xy == pytest.approx((60.2 / 80, 60.1 / 80))
+    assert lens.center_xy == pytest.approx((-0.13 / 80, 0.75 / 80))
     assert lens.radial == (-0.269478, 0.115681, -0.0357628) and lens.tangential == (-0.0000875, -0.000306)
     # On a label image of half the size.
     way = camera.leveling((30, 40))

@@ -103,17 +103,8 @@ def run(job, folder: Path, feedback):
 
 
 JOBS = (
-    "rasterize",
-    "check",
-    "repair",
-    "decode",
-    "build",
-    "update",
-    "assess",
-    "localize",
-    "flight",
-    "segment",
-    "compare",
+    *("rasterize", "check", "repair", "decode", "build", "update", "assess", "localize"),
+    *("flight", "segment", "compare"),
 )
 
 

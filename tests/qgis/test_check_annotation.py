@@ -49,10 +49,8 @@ def test_issues_are_drawn_by_severity_errors_on_top(check, tmp_path, classes_csv
 def test_classes_that_are_missing_or_unknown_are_errors(issues, tmp_path, classes_csv):
     features = [(square(0, 0, 9), "field"), (square(20, 0, 9), None), (square(40, 0, 9), "lighthouse")]
     rows = issues(write_layer(tmp_path / "a.gpkg", features), CLASS_TABLE=classes_csv)
-    assert [(row["kind"], row["severity"], row["feature_id"]) for row in rows] == [
-        ("no_class", "error", 2),
-        ("unknown_class", "error", 3),
-    ]
+    found = [(row["kind"], row["severity"], row["feature_id"]) for row in rows]
+    assert found == [("no_class", "error", 2), ("unknown_class", "error", 3)]
     assert "“lighthouse”" in rows[1]["message"]
     assert rows[1]["area"] == pytest.approx(81)
 

@@ -168,12 +168,8 @@ def answers(pip=True, version=sys.version, ending=EXT_SUFFIX):
     return "echo " + shlex.quote(json.dumps({"build": [version, ending], "pip": pip}).replace("\\", "\\\\"))
 
 
-OTHER_BUILDS = [
-    answers(version=sys.version.replace("(", "(another build, ")),
-    answers(ending=".cpython-27d.so"),
-    "echo 3 11 True",
-    "echo '[]'",
-]
+ANOTHER = sys.version.replace("(", "(another build, ")
+OTHER_BUILDS = [answers(version=ANOTHER), answers(ending=".cpython-27d.so"), "echo 3 11 True", "echo '[]'"]
 
 
 @pytest.mark.parametrize("script", [*OTHER_BUILDS, "exit 3", "kill -9 $$"])

@@ -186,9 +186,8 @@ def test_other_requests_are_not_changed_while_a_layer_is_drawn(tiles, tmp_path):
 def test_only_a_part_of_a_file_is_segmented(segment, model, tmp_path, north_up):
     photo = np.moveaxis(painted(LABELS), 2, 0)
     north, step = (NORTH, -2) if north_up else (NORTH - 340, 2)
-    image = write_raster(
-        tmp_path / "a.tif", photo if north_up else photo[:, ::-1], transform=(WEST, 2, 0, north, 0, step)
-    )
+    pixels = photo if north_up else photo[:, ::-1]
+    image = write_raster(tmp_path / "a.tif", pixels, transform=(WEST, 2, 0, north, 0, step))
     raster = segment(str(image), EXTENT=f"{WEST + 41},{WEST + 199},{NORTH - 161},{NORTH - 59} [EPSG:32632]")
     seen = SEEN[29:81, 20:100]
     found = raster.ReadAsArray()
@@ -248,9 +247,8 @@ def test_outside_of_a_mask_a_layer_that_is_tried_has_no_labels(run_algorithm, da
     ring = ", ".join(f"{WEST + x} {NORTH - y}" for x, y in corners)
     mask = str(write_layer(tmp_path / "mask.gpkg", [(f"POLYGON (({ring}))", "a")]))
     outputs = {"OUTPUT": str(tmp_path / "p.gpkg"), "LABELS": str(tmp_path / "labels")}
-    result = run_algorithm(
-        "semref:localizeimages", {"DATABASE": database, "METHOD": 2, "MASK": mask, **framed(kind), **outputs}
-    )
+    given = {"DATABASE": database, "METHOD": 2, "MASK": mask, **framed(kind), **outputs}
+    result = run_algorithm("semref:localizeimages", given)
     (row,) = read_rows(result["OUTPUT"])
     # The middle of the area around the polygon.
     assert (row["x"], row["y"]) == pytest.approx((WEST + 500, NORTH - 540), abs=2)

@@ -174,17 +174,12 @@ def test_photos_have_the_same_fixes_with_and_without_qgis(export, run_algorithm,
 
 
 COLORS = {value: (50 * value, 255 - value, 7) for value in range(5)}
-FORMATS = {
-    "a.png": (),
-    "a.tif": (),
-    "b.tif": ("COMPRESS=DEFLATE", "TILED=YES"),
-    "c.tif": ("COMPRESS=LZW", "PREDICTOR=2"),
-}
+KINDS = {"a.png": (), "a.tif": (), "b.tif": ("COMPRESS=DEFLATE", "TILED=YES"), "c.tif": ("COMPRESS=LZW", "PREDICTOR=2")}
 
 
-@pytest.mark.parametrize("name", FORMATS)
+@pytest.mark.parametrize("name", KINDS)
 def test_paletted_images_are_read_as_gdal_reads_them(database, tmp_path, name):
-    given = {"palette": COLORS, "options": FORMATS[name], "transform": None}
+    given = {"palette": COLORS, "options": KINDS[name], "transform": None}
     path = str(write_raster(tmp_path / name, LABELS, **given))
     assert cv2.imread(path, cv2.IMREAD_UNCHANGED).ndim == 3
     table = read_database(database, with_overview=True).class_table

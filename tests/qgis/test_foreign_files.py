@@ -241,9 +241,7 @@ def test_a_kill_at_any_moment_leaves_each_output_whole_and_the_next_run_works(tm
         for name in names if with_older else ():
             (folder / name).write_bytes(b"csv older" if name == "b.csv" else b"II*\0older")
         was_killed = die_at(count, write)
-        found = tuple(
-            (folder / name).read_bytes()[4:] if (folder / name).exists() else None for name in ("a.tif", "b.csv")
-        )
+        found = tuple((folder / n).read_bytes()[4:] if (folder / n).exists() else None for n in ("a.tif", "b.csv"))
         seen.add(found)
         left = [name for name in content(folder) if name.startswith(".")]
         write()

@@ -18,9 +18,7 @@ def fuzz(*arguments):
     """Return (exit status, output of ``python -m tools.fuzz``)."""
     command = [sys.executable, "-m", "tools.fuzz", *arguments]
     environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen"}
-    done = subprocess.run(
-        command, cwd=ROOT, env=environment, capture_output=True, text=True, timeout=LONGEST_S, check=False
-    )
+    done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, timeout=LONGEST_S)
     return done.returncode, done.stdout + done.stderr
 
 

@@ -82,9 +82,6 @@ def check(database):
     assert result.is_fix and np.allclose(result.position, CENTER, atol=0.5)
 
 
-def test_a_database_of_format_1_opens_and_localizes(tmp_path):
+def test_a_database_and_an_onboard_file_of_format_1_open_and_localize(tmp_path):
     check(read_database(kept_database(tmp_path / "database.gpkg"), with_overview=True))
-
-
-def test_an_onboard_file_of_format_1_opens_and_localizes():
     check(read_onboard(str(KEPT / "onboard.npz")).database)

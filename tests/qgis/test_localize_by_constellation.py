@@ -89,10 +89,8 @@ def town(real_data, run_algorithm, tmp_path_factory):
     labels, database = str(folder / "labels.tif"), str(folder / "town.gpkg")
     drawn = {"INPUT": str(real_data("banepa/banepa_buildings.gpkg")), "CLASS": "building", "PIXEL_SIZE": 0.5}
     run_algorithm("semref:rasterizeannotation", {**drawn, "OUTPUT": labels})
-    sizes = {"WINDOW_SIZE": 150, "STRIDE": 40, "MINIMUM_AREA": 12}
-    run_algorithm(
-        "semref:builddatabase", {"LABELS": labels, "REFERENCE_CLASSES": "building", "DATABASE": database, **sizes}
-    )
+    built = {"DATABASE": database, "WINDOW_SIZE": 150, "STRIDE": 40, "MINIMUM_AREA": 12}
+    run_algorithm("semref:builddatabase", {"LABELS": labels, "REFERENCE_CLASSES": "building", **built})
     return Localizer(read_database(database, with_overview=True))
 
 

@@ -21,15 +21,8 @@ from qgis.core import (
 pytestmark = pytest.mark.newer
 
 LIMITS = (
-    "data_type",
-    "min",
-    "max",
-    "allow_multiple",
-    "parent_layer",
-    "data_types",
-    "behavior",
-    "extension",
-    "layer_type",
+    *("data_type", "min", "max", "allow_multiple", "parent_layer"),
+    *("data_types", "behavior", "extension", "layer_type"),
 )
 
 """Entries of a parameter's variant map that are the same in all supported versions of QGIS."""

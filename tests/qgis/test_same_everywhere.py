@@ -67,11 +67,8 @@ def expected(run_algorithm, inputs, settings, tmp_path_factory):
 
 def run_chain(run, settings, folder: Path, inputs: Path) -> dict:
     rasterize, build, localize = settings
-    made = {
-        "labels": str(folder / "labels.tif"),
-        "database": str(folder / "area.gpkg"),
-        "positions": str(folder / "positions.gpkg"),
-    }
+    names = {"labels": "labels.tif", "database": "area.gpkg", "positions": "positions.gpkg"}
+    made = {key: str(folder / name) for key, name in names.items()}
     run(RASTERIZE, {**rasterize, "OUTPUT": made["labels"]})
     run(BUILD, {**build, "LABELS": made["labels"], "DATABASE": made["database"]})
     images = [inputs / "a.png", inputs / "b.png"]

@@ -42,7 +42,7 @@ def folder(tmp_path_factory):
     return folder
 
 
-def require_same(found, expected, relative=1e-6, absolute=1e-9):
+def require_same(found, expected, rel=1e-6, absolute=1e-9):
     """Compare with a tolerance: sums depend on the threads of OpenBLAS, and workers use one."""
     found, expected = read_rows(found), read_rows(expected)
     assert len(found) == len(expected)
@@ -50,9 +50,7 @@ def require_same(found, expected, relative=1e-6, absolute=1e-9):
         shapes = [one.pop("geometry") for one in (values, others)]
         assert len({shape and shape.GetGeometryType() for shape in shapes}) == 1 and values.keys() == others.keys()
         for name, value in values.items():
-            close = (
-                pytest.approx(others[name], rel=relative, abs=absolute) if isinstance(value, float) else others[name]
-            )
+            close = pytest.approx(others[name], rel=rel, abs=absolute) if isinstance(value, float) else others[name]
             assert value == close, name
     return found
 
@@ -119,12 +117,8 @@ def test_workers_assess_what_qgis_assesses(run_algorithm, trial_area, tmp_path, 
 
 
 def test_workers_evaluate_what_qgis_evaluates(run_algorithm, trial_area, tmp_path, feedback):
-    asked = {
-        "DATABASE": trial_area,
-        "LABELS": str(Path(trial_area).with_name("labels.tif")),
-        "TRIALS": 12,
-        "METHODS": [0, 1],
-    }
+    asked = {"DATABASE": trial_area, "TRIALS": 12, "METHODS": [0, 1]}
+    asked["LABELS"] = str(Path(trial_area).with_name("labels.tif"))
     expected = run_algorithm(EVALUATE, {**asked, "OUTPUT": str(tmp_path / "qgis.gpkg"), "REPORT": None})
     scheduled = {**asked, "SCHEDULER": "local:1", "OUTPUT": str(tmp_path / "dask.gpkg")}
     scheduled["JSON"] = str(tmp_path / "numbers.json")

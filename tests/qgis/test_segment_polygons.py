@@ -64,9 +64,8 @@ def segment(runner, tmp_path):
 
 
 def test_the_algorithm_writes_them_named_and_styled_on_the_images_ground(segment, tmp_path):
-    image = write_raster(
-        tmp_path / "a.tif", np.moveaxis(painted(LABELS), 2, 0), transform=(WEST, 0.5, 0, NORTH, 0, -0.5)
-    )
+    pixels = np.moveaxis(painted(LABELS), 2, 0)
+    image = write_raster(tmp_path / "a.tif", pixels, transform=(WEST, 0.5, 0, NORTH, 0, -0.5))
     layer = QgsVectorLayer(segment(image, TOLERANCE=0)["POLYGONS"], "polygons", "ogr")
     areas = {"building": 0.0, "water": 0.0, "bare_land": 0.0}
     for feature in layer.getFeatures():

@@ -174,12 +174,7 @@ def test_lines_that_cannot_be_used_are_refused(run_algorithm, tagged, repository
 )
 def test_bad_input_is_one_sentence_and_leaves_no_file(run_algorithm, small, tmp_path, monkeypatch, change, message):
     monkeypatch.setattr(set_up_area, "DEFAULT_MODEL", tmp_path / "missing.onnx")
-    place = {
-        "GPSLongitude": "(9) (0) (0)",
-        "GPSLongitudeRef": "E",
-        "GPSLatitude": "(20) (0) (0)",
-        "GPSLatitudeRef": "N",
-    }
+    place = {"GPSLongitude": "(9) (0) (0)", "GPSLongitudeRef": "E", "GPSLatitude": "(9) (0) (0)", "GPSLatitudeRef": "N"}
     far = (600000.0, 1.0, 0.0, 5000000.0, 0.0, -1.0)
     made = {
         "photo": lambda: [write_photo(tmp_path / "photo.jpg", **place)],

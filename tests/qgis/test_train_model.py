@@ -138,9 +138,7 @@ def test_ground_outside_the_mask_is_not_learned_from(train, kept, tmp_path, some
 
 @pytest.mark.slow
 def test_map_tiles_are_drawn_in_the_extent_before_they_are_learned_from(train, kept, tmp_path):
-    layer = write_layer(
-        tmp_path / "drawn.gpkg", [(square(100, 300, 200), "building"), (square(400, 300, 200), "water")]
-    )
+    layer = write_layer(tmp_path / "a.gpkg", [(square(100, 300, 200), "building"), (square(400, 300, 200), "water")])
     annotation = {"LABELS": None, "INPUT": str(layer), "CLASS_FIELD": "class"}
     with tile_server() as source:
         tiles = QgsRasterLayer(source, "tiles", "wms")

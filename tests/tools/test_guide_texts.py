@@ -57,9 +57,8 @@ def test_quoted_messages_are_messages_of_the_code(templates):
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_labels_in_italics_are_labels_of_the_screen(page, texts, templates):
-    body = re.sub(
-        r"<!-- bench.*?/bench.*?-->|```.*?```|`[^`\n]*`", "", page.read_text(encoding="utf-8"), flags=re.DOTALL
-    )
+    text = page.read_text(encoding="utf-8")
+    body = re.sub(r"<!-- bench.*?/bench.*?-->|```.*?```|`[^`\n]*`", "", text, flags=re.DOTALL)
     named = re.findall(r"(?<![*\w])\*([^*\n]+)\*(?![*\w])", body)
     labels = {label.strip() for text in named for label in text.split(SEPARATOR) if label.strip()}
     short = {text.partition(" (")[0] for text in texts} | {text.partition(": ")[0] for text in texts}

@@ -189,8 +189,6 @@ def test_a_pixel_of_a_set_counts_only_against_the_classes_it_excludes():
 def test_unlabeled_ground_follows_the_setting_of_its_folder(tmp_path):
     cv2.imwrite(str(tmp_path / "image.png"), np.zeros((1, 3, 3), np.uint8))
     cv2.imwrite(str(tmp_path / "labels.png"), np.array([[0, 7, 9]], np.uint8))
-    pairs = [
-        tiles.TilePair(tmp_path / "image.png", tmp_path / "labels.png", (1, 2, 3), None, label) for label in (None, 2)
-    ]
+    pairs = [tiles.TilePair(tmp_path / "image.png", tmp_path / "labels.png", (1, 2, 3), None, one) for one in (None, 2)]
     reader = tiles.TileReader(pairs, [0, 7], False)
     assert [reader(n)[1][0].tolist() for n in (0, 1)] == [[IGNORED, 1, IGNORED], [2, 1, IGNORED]]

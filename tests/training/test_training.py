@@ -166,9 +166,7 @@ def test_training_continues_from_the_base_model(training_python, first, tiles, t
     """With a tiny learning rate it answers like its base; classes are matched by name."""
     base, _ = first
     (tmp_path / "reordered").mkdir()
-    job = job_of(
-        tiles, tmp_path, base_model=base.output, epochs=1, pieces=4, learning_rate=1e-9, encoder="none of ours"
-    )
+    job = job_of(tiles, tmp_path, base_model=base.output, epochs=1, pieces=4, learning_rate=1e-9, encoder="not ours")
     events = trained(training_python, job)
     assert events[-1]["event"] == "done", events[-1]
     assert_answer_alike(base.output, job.output)
@@ -254,15 +252,12 @@ def test_training_with_one_class_is_refused(training_python, tiles, tmp_path):
     (tmp_path / "manifest.json").write_text(json.dumps(manifest))
     job = job_of(tmp_path, tmp_path / "run", learn_unlabeled=False)
     event = trained(training_python, job)[-1]
-    assert event["template"].startswith("Only one class ({name}) is labeled") and event["values"] == {
-        "name": "building"
-    }
+    assert event["template"].startswith("Only one class ({name}) is labeled")
+    assert event["values"] == {"name": "building"}
 
 
 def test_settings_that_decide_the_result_are_distinguished_from_those_that_don_t(tiles, tmp_path):
     job = job_of(tiles, tmp_path)
-    other = Job(
-        **{**job.__dict__, "epochs": 99, "output": "elsewhere", "encoder": "another", "fingerprint": {"a": (1,)}}
-    )
+    other = Job(**{**job.__dict__, "epochs": 99, "output": "other", "encoder": "another", "fingerprint": {"a": (1,)}})
     assert job.differences(other) == ["encoder", "fingerprint"]
     assert job.differences(job) == []

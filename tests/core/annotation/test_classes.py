@@ -14,12 +14,7 @@ from semref.core.annotation.polygons import (
 from semref.core.errors import AnnotationError
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 
-TABLE = ClassTable(
-    (
-        LandCoverClass(1, "building", "#ff0000", "reference", 3.0),
-        LandCoverClass(4, "field", "#00ff00"),
-    )
-)
+TABLE = ClassTable((LandCoverClass(1, "building", "#ff0000", "reference", 3.0), LandCoverClass(4, "field", "#00ff00")))
 
 
 def test_a_table_finds_names_in_any_case_and_values():

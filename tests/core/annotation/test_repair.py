@@ -131,12 +131,8 @@ def test_overlaps_go_to_the_priority_else_the_smaller_else_the_lower_class(first
 
 
 def test_a_small_gap_goes_to_the_neighbor_with_the_longest_shared_border():
-    features = [
-        feature(shapely.box(0, 0, 10, 4), 1),
-        feature(shapely.box(0, 4.5, 10, 9), 2),
-        feature(shapely.box(0, 4, 4, 4.5), 2),
-        feature(shapely.box(6, 4, 10, 4.5), 1),
-    ]
+    boxes = (0, 0, 10, 4), (0, 4.5, 10, 9), (0, 4, 4, 4.5), (6, 4, 10, 4.5)
+    features = [feature(shapely.box(*box), value) for box, value in zip(boxes, (1, 2, 2, 1))]
     done = repair(numbered(features), maximum_gap=1.0)
     (change,) = (change for change in done.changes if change.kind == GAP)
     # 2 m below, 2 m above, 0.5 m on each side: both borders are equally long, so the lower region wins.
@@ -152,11 +148,8 @@ def test_a_long_gap_is_filled_when_it_is_thin():
 
 
 def test_a_sliver_is_merged_only_if_it_has_neighbors():
-    features = [
-        feature(shapely.box(0, 0, 50, 20), 1),
-        feature(shapely.box(0, 20, 50, 20.1), 2),
-        feature(shapely.box(0, 30, 50, 30.1), 2),
-    ]
+    boxes = (0, 0, 50, 20), (0, 20, 50, 20.1), (0, 30, 50, 30.1)
+    features = [feature(shapely.box(*box), value) for box, value in zip(boxes, (1, 2, 2))]
     done = repair(numbered(features))
     assert sorted(shapely.area(polygons_of(done))) == pytest.approx([5, 1005])
     assert kinds(done.changes) == {SLIVER: 1}

@@ -88,12 +88,8 @@ def test_the_side_that_shows_another_place_is_found(seed, cut):
 @pytest.mark.parametrize("share", [0.95, 0.6, 0.3, 0.1])
 def test_an_image_of_one_place_has_no_empty_side_however_poor_its_labels(share):
     for seed in range(20):
-        assert (
-            empty_side(
-                seen(share, share, 80, seed), seen(share, share, 80, seed + 50), DIAGONAL, CONSTELLATION.decision
-            )
-            is None
-        )
+        one, other = (seen(share, share, 80, number) for number in (seed, seed + 50))
+        assert empty_side(one, other, DIAGONAL, CONSTELLATION.decision) is None
 
 
 def test_new_houses_where_the_map_has_nothing_are_no_other_place():

@@ -23,9 +23,8 @@ def test_fractions_count_the_pixels_of_each_class_also_of_a_raster_of_one_pixel(
 def test_unlabeled_pixels_are_evidence_for_nothing():
     fractions = np.zeros((2, 2, 2), np.uint8)
     fractions[0] = [[FULL, 0], [0, FULL]]
-    evidence, known = evidence_of(
-        fractions, class_space(fractions, np.array([1, 2], np.uint8), CORRELATION.rarity_exponent)
-    )
+    space = class_space(fractions, np.array([1, 2], np.uint8), CORRELATION.rarity_exponent)
+    evidence, known = evidence_of(fractions, space)
     assert known.tolist() == [[1, 1], [0, 0]]
     assert np.abs(evidence[1]).max() == 0
     assert np.abs(evidence[0]).min() > 0.1

@@ -71,9 +71,8 @@ def test_a_small_image_shares_more_of_the_displacement():
 
 def test_a_displaced_map_turns_and_stretches_an_image_as_a_fit_to_its_places_does():
     rng, edge, kernels = np.random.default_rng(5), 1280.0, ((60.0, 0.28), (2000.0, 0.25))
-    x, y = (
-        axis.ravel() for axis in np.meshgrid(np.linspace(-edge / 2, edge / 2, 5), np.linspace(-edge / 2, edge / 2, 5))
-    )
+    side = np.linspace(-edge / 2, edge / 2, 5)
+    x, y = (axis.ravel() for axis in np.meshgrid(side, side))
     away = np.hypot(x[:, None] - x, y[:, None] - y)
     field = np.linalg.cholesky(sum(w * np.exp(-away / length) for length, w in kernels) + 1e-9 * np.eye(25))
     design = np.vstack([np.column_stack([x, -y]), np.column_stack([y, x])])

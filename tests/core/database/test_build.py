@@ -116,8 +116,8 @@ def test_references_are_the_objects_of_the_map_in_map_units(labels, database):
     objects = extract_landmarks(labels, (2, 5), 20 / PIXEL**2)
     references = database.references
     assert len(references) == len(objects) > 20
-    np.testing.assert_allclose(references.positions[:, 0], 600000 + PIXEL * objects.centers_xy[:, 0])
-    np.testing.assert_allclose(references.positions[:, 1], 5200000 - PIXEL * objects.centers_xy[:, 1])
+    np.testing.assert_allclose(references.positions[:, 0], 600000 + PIXEL * objects.centers_xy[:, 0], rtol=1e-12)
+    np.testing.assert_allclose(references.positions[:, 1], 5200000 - PIXEL * objects.centers_xy[:, 1], rtol=1e-12)
     np.testing.assert_allclose(references.areas_m2, PIXEL**2 * objects.areas_px)
     assert references.classes.tolist() == objects.classes.tolist()
     assert references.touches_edge.tolist() == objects.touches_edge.tolist()

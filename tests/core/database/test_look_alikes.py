@@ -27,9 +27,7 @@ def database():
     references = MapLandmarks(positions, np.array([1, 2, 1, 1], np.uint8), np.full(4, 200.0), np.zeros(4, bool))
     house = LandCoverClass(1, "house", "#ff0000", "reference")
     table = ClassTable((house, LandCoverClass(2, "water", "#0000ff", "reference")))
-    parameters = BuildParameters(
-        "", (0, 1, 0, 100, 0, -1), 300, 100, 1.0, 100.0, 50.0, (1.0,), 10, 100.0, 4, "", "", "test"
-    )
+    parameters = BuildParameters("", (0, 1, 0, 100, 0, -1), 300, 100, 1.0, 100, 50.0, (1.0,), 10, 100.0, 4, "", "", "")
     return ReferenceDatabase(windows, references, table, parameters)
 
 

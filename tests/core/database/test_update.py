@@ -97,9 +97,8 @@ def assert_is_the_rebuild(before, labels, areas=None):
     expected = built(labels)
     database, changes = updated(before, labels, areas)
     for item in fields(Windows):
-        np.testing.assert_array_equal(
-            getattr(database.windows, item.name), getattr(expected.windows, item.name), item.name
-        )
+        found, wanted = (getattr(one.windows, item.name) for one in (database, expected))
+        np.testing.assert_array_equal(found, wanted, item.name)
     np.testing.assert_array_equal(in_order(database.references), in_order(expected.references))
     np.testing.assert_array_equal(database.overview, expected.overview)
     assert database.parameters == expected.parameters

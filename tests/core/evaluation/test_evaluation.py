@@ -107,11 +107,8 @@ def test_the_tables_scale_and_turn_whole_windows_without_noise(evaluate, databas
     assert len(queries) == 3 * 22
     for query in queries:
         assert query.noise == LabelNoise() and query.offset == 0
-        assert query.view.position == tuple(
-            database.windows.centers[
-                [database.windows.name(n) for n in range(len(database.windows))].index(query.window)
-            ]
-        )
+        number = [database.windows.name(n) for n in range(len(database.windows))].index(query.window)
+        assert query.view.position == tuple(database.windows.centers[number])
 
 
 def test_trials_are_only_near_windows_with_enough_landmarks(evaluate, database):

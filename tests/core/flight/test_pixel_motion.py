@@ -144,9 +144,8 @@ def test_ground_that_an_image_does_not_show_is_left_out():
     has_data = np.ones(earlier.shape, bool)
     has_data[:, 260:] = False
     whole = motion_between(photo_features(earlier), photo_features(later))
-    part = motion_between(
-        photo_features(np.where(has_data, earlier, 0).astype(np.uint8), has_data), photo_features(later)
-    )
+    masked = np.where(has_data, earlier, 0).astype(np.uint8)
+    part = motion_between(photo_features(masked, has_data), photo_features(later))
     assert part.link.translation == pytest.approx(whole.link.translation, abs=0.1)
 
 

@@ -102,9 +102,7 @@ def test_later_images_improve_earlier_ones():
 def track_of(count=6):
     """Return filtered and smoothed estimates of a straight track, its measurements, and their shared error."""
     link = Link(0, 1, (0.0, -100.0), 0.0, 0.0, as_rows(np.diag([9.0, 9.0, 1e-4, 1e-4])))
-    measured = [
-        Measurement(np.array([3.0, 100.0 * n, 0.01, 0.0]), np.diag([16.0, 25.0, 1e-3, 1e-3])) for n in range(count)
-    ]
+    measured = [Measurement(np.array([3.0, 100.0 * n, 0.01, 0.0]), np.diag([16, 25, 1e-3, 1e-3])) for n in range(count)]
 
     def estimated(kept):
         estimates, steps = [first_estimate(np.zeros(4), np.array([80.0, 80.0, 0.2, 0.1]), 4.0, 0.01)], []

@@ -77,6 +77,5 @@ def test_a_circle_is_that_of_equal_axes_or_of_a_line():
 def test_the_ellipse_points_along_the_larger_error():
     found = ellipse_of(np.array([[1.0, 1.0], [1.0, 1.0]]) + 0.25 * np.eye(2))
     assert found.orientation_deg == pytest.approx(45.0)
-    assert found.semi_major == pytest.approx(2.4477 * 1.5, abs=1e-3) and found.semi_minor == pytest.approx(
-        2.4477 / 2, abs=1e-3
-    )
+    assert found.semi_major == pytest.approx(2.4477 * 1.5, abs=1e-3)
+    assert found.semi_minor == pytest.approx(2.4477 / 2, abs=1e-3)

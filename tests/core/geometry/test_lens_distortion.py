@@ -91,9 +91,8 @@ def test_points_lead_back_into_the_bent_image():
 def test_planes_are_straightened_as_labels_are():
     way = leveling(Attitude(0, 0), 0.75 * SHAPE[1], SHAPE, PHANTOM)
     labels = bent_image(lambda x, y: np.where(x > 200, 200, 0), way)
-    planes = way.level_planes(
-        cv2.resize(labels, None, fx=0.25, fy=0.25, interpolation=cv2.INTER_AREA)[:, :, None], SHAPE
-    )
+    small = cv2.resize(labels, None, fx=0.25, fy=0.25, interpolation=cv2.INTER_AREA)
+    planes = way.level_planes(small[:, :, None], SHAPE)
     level = way.level(labels)
     small = cv2.resize(level, planes.shape[1::-1], interpolation=cv2.INTER_AREA)
     inside = np.s_[5:-5, 5:-5]

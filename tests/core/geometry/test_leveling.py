@@ -58,11 +58,9 @@ def test_a_tilted_view_leveled_with_its_true_attitude_is_the_level_view(tilt, di
     way = leveling(attitude_of(tilt, direction), FOCAL, SHAPE)
     leveled = way.level(cut(blocks(), PIXELS, view))
     middle = complex(*view.position) + turn_of(view.heading_deg, view.pixel_size) * way.middle
-    level = cut(
-        blocks(),
-        PIXELS,
-        View(middle.real, middle.imag, view.heading_deg, view.pixel_size, way.shape_hw[1], way.shape_hw[0]),
-    )
+    height, width = way.shape_hw
+    seen_from = View(middle.real, middle.imag, view.heading_deg, view.pixel_size, width, height)
+    level = cut(blocks(), PIXELS, seen_from)
     seen = leveled > 0
     # Two nearest-neighbor steps move edges by up to a pixel; squares are 7.7 pixels wide.
     assert (leveled == level)[seen].mean() > 0.85

@@ -170,9 +170,7 @@ def test_what_nobody_states_of_a_network_is_added_once_for_all_its_classes():
     first = Pose(*(complex(v) for v in fit_similarity(points, on_map, np.ones(120))))
 
     def part(classes, **known):
-        matched = MatchedPoints(
-            points, on_map, np.full(120, 0.7), (np.arange(120) % classes).astype(np.uint8), DIAGONAL
-        )
+        matched = MatchedPoints(points, on_map, np.full(120, 0.7), np.uint8(np.arange(120) % classes), DIAGONAL)
         return refined_pose(matched, first, SharedErrors(0.0, **known))[1].part(CLASSES)
 
     one, six = part(1, class_spread=0.5), part(6, class_spread=0.5)

@@ -26,9 +26,8 @@ def test_blocks_have_the_same_hashes_in_whatever_bands_rows_come(rows):
     # Blocks of one value, of one value until the last row, and of two halves.
     labels[:32, :32] = labels[:32, 32:64] = labels[32:48, :32] = 4
     labels[31, 40] = labels[48:64, :32] = 0
-    expected = [
-        block_hash(labels[row : row + 32, column : column + 32]) for row in range(0, 70, 32) for column in (0, 32, 64)
-    ]
+    places = [(row, column) for row in range(0, 70, 32) for column in (0, 32, 64)]
+    expected = [block_hash(labels[row : row + 32, column : column + 32]) for row, column in places]
     assert hashes_in_bands(labels, rows) == tuple(expected) and len(set(expected)) == 9
 
 

@@ -261,11 +261,8 @@ def test_a_folder_means_all_its_images(tmp_path, monkeypatch):
     for name in ("b.PNG", "a.tif", ".hidden.png", "notes.txt"):
         (tmp_path / name).write_bytes(b"")
     (tmp_path / "empty").mkdir()
-    assert image_files.image_files([str(tmp_path), "other.xyz"]) == [
-        str(tmp_path / "a.tif"),
-        str(tmp_path / "b.PNG"),
-        "other.xyz",
-    ]
+    tif, png = str(tmp_path / "a.tif"), str(tmp_path / "b.PNG")
+    assert image_files.image_files([str(tmp_path), "other.xyz"]) == [tif, png, "other.xyz"]
     with pytest.raises(LabelMapError, match="empty"):
         image_files.image_files([str(tmp_path / "empty")])
 

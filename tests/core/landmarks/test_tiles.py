@@ -27,10 +27,8 @@ def by_tiles(labels_hw, width, height, minimum_area, patch_pixels):
 
 
 def assert_tiles_are_the_whole(labels_hw, width, height, minimum_area=1.0, patch_pixels=PATCHED):
-    found, whole = (
-        by_tiles(labels_hw, width, height, minimum_area, patch_pixels),
-        extract_landmarks(labels_hw, VALUES, minimum_area),
-    )
+    found = by_tiles(labels_hw, width, height, minimum_area, patch_pixels)
+    whole = extract_landmarks(labels_hw, VALUES, minimum_area)
     np.testing.assert_array_equal(rows_from_objects(found), rows_from_objects(whole))
     np.testing.assert_array_equal(found.touches_edge, whole.touches_edge)
 

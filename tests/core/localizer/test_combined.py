@@ -233,10 +233,7 @@ def test_two_looks_at_a_photo_with_one_place_lower_the_risk():
     assert confirm_by_earlier(found, doubted(AREAS, 0.99), 1000).risk == pytest.approx(found.risk)
 
 
-@pytest.mark.parametrize(
-    "changed",
-    [{"position": (130.0, 204.0)}, {"heading_deg": 60.0}, {"pixel_size_m": 1.2}],
-)
+@pytest.mark.parametrize("changed", [{"position": (130.0, 204.0)}, {"heading_deg": 60.0}, {"pixel_size_m": 1.2}])
 def test_two_looks_at_a_photo_with_other_places_are_no_evidence(changed):
     found, earlier = doubted(AREAS, 0.01), doubted(AREAS, 0.05, replace(AREAS.best, **changed))
     assert confirm_by_earlier(found, replace(earlier, error_95_m=500.0), 1000) == found
@@ -285,9 +282,8 @@ def test_without_a_fix_the_places_of_both_methods_are_listed():
     areas = Localization(Status.AMBIGUOUS, Method.MAP_CORRELATION, 0, SAID, alternatives=(PLACE, other))
     found = combine_without_fix(stars, areas, 1000)
     assert (found.status, found.alternatives) == (Status.AMBIGUOUS, (PLACE, other))
-    assert (
-        str(found.reason) == f"{SAID} Map correlation found no position either: {str(SAID)[0].lower()}{str(SAID)[1:]}"
-    )
+    said = str(SAID)
+    assert str(found.reason) == f"{said} Map correlation found no position either: {said[0].lower()}{said[1:]}"
 
 
 def test_a_place_that_both_methods_found_is_listed_once():

@@ -45,20 +45,20 @@ def test_of_a_level_camera_the_middle_is_the_place_and_the_nadir():
     made = Made(fix(90.0, 0.5))
     found, _ = leveled(made, Attitude(0, 0))
     assert made.shape == LABELS.shape
-    assert found.position == found.nadir == pytest.approx(MIDDLE)
+    assert found.position == found.nadir == pytest.approx(MIDDLE, abs=1e-6)
     # The image's top points east: its upper left corner is half its height east and half its width north.
-    np.testing.assert_allclose(found.footprint[0], (MIDDLE[0] + 50, MIDDLE[1] + 65))
+    np.testing.assert_allclose(found.footprint[0], (MIDDLE[0] + 50, MIDDLE[1] + 65), rtol=0, atol=1e-6)
 
 
 def test_a_camera_pitched_up_is_south_of_the_ground_at_its_center():
     found, way = leveled(Made(fix(0.0, 2.0)), Attitude(0, 20))
     # A view to the top reaches farther beyond its center than before it, so the center is south of the middle.
-    assert found.position == pytest.approx((MIDDLE[0], MIDDLE[1] - 2.0 * way.middle.imag))
+    assert found.position == pytest.approx((MIDDLE[0], MIDDLE[1] - 2.0 * way.middle.imag), abs=1e-6)
     assert way.middle.imag > 10
     # The ground size at the center is kept: the camera is f · cos 20°^1.5 pixels high, and tan 20° times that away.
     away = 2.0 * FOCAL * np.cos(np.radians(20)) ** 1.5 * np.tan(np.radians(20))
     assert found.position[1] - found.nadir[1] == pytest.approx(away)
-    assert found.nadir[0] == pytest.approx(MIDDLE[0])
+    assert found.nadir[0] == pytest.approx(MIDDLE[0], abs=1e-6)
 
 
 def test_the_search_area_allows_for_the_offset_of_the_center():

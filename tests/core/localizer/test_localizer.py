@@ -122,9 +122,8 @@ def test_an_image_that_no_vector_is_near_to_is_no_match():
     result = localizer.localize_by_topology_vector(image)
     assert result.status == Status.NO_MATCH
     assert result.distance > 2
-    assert (
-        str(result.reason) == f"The most similar window has the distance {result.distance:.3f}; at most 2 is accepted."
-    )
+    said = f"The most similar window has the distance {result.distance:.3f}; at most 2 is accepted."
+    assert str(result.reason) == said
     assert (result.position, result.window, result.confidence, result.references) == (None, None, None, 3)
 
 

@@ -10,10 +10,8 @@ from semref.core.localizer.record import error_probability, gga_sentence, record
 from semref.core.sentences import Sentence
 
 PLACE = Place((600250.0, 5199600.0), heading_deg=90.0, pixel_size_m=0.5, log_odds=12.5, inliers=7)
-COVARIANCE = PoseCovariance(((1.0, 0.0), (0.0, 4.0)), 0.2, 0.01, Ellipse(4.9, 2.4, 30.0))
-FIX = Localization(
-    Status.FIX, Method.CONSTELLATION, 9, best=PLACE, confidence=0.99, error_95_m=4.9, covariance=COVARIANCE
-)
+KNOWN = PoseCovariance(((1.0, 0.0), (0.0, 4.0)), 0.2, 0.01, Ellipse(4.9, 2.4, 30.0))
+FIX = Localization(Status.FIX, Method.CONSTELLATION, 9, best=PLACE, confidence=0.99, error_95_m=4.9, covariance=KNOWN)
 
 
 def test_a_fix_fills_all_columns():
@@ -64,7 +62,7 @@ def test_an_error_probability_is_shown_no_smaller_than_it_was_tested(confidence,
 
 
 def test_a_fix_has_the_parts_of_its_radius():
-    known = replace(COVARIANCE, parts=(("map", 1.25), ("landmarks", 0.5), ("pixels", 0.1)))
+    known = replace(KNOWN, parts=(("map", 1.25), ("landmarks", 0.5), ("pixels", 0.1)))
     said = record(replace(FIX, covariance=known))["reason"]
     assert said == "Error budget (95 %): map 1.2 m, single landmarks 0.5 m."
     remark = Sentence(
@@ -115,11 +113,8 @@ def test_too_few_landmarks_of_a_photo_are_what_the_network_found():
 
 
 def test_a_reason_within_a_reason_counts_what_the_network_found_too():
-    both = Sentence(
-        "{constellation} Map correlation found no position either: {correlation:clause}",
-        constellation=TOO_FEW.reason,
-        correlation=NO_MATCH.reason,
-    )
+    template = "{constellation} Map correlation found no position either: {correlation:clause}"
+    both = Sentence(template, constellation=TOO_FEW.reason, correlation=NO_MATCH.reason)
     said = str(name_network(replace(TOO_FEW, reason=both), (), CLASSES).reason)
     assert said.startswith("The network found 1 landmark (building, water); at least 7 more are needed. Map")
 

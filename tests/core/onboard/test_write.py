@@ -121,9 +121,8 @@ def test_the_mask_is_the_area_to_a_pixel_of_the_overview_and_a_ring_within_anoth
 
 def test_only_the_content_of_the_area_is_kept_and_an_area_without_landmarks_is_refused(squared):
     part = clip_database(squared, area_mask([RING], squared.parameters))
-    assert (
-        within(part.references.positions, OVERVIEW_PIXEL).all() and within(part.windows.centers, OVERVIEW_PIXEL).all()
-    )
+    assert within(part.references.positions, OVERVIEW_PIXEL).all()
+    assert within(part.windows.centers, OVERVIEW_PIXEL).all()
     least, most = (within(squared.references.positions, margin).sum() for margin in (-OVERVIEW_PIXEL, OVERVIEW_PIXEL))
     assert 0 < least <= len(part.references) <= most
     assert part.overview.shape == squared.overview.shape

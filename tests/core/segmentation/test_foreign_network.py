@@ -178,13 +178,8 @@ def test_classes_that_do_not_match_and_missing_statements_are_refused(tmp_path):
 
 
 def test_class_numbers_and_weights_in_other_files_are_refused(tmp_path):
-    numbers = write_model(
-        tmp_path / "numbers.onnx",
-        brightest_color().add("ArgMax", axis=1),
-        metadata={},
-        output_type=writer.INT64,
-        classes=1,
-    )
+    network = brightest_color().add("ArgMax", axis=1)
+    numbers = write_model(tmp_path / "numbers.onnx", network, metadata={}, output_type=writer.INT64, classes=1)
     assert "outputs class numbers" in refusal(numbers, FACTS, tmp_path)
     outside = write_model(tmp_path / "outside.onnx", brightest_color(external="weights.bin"), metadata={})
     kernels = np.zeros((3, 3, 1, 1), np.float32)

@@ -131,12 +131,8 @@ def test_values_that_are_no_numbers_and_class_numbers_beyond_the_names_are_refus
     with pytest.raises(ModelError, match=r"values that are not numbers \(NaN"):
         model.scores([PHOTO])
     network = brightest_color().add("ArgMax", axis=1, keepdims=0)
-    model = load(
-        network,
-        output_shape=(1, "height", "width"),
-        output_type=writer.INT64,
-        metadata=metadata(class_names=["a", "b"]),
-    )
+    names = metadata(class_names=["a", "b"])
+    model = load(network, output_shape=(1, "height", "width"), output_type=writer.INT64, metadata=names)
     with pytest.raises(ModelError, match="outputs the class number 2, but names only 2 classes"):
         model.scores([PHOTO])
 

@@ -28,9 +28,8 @@ def refusal(path) -> str:
 )
 def test_an_output_that_is_no_picture_is_refused(tmp_path, network, shape):
     kind = TensorProto.INT64 if shape == (4,) else TensorProto.FLOAT
-    assert "outputs the shape" in refusal(
-        write_model(tmp_path / "odd.onnx", network, output_shape=shape, output_type=kind)
-    )
+    path = write_model(tmp_path / "odd.onnx", network, output_shape=shape, output_type=kind)
+    assert "outputs the shape" in refusal(path)
 
 
 def test_a_sequence_of_outputs_is_refused(tmp_path):
@@ -62,18 +61,7 @@ def test_a_huge_fixed_input_and_metadata_that_are_no_text_are_refused(tmp_path):
     assert "not UTF-8 text" in refusal(path)
 
 
-ODD = [
-    "{(1,):2}",
-    "[" * 100_000,
-    "(" * 5000,
-    "{1: {2: " * 3000,
-    "1" * 5000,
-    "1e400",
-    "-",
-    "{null: 1}",
-    "\0",
-    "9" * 99_999,
-]
+ODD = ["{(1,):2}", "[" * 99_999, "(" * 5000, "{1: {2: " * 3000, "1" * 5000, "1e400", "-", "{null: 1}", "\0", "9" * 9999]
 
 
 @pytest.mark.parametrize("text", ODD, ids=range(len(ODD)))

@@ -30,14 +30,9 @@ def test_pixels_of_a_whole_number_stay_squares_around_the_middle(turn):
     assert abs(made_columns) == pytest.approx(abs(made_rows), rel=1e-12)
     assert abs(made_columns / columns - 934 / 1297) < 0.5 / 1297
     corners = [(0, 0), (1297, 0), (0, 1004), (1297, 1004)]
+    shift = complex(x, y) - (500_000 + 5_000_000j)
     moved = [
-        complex(x, y)
-        + c * made_columns
-        + r * made_rows
-        - (500_000 + 5_000_000j)
-        - c * 934 / 1297 * columns
-        - r * 723 / 1004 * rows
-        for c, r in corners
+        shift + c * (made_columns - 934 / 1297 * columns) + r * (made_rows - 723 / 1004 * rows) for c, r in corners
     ]
     assert max(map(abs, moved)) < abs(made_columns) / 2
     assert sum(moved) == pytest.approx(0, abs=1e-6)

@@ -89,14 +89,7 @@ TILTED = {"tilt_deg": 12.0, "tilt_direction_deg": 200.0}
 
 @pytest.mark.parametrize(
     "changes",
-    [
-        {},
-        {"is_mirrored": True},
-        {"lens": 0.03},
-        TILTED,
-        {**TILTED, "lens": 0.02},
-        {**TILTED, "is_mirrored": True},
-    ],
+    [{}, {"is_mirrored": True}, {"lens": 0.03}, TILTED, {**TILTED, "lens": 0.02}, {**TILTED, "is_mirrored": True}],
 )
 def test_points_of_the_map_are_at_the_pixels_that_show_them(changes):
     view = View(700_100.0, 5_199_900.0, 137.0, 1.7, 640, 480, **changes)

@@ -135,9 +135,7 @@ def lacking(qgis_app, monkeypatch):
 
     def of(module):
         find_spec = importlib.util.find_spec
-        monkeypatch.setattr(
-            importlib.util, "find_spec", lambda name, *a: None if name == module else find_spec(name, *a)
-        )
+        monkeypatch.setattr(importlib.util, "find_spec", lambda one, *a: None if one == module else find_spec(one, *a))
         return QgsApplication.processingRegistry().createAlgorithmById
 
     return of

@@ -111,7 +111,7 @@ def test_references_and_overview_are_those_of_the_whole_map(built, database):
     assert len(rows) == len(objects) == built["REFERENCE_COUNT"]
     for n, row in enumerate(rows):
         x, y = objects.centers_xy[n]
-        assert row["geometry"].GetPoint_2D() == pytest.approx((WEST + x, NORTH - y))
+        assert row["geometry"].GetPoint_2D() == pytest.approx((WEST + x, NORTH - y), abs=1e-6)
         found = row["class"], row["class_name"], row["area"], bool(row["touches_edge"])
         value = objects.classes[n]
         assert found == (value, NAMES[value], objects.areas_px[n], objects.touches_edge[n])
@@ -136,9 +136,7 @@ def test_an_overview_too_large_for_memory_uses_a_temporary_file(build, label_map
     monkeypatch.setattr(overview_file, "HELD_PIXELS", 0)
     caches, before = [], gdal.GetCacheMax()
     put = overview_file.OverviewFile.put
-    monkeypatch.setattr(
-        overview_file.OverviewFile, "put", lambda *piece: caches.append(gdal.GetCacheMax()) or put(*piece)
-    )
+    monkeypatch.setattr(overview_file.OverviewFile, "put", lambda *a: caches.append(gdal.GetCacheMax()) or put(*a))
     folder = tmp_path / "R&D"
     folder.mkdir()
     built = build(label_map, DATABASE=str(folder / "filed.gpkg"))

@@ -58,7 +58,11 @@ def groups(project) -> list:
     return [(n.name(), [c.name() for c in n.children()]) for n in project.layerTreeRoot().children()]
 
 
-def test_a_database_is_opened_as_a_styled_group(run_as_dialog, project, label_map, tmp_path):
+def test_a_database_is_opened_as_a_styled_group_but_by_no_script(
+    run_algorithm, project, label_map, tmp_path, run_as_dialog
+):
+    run_algorithm(BUILD, build_parameters(label_map, tmp_path / "script.gpkg", OPEN_OUTPUT=True))
+    assert project.mapLayers() == {}
     told = []
     OPENED.database.connect(told.append)
     run_as_dialog(BUILD, build_parameters(label_map, tmp_path / "area.gpkg", OPEN_OUTPUT=True))
@@ -67,11 +71,6 @@ def test_a_database_is_opened_as_a_styled_group(run_as_dialog, project, label_ma
     assert told == [str(tmp_path / "area.gpkg")]
     landmarks = project.mapLayersByName("Landmarks")[0]
     assert landmarks.renderer().type() == "categorizedSymbol"
-
-
-def test_a_script_that_runs_an_algorithm_gets_no_layers(run_algorithm, project, label_map, tmp_path):
-    run_algorithm(BUILD, build_parameters(label_map, tmp_path / "area.gpkg", OPEN_OUTPUT=True))
-    assert project.mapLayers() == {}
 
 
 def test_a_replaced_database_is_shown_once_with_its_new_content(run_as_dialog, project, label_map, tmp_path):
@@ -89,10 +88,8 @@ def test_a_replaced_database_is_shown_once_with_its_new_content(run_as_dialog, p
 def test_an_updated_database_is_opened_likewise(run_as_dialog, project, label_map, database, tmp_path):
     copy = tmp_path / "updated.gpkg"
     shutil.copy(database, copy)
-    run_as_dialog(
-        "semref:updatedatabase",
-        {"DATABASE": str(copy), "LABELS": str(label_map), "OUTPUT": str(copy), "OPEN_OUTPUT": True},
-    )
+    given = {"DATABASE": str(copy), "LABELS": str(label_map), "OUTPUT": str(copy), "OPEN_OUTPUT": True}
+    run_as_dialog("semref:updatedatabase", given)
     assert groups(project) == [("updated", ["Landmarks", "Windows", "Overview"])]
 
 

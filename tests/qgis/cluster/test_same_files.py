@@ -33,9 +33,7 @@ def losing(feedback):
 
     def kill(share):
         if share > 0 and not killed:
-            found = [
-                one for one in psutil.Process().children(recursive=True) if "spawn_main" in " ".join(one.cmdline())
-            ]
+            found = [one for one in psutil.Process().children(recursive=True) if "spawn_main" in str(one.cmdline())]
             if len(found) >= 2:
                 found[0].send_signal(signal.SIGKILL)
                 killed.append(found[0])

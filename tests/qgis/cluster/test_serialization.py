@@ -52,9 +52,8 @@ def test_arrays_come_back_with_kind_shape_and_bits_and_may_be_changed(kind):
 
 def test_matches_travel_in_a_localization(tmp_path):
     matches = Matches(np.arange(3), np.ones((3, 2)), np.zeros((3, 2)), np.array([0.1, -np.inf, np.nan]))
-    write(
-        str(tmp_path / "found.json"), Localization(Status.FIX, Method.AUTOMATIC, error_95_m=math.nan, matches=matches)
-    )
+    found = Localization(Status.FIX, Method.AUTOMATIC, error_95_m=math.nan, matches=matches)
+    write(str(tmp_path / "found.json"), found)
     back = read(str(tmp_path / "found.json"))
     assert isinstance(back.matches, Matches) and back.matches.on_map.dtype == np.int64 and math.isnan(back.error_95_m)
     np.testing.assert_array_equal(back.matches.residuals, matches.residuals)

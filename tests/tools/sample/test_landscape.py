@@ -52,13 +52,9 @@ def test_the_whole_landscape_has_its_houses_and_nearly_every_window_ten_landmark
     whole_land = landscape.make_landscape(SEED)
     assert 1000 <= sum(f.class_value == classes.BUILDING for f in whole_land.features) <= 1600
     x0, y0, x1, y1 = whole_land.extent
-    points = np.array(
-        [
-            f.geometry.representative_point().coords[0]
-            for f in whole_land.features
-            if f.class_value in (classes.BUILDING, classes.BARE_LAND, classes.WATER)
-        ]
-    )
+    kinds = classes.BUILDING, classes.BARE_LAND, classes.WATER
+    landmarks = [f.geometry for f in whole_land.features if f.class_value in kinds]
+    points = np.array([landmark.representative_point().coords[0] for landmark in landmarks])
     counts = [
         np.all((points >= (x, y)) & (points <= (x + 640, y + 640)), axis=1).sum()
         for x in np.arange(x0, x1 - 639, 160)
