@@ -82,6 +82,9 @@ def open_raster(path: str) -> gdal.Dataset:
         LabelMapError: GDAL can't read it, it has the name of a picture but describes another raster or has another
             format, or its georeference is impossible.
     """
+    if os.path.exists(path) and not (os.path.isfile(path) or os.path.isdir(path)):
+        # GDAL would wait for a pipe forever.
+        raise LabelMapError("Image {path} is a folder, pipe or device; choose an image file.", path=path)
     drivers = drivers_for(path)
     if drivers:
         require_kind_of_name(path, _start(path), LabelMapError)
