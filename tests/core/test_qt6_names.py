@@ -104,12 +104,8 @@ def test_every_qt_name_of_shipped_code_is_in_qt_6():
 
 @needs_pyqt6
 def test_what_qt_6_does_not_have_is_found():
-    asked = {
-        ("QtGui", ("QFontMetricsF", "width")),
-        ("QtCore", ("Qt", "AlignLeft")),
-        ("QtGui", ("QColor", "rgb")),
-        ("QtWidgets", ("QStyleOptionViewItem", "fontMetrics")),
-    }
+    asked = {("QtGui", ("QFontMetricsF", "width")), ("QtCore", ("Qt", "AlignLeft")), ("QtGui", ("QColor", "rgb"))}
+    asked.add(("QtWidgets", ("QStyleOptionViewItem", "fontMetrics")))
     assert missing_in_qt6(asked) == ["QtCore.Qt.AlignLeft", "QtGui.QFontMetricsF.width"]
 
 

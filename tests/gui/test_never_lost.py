@@ -12,17 +12,6 @@ from semref.ui.widgets.progress import remaining_text
 pytestmark = pytest.mark.slow  # plugins and projects are loaded again
 
 
-def reloaded(plugin, iface):
-    """The dock of the plugin that was taken away and loaded again, as QGIS does when it is updated."""
-    plugin.unload()
-    settle()
-    plugin.initGui()
-    dock = iface.docks[-1]
-    dock.setUserVisible(True)
-    settle()
-    return dock
-
-
 def test_two_projects_in_turn_have_each_their_own_results_without_anybody_saving_them(dock, area, tab, tmp_path):
     project, states = QgsProject.instance(), []
     for number, images in enumerate(([area.image], [area.image, area.unreadable])):
@@ -40,7 +29,13 @@ def test_results_of_a_project_that_was_never_saved_are_among_the_earlier_ones(pl
     localize(dock, area.database, [area.image])
     shown = results_of(dock)
     QgsProject.instance().clear()
-    again = reloaded(plugin, iface)
+    # As when QGIS updates the plugin.
+    plugin.unload()
+    settle()
+    plugin.initGui()
+    again = iface.docks[-1]
+    again.setUserVisible(True)
+    settle()
     results = again.content.localize.results
     assert results_of(again) == [] and not results.save.isEnabled()
     results.earlier.aboutToShow.emit()

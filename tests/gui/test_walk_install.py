@@ -56,12 +56,8 @@ def walk(package, wheels, display, tmp_path_factory) -> dict:
     """What walk_install_session.py saw."""
     home = tmp_path_factory.mktemp("walk")
     kept = Path(os.environ.get("SEMREF_PICTURES", home / "pictures"))
-    variables = {
-        "SEMREF_ZIP": str(package),
-        "SEMREF_SAMPLE": str(home / "sample"),
-        "SEMREF_PICTURES": str(kept),
-        "PYTHONPATH": os.pathsep.join([str(DATA / "bare"), str(DATA)]),
-    }
+    variables = {"SEMREF_ZIP": str(package), "SEMREF_SAMPLE": str(home / "sample"), "SEMREF_PICTURES": str(kept)}
+    variables["PYTHONPATH"] = os.pathsep.join([str(DATA / "bare"), str(DATA)])
     if wheels is not None:
         variables.update(SEMREF_HAS_WHEELS="yes", PIP_NO_INDEX="1", PIP_FIND_LINKS=str(wheels))
     script = Path(__file__).with_name("walk_install_session.py")

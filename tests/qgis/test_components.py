@@ -88,13 +88,6 @@ def end_of(installer) -> str:
     return installer.ends[0]
 
 
-def python_that_answers(folder: Path, script: str) -> str:
-    path = folder / "python3"
-    path.write_text(f"#!/bin/sh\n{script}\n")
-    path.chmod(0o755)
-    return str(path)
-
-
 def is_tidy(root: Path) -> bool:
     """Return whether no package and no temporary files remain."""
     return not root.exists() or [path for path in root.rglob("*") if path.name.startswith(".") or path.is_file()] == []
@@ -148,9 +141,11 @@ def use_python(tmp_path, monkeypatch):
     """`use_python(script)` makes a shell script the Python of QGIS; returns its path."""
 
     def use(script: str) -> str:
-        python = python_that_answers(tmp_path, script)
-        monkeypatch.setattr(component_install, "python_candidates", lambda *a: [python, str(tmp_path / "missing")])
-        return python
+        path = tmp_path / "python3"
+        path.write_text(f"#!/bin/sh\n{script}\n")
+        path.chmod(0o755)
+        monkeypatch.setattr(component_install, "python_candidates", lambda *a: [str(path), str(tmp_path / "missing")])
+        return str(path)
 
     return use
 
@@ -218,25 +213,15 @@ def test_removing_takes_the_folder_and_its_part_of_the_path(root, wheels, instal
     assert components.is_missing(GOOD)
 
 
-@pytest.fixture
-def pinned(wheels, monkeypatch):
-    """`pinned(hash)`: pip's index is the folder of wheels, and GOOD is pinned to a wheel with that SHA-256."""
-
-    def pin(sha256: str) -> None:
-        monkeypatch.setenv("PIP_NO_INDEX", "1")
-        monkeypatch.setenv("PIP_FIND_LINKS", str(wheels))
-        lines = [f"semref-made==1.0 --hash=sha256:{sha256}"]
-        monkeypatch.setattr(Package, "pinned", lambda package, numpy_version: lines)
-
-    return pin
-
-
 @pytest.mark.slow
 @needs_pip
 @pytest.mark.parametrize("is_right", [True, False])
-def test_only_a_wheel_with_the_pinned_hash_is_installed(root, wheels, installer, pinned, is_right):
+def test_only_a_wheel_with_the_pinned_hash_is_installed(root, wheels, installer, monkeypatch, is_right):
     (wheel,) = wheels.glob("semref_made*.whl")
-    pinned(hashlib.sha256(wheel.read_bytes()).hexdigest() if is_right else "0" * 64)
+    monkeypatch.setenv("PIP_NO_INDEX", "1")
+    monkeypatch.setenv("PIP_FIND_LINKS", str(wheels))
+    sha256 = hashlib.sha256(wheel.read_bytes()).hexdigest() if is_right else "0" * 64
+    monkeypatch.setattr(Package, "pinned", lambda *a: [f"semref-made==1.0 --hash=sha256:{sha256}"])
     installer.start(component_install.installing([GOOD]))
     if is_right:
         assert end_of(installer) == "installed" and importlib.import_module(GOOD.module).VALUE == 7

@@ -29,15 +29,11 @@ def decode(run_algorithm, feedback, tmp_path):
     return run
 
 
-def bands_of(colors_hw3: np.ndarray) -> np.ndarray:
-    return np.moveaxis(colors_hw3, 2, 0)
-
-
 def painted(labels: np.ndarray) -> np.ndarray:
     palette = np.zeros((256, 3), np.uint8)
     for value, color in COLORS.items():
         palette[value] = color
-    return bands_of(palette[labels])
+    return np.moveaxis(palette[labels], 2, 0)
 
 
 def test_exact_colors_give_back_the_labels_without_a_fourth_band_and_in_slices(decode, tmp_path, monkeypatch):

@@ -31,13 +31,10 @@ def evaluate(run_algorithm, inputs, tmp_path, feedback):
     def run(**parameters):
         defaults = {"TRIALS": 12, "METHODS": BOTH, "OUTPUT": str(tmp_path / "trials.gpkg"), "REPORT": None}
         results = run_algorithm(EVALUATE, {**inputs, **defaults, **parameters}, feedback)
-        return rows(results["OUTPUT"]), results
+        found = [{**row, "point": row["geometry"].GetPoint_2D()} for row in read_rows(results["OUTPUT"])]
+        return found, results
 
     return run
-
-
-def rows(path) -> list:
-    return [{**row, "point": row["geometry"].GetPoint_2D()} for row in read_rows(path)]
 
 
 def of(found, method, kind="map"):

@@ -58,11 +58,8 @@ def refuse(path, readers, words=None) -> None:
 @pytest.mark.parametrize("content", ["wms", "curl", "local"])
 def test_a_description_under_the_name_of_a_picture_is_refused(qgis_app, host, tmp_path, suffix, content):
     write_raster(tmp_path / "secret.tif", LABELS)
-    texts = {
-        "wms": WMS.format(url=host.url),
-        "curl": VRT.format(name=f"/vsicurl/{host.url}/a.tif"),
-        "local": VRT.format(name=tmp_path / "secret.tif"),
-    }
+    texts = {"wms": WMS.format(url=host.url), "local": VRT.format(name=tmp_path / "secret.tif")}
+    texts["curl"] = VRT.format(name=f"/vsicurl/{host.url}/a.tif")
     path = write_text(tmp_path / f"picture{suffix}", texts[content])
     refuse(path, doors())
     assert host.asked == []

@@ -22,10 +22,6 @@ def landscape(seed: int) -> np.ndarray:
 LABELS = landscape(3)
 
 
-def view(column: float, row: float, heading: float) -> np.ndarray:
-    return turned_view(LABELS, SIZE, column, row, heading)
-
-
 @pytest.fixture(scope="module")
 def database(build_area):
     return build_area(LABELS, NAMES, SIZE, SIZE / 2, "building;water")
@@ -46,7 +42,7 @@ def localize(run_algorithm, database, tmp_path, feedback):
     ("column", "row", "heading"), [pytest.param(700, 600, 0, marks=pytest.mark.slow), (851.5, 733, 140)]
 )
 def test_an_image_is_found_by_its_areas(localize, column, row, heading):
-    labels = view(column, row, heading)
+    labels = turned_view(LABELS, SIZE, column, row, heading)
     # A tenth of the pixels are wrong, so no landmark is complete.
     wrong = np.random.default_rng(1).random(labels.shape) < 0.1
     labels[wrong] = 4

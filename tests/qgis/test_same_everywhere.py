@@ -48,13 +48,8 @@ def inputs(tmp_path_factory):
 @pytest.fixture(scope="module")
 def settings(inputs):
     """Return parameters of rasterizing, building and localizing as text, as for qgis_process."""
-    rasterize = {
-        "INPUT": str(inputs / "annotation.shp"),
-        "CLASS_FIELD": "class",
-        "PRIORITY_FIELD": "zorder",
-        "CLASS_TABLE": str(inputs / "classes.csv"),
-        "PIXEL_SIZE": "1",
-    }
+    rasterize = {"INPUT": str(inputs / "annotation.shp"), "CLASS_TABLE": str(inputs / "classes.csv")}
+    rasterize |= {"CLASS_FIELD": "class", "PRIORITY_FIELD": "zorder", "PIXEL_SIZE": "1"}
     build = {"REFERENCE_CLASSES": "building;water", "WINDOW_SIZE": "150", "STRIDE": "50", "MINIMUM_AREA": "60"}
     return rasterize, build, {"METHOD": "1"}
 

@@ -11,12 +11,6 @@ PLACE = (WEST, 1.0, 0, NORTH, 0, -1.0)
 PHOTO = np.random.default_rng(4).integers(0, 256, (3, 300, 230)).astype(np.uint8)
 
 
-def softmax_percent(photo) -> np.ndarray:
-    """Return the percent of red, blue and green in the network of the tests."""
-    powers = np.exp((photo[[0, 2, 1]].astype(float) / 255 - 0.5) / 0.5)
-    return 100 * powers / powers.sum(axis=0)
-
-
 @pytest.fixture
 def segment(runner, tmp_path):
     """`segment(image, **parameters)` returns the results."""
@@ -39,7 +33,9 @@ def test_probabilities_have_a_band_for_each_class_and_fit_the_labels(segment, im
     bands = [each.GetRasterBand(n) for n in (1, 2, 3)]
     assert [band.GetDescription() for band in bands] == ["building", "water", "bare_land"]
     assert {(band.GetNoDataValue(), band.GetUnitType()) for band in [*bands, sure.GetRasterBand(1)]} == {(255, "%")}
-    np.testing.assert_allclose(each.ReadAsArray(), softmax_percent(PHOTO), atol=0.51)
+    # The softmax of red, blue and green in the network of the tests.
+    powers = np.exp((PHOTO[[0, 2, 1]].astype(float) / 255 - 0.5) / 0.5)
+    np.testing.assert_allclose(each.ReadAsArray(), 100 * powers / powers.sum(axis=0), atol=0.51)
     own = np.take_along_axis(each.ReadAsArray(), labels[None].astype(int) - 1, axis=0)[0]
     np.testing.assert_array_equal(sure.ReadAsArray(), own)
     assert each.GetGeoTransform() == sure.GetGeoTransform() == PLACE

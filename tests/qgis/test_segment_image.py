@@ -14,14 +14,10 @@ LABELS = scattered_objects(170, 230, 60, seed=3, background=0)
 SEEN = np.where(LABELS == 0, 1, LABELS)
 
 
-@pytest.fixture(scope="module")
-def model(tmp_path_factory):
-    return write_model(tmp_path_factory.mktemp("model") / "colors.onnx")
-
-
 @pytest.fixture
-def segment(runner, model, tmp_path):
+def segment(runner, tmp_path):
     """`segment(image, **parameters)` returns the path of the label map."""
+    model = write_model(tmp_path / "colors.onnx")
     run = runner(SEGMENT, "INPUT", MODEL=model, OUTPUT=tmp_path / "labels.tif")
     return lambda image, **parameters: run(image, **parameters)["OUTPUT"]
 

@@ -47,13 +47,8 @@ def test_the_news_of_a_version_are_plain_sentences_and_nothing_of_the_rest():
 
 
 def test_the_plugin_manager_shows_the_newest_version_first():
-    assert changelog.for_metadata(CHANGELOG).splitlines() == [
-        "1.1.0 (2027-01-02)",
-        "  - Two things are new, see here.",
-        "  - And three.",
-        " 1.0.0 (2026-12-01)",
-        "  - First.",
-    ]
+    newest = ["1.1.0 (2027-01-02)", "  - Two things are new, see here.", "  - And three."]
+    assert changelog.for_metadata(CHANGELOG).splitlines() == [*newest, " 1.0.0 (2026-12-01)", "  - First."]
 
 
 def test_shipped_metadata_has_the_news_of_the_changelog_and_every_language_by_each_of_its_names():

@@ -56,12 +56,8 @@ def rivers(seed):
     return labels
 
 
-MAPS = {
-    "blobs": lambda seed: blobs(seed, (HEIGHT, WIDTH)),
-    "large blobs": lambda seed: blobs(seed, (HEIGHT, WIDTH), scale=5.0),
-    "houses": houses,
-    "rivers": rivers,
-}
+MAPS = {"blobs": lambda seed: blobs(seed, (HEIGHT, WIDTH)), "houses": houses, "rivers": rivers}
+MAPS["large blobs"] = lambda seed: blobs(seed, (HEIGHT, WIDTH), scale=5.0)
 
 
 def built(labels, settings=SETTINGS):

@@ -104,22 +104,16 @@ def visible(project) -> list:
     return ["/".join(filter(None, (node.parent().name(), node.name()))) for node in nodes]
 
 
-@pytest.fixture
-def make_database(run_as_dialog, tmp_path):
-    """`make_database(name)` runs “Annotation to reference database” on polygons, with files of that name."""
+def test_each_database_has_its_own_group_above_its_label_map(run_as_dialog, project, tmp_path):
     features = [(square(70 * (n % 5), 70 * (n // 5) + 3 * n % 17, 12), "building") for n in range(25)]
     given = {"INPUT": str(write_layer(tmp_path / "annotation.gpkg", features)), "CLASS_FIELD": "class"}
     given |= {"REFERENCE_CLASSES": "building", "WINDOW_SIZE": 200, "STRIDE": 50}
 
-    def make(name: str) -> None:
+    def make_database(name):
         outputs = {"rasterize:Label map": opened(tmp_path / f"{name}.tif")}
         outputs["build:Reference database"] = str(tmp_path / f"{name}.gpkg")
         run_as_dialog("semref:annotationtodatabase", {**given, **outputs})
 
-    return make
-
-
-def test_each_database_has_its_own_group_above_its_label_map(make_database, project):
     make_database("first")
     content, label_map = ["Landmarks", "Windows", "Overview"], ("Label map", [])
     assert groups(project) == [("first", content), label_map]
