@@ -162,6 +162,7 @@ def _install_one(python: str, package: Package, wheels: str) -> Commands:
         # It is before SemRef's on Python's path.
         raise ComponentError("QGIS finds {path} first, which is too old for SemRef. Update or remove it.", path=found)
     try:
+        package.folder.parent.mkdir(parents=True, exist_ok=True)
         with folder_written_beside(str(package.folder), replaces=True) as folder:
             yield from _fill(python, package, folder, wheels)
     except OSError as error:
