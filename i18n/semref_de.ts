@@ -6504,8 +6504,8 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>{name} lässt sich nicht entfernen, vermutlich weil es verwendet wird. Starten Sie QGIS neu und entfernen Sie es noch einmal.</translation>
   </message>
   <message>
-   <source>{name} cannot be written. Choose another folder, or check whether the disk is full.</source>
-   <translation>{name} kann nicht geschrieben werden. Wählen Sie einen anderen Ordner oder prüfen Sie, ob der Datenträger voll ist.</translation>
+   <source>{name} cannot be written. Choose another folder or a GeoPackage (.gpkg), or check whether the disk is full.</source>
+   <translation>{name} kann nicht geschrieben werden. Wählen Sie einen anderen Ordner oder ein GeoPackage (.gpkg), oder prüfen Sie, ob der Datenträger voll ist.</translation>
   </message>
   <message>
    <source>{name} has no route: it has no line and fewer than two waypoints. Choose another route.</source>

@@ -6504,8 +6504,8 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>No se puede eliminar {name}, probablemente porque está en uso. Reinicie QGIS y elimínelo de nuevo.</translation>
   </message>
   <message>
-   <source>{name} cannot be written. Choose another folder, or check whether the disk is full.</source>
-   <translation>No se puede escribir {name}. Elija otra carpeta o compruebe si el disco está lleno.</translation>
+   <source>{name} cannot be written. Choose another folder or a GeoPackage (.gpkg), or check whether the disk is full.</source>
+   <translation>No se puede escribir {name}. Elija otra carpeta o un GeoPackage (.gpkg), o compruebe si el disco está lleno.</translation>
   </message>
   <message>
    <source>{name} has no route: it has no line and fewer than two waypoints. Choose another route.</source>

@@ -6504,8 +6504,8 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>{name} ne peut pas être supprimé, probablement parce qu’il est en cours d’utilisation. Redémarrez QGIS et supprimez-le de nouveau.</translation>
   </message>
   <message>
-   <source>{name} cannot be written. Choose another folder, or check whether the disk is full.</source>
-   <translation>{name} ne peut pas être écrit. Choisissez un autre dossier, ou vérifiez si le disque est plein.</translation>
+   <source>{name} cannot be written. Choose another folder or a GeoPackage (.gpkg), or check whether the disk is full.</source>
+   <translation>{name} ne peut pas être écrit. Choisissez un autre dossier ou un GeoPackage (.gpkg), ou vérifiez si le disque est plein.</translation>
   </message>
   <message>
    <source>{name} has no route: it has no line and fewer than two waypoints. Choose another route.</source>

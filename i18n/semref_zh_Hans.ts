@@ -6504,8 +6504,8 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>无法移除 {name}，可能正在使用。请重启 QGIS 后再次移除。</translation>
   </message>
   <message>
-   <source>{name} cannot be written. Choose another folder, or check whether the disk is full.</source>
-   <translation>无法写入 {name}。请选择其他文件夹，或检查磁盘是否已满。</translation>
+   <source>{name} cannot be written. Choose another folder or a GeoPackage (.gpkg), or check whether the disk is full.</source>
+   <translation>无法写入 {name}。请选择其他文件夹或 GeoPackage（.gpkg），或检查磁盘是否已满。</translation>
   </message>
   <message>
    <source>{name} has no route: it has no line and fewer than two waypoints. Choose another route.</source>

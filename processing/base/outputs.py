@@ -17,7 +17,7 @@ from qgis.core import (
     QgsProcessingContext,
 )
 
-from ...core.errors import ParameterError
+from ...core.errors import ParameterError, UnwritableError
 from ...core.labels.class_table import ClassTable
 from ...storage.atomic_output import Batch
 from ...storage.replaceable import require_closed
@@ -118,7 +118,7 @@ class Outputs:
         """Yield a path to write a reference database to, which gets its metadata; QGIS opens it if the user wants that.
 
         Raises:
-            ParameterError: The metadata cannot be written.
+            UnwritableError: The metadata cannot be written.
         """
         with self.file(key) as temporary:
             yield temporary
@@ -164,7 +164,7 @@ class Outputs:
             **look: Further attributes of ``Look``.
 
         Raises:
-            ParameterError: The output cannot be made, or is incomplete.
+            ParameterError, UnwritableError: The output cannot be made, or is incomplete.
         """
         fields = schema if isinstance(schema, QgsFields) else _fields(schema)
         wanted = self._values.destination(key)
@@ -287,7 +287,7 @@ class FeatureSink:
         self._count += 1
 
     def require_all_in(self, written: str, with_index: bool) -> None:
-        """Open the file and count its features. Raises ParameterError if some are missing."""
+        """Open the file and count its features. Raises UnwritableError if some are missing."""
         path, _, rest = written.partition("|")
         name = rest.partition("layername=")[2].partition("|")[0]
         if (with_index and lacks_spatial_index(path)) or feature_count(path, name) != self._count:
@@ -298,9 +298,10 @@ class FeatureSink:
         self._sink = None
 
 
-def _unwritable(name: str) -> ParameterError:
-    return ParameterError(
-        "{name} cannot be written. Choose another folder, or check whether the disk is full.", name=name
+def _unwritable(name: str) -> UnwritableError:
+    return UnwritableError(
+        "{name} cannot be written. Choose another folder or a GeoPackage (.gpkg), or check whether the disk is full.",
+        name=name,
     )
 
 
