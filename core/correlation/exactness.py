@@ -25,6 +25,11 @@ def noise_factor(score: float, settings: CorrelationSettings = CORRELATION) -> f
     return settings.error_factor * noise_ratio(score, settings) / CIRCLE_95
 
 
+def image_factor(score: float, settings: CorrelationSettings = CORRELATION) -> float:
+    """Return ``noise_factor`` for a single image, at least ``least_factor``."""
+    return max(noise_factor(score, settings), settings.least_factor)
+
+
 def covariance_on_map(pose: ScoredPose, covariance: np.ndarray) -> np.ndarray:
     """Return (4, 4) of map x and y, heading in radians, ln pixel size; infinite values stay infinite.
 
@@ -49,7 +54,7 @@ def full_pose_covariance(  # noqa: PLR0913 - a fit, what it was made on, and wha
 
     Args:
         pose: With its score.
-        covariance: (4, 4) of ``pose_covariance``, already calibrated by ``noise_factor``, with that of leaning roofs.
+        covariance: (4, 4) of ``pose_covariance``, already calibrated by ``image_factor``, with that of leaning roofs.
         edge_m: Of the ground that the image shows.
         overview_pixel_m: Pixel size of the map's overview.
         errors: Of the map and of the labels.

@@ -25,7 +25,7 @@ from ..sentences import Sentence
 from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, mirror_level
 from .decision import decide, decide_accuracy, position_error_95, rank, risk_of_peaks
 from .detail import detail_at
-from .exactness import covariance_on_map, full_pose_covariance, noise_factor
+from .exactness import covariance_on_map, full_pose_covariance, image_factor
 from .leaning import leaning_covariance
 from .parts import disagreeing_part
 from .places import (
@@ -93,7 +93,7 @@ def localize(  # noqa: PLR0913 - an image by its labels and their shares, the ma
     is_held = is_held_by_edge(decided, pyramid, pose, pyramid.quiet)
     height, width = labels_hw.shape
     diagonal_m = float(np.hypot(height, width)) * pose.pixel_size_m
-    errors, factor = errors or SharedErrors(), noise_factor(peaks.score, settings)
+    errors, factor = errors or SharedErrors(), image_factor(peaks.score, settings)
     covariance = factor**2 * covariance
     leaning = leaning_covariance(decided, pyramid, pose, errors.settings)
     effect = view_effect(decided, pyramid, pose, factor, errors)

@@ -65,7 +65,7 @@ def view_effect(
     Args:
         image: Its evidence at the pixels of covariances.
         pose: The best level pose.
-        factor: Of the fit's standard deviations (``exactness.noise_factor``).
+        factor: Of the fit's standard deviations (``exactness.image_factor``).
         errors: Of the map, with the possible cameras (``ErrorSettings.views``); the first camera has no effect.
 
     Returns:

@@ -13,7 +13,7 @@ from semref.core.correlation.decision import (
     risk_of_peaks,
     surprises,
 )
-from semref.core.correlation.exactness import noise_factor
+from semref.core.correlation.exactness import image_factor, noise_factor
 from semref.core.correlation.settings import CORRELATION
 from semref.core.localization import CorrelationPeaks, Status
 
@@ -108,3 +108,7 @@ def test_the_error_radius_is_that_of_the_larger_axis_by_the_noise_and_of_the_pix
     spread = turn @ np.diag([4.0, 1.0]) @ turn.T
     expected = np.hypot(CORRELATION.error_factor * noise * 2, CORRELATION.error_floor_px * 4.0)
     assert position_error_95(factor**2 * spread, 4.0) == pytest.approx(expected)
+
+
+def test_the_factor_of_a_single_image_has_a_least_value():
+    assert image_factor(0.95) == CORRELATION.least_factor > noise_factor(0.95) and image_factor(0.3) == noise_factor(0.3)
