@@ -111,4 +111,5 @@ def test_the_error_radius_is_that_of_the_larger_axis_by_the_noise_and_of_the_pix
 
 
 def test_the_factor_of_a_single_image_has_a_least_value():
-    assert image_factor(0.95) == CORRELATION.least_factor > noise_factor(0.95) and image_factor(0.3) == noise_factor(0.3)
+    assert image_factor(0.95) == CORRELATION.least_factor > noise_factor(0.95)
+    assert image_factor(0.3) == noise_factor(0.3)
