@@ -4852,10 +4852,6 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Der Layer {layer} kann nicht bearbeitet werden. Speichern Sie ihn als GeoPackage und wählen Sie dieses als Landbedeckungslayer.</translation>
   </message>
   <message>
-   <source>The layer {name} can't be written: {reason}.</source>
-   <translation>Der Layer {name} kann nicht geschrieben werden: {reason}.</translation>
-  </message>
-  <message>
    <source>The layer's extent does not fit its CRS {crs}. Correct the CRS of the layer, or choose a target CRS.</source>
    <translation>Die Ausdehnung des Layers passt nicht zu seinem KBS {crs}. Korrigieren Sie das KBS des Layers oder wählen Sie ein Ziel-KBS.</translation>
   </message>
@@ -4990,10 +4986,6 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
   <message>
    <source>The output may be the input database. It is replaced when the update is complete.</source>
    <translation>Die Ausgabe darf die Eingabedatenbank sein. Sie wird ersetzt, sobald die Aktualisierung abgeschlossen ist.</translation>
-  </message>
-  <message>
-   <source>The overview can't be written: {reason}.</source>
-   <translation>Die Übersicht kann nicht geschrieben werden: {reason}.</translation>
   </message>
   <message>
    <source>The overview is the reduced label map that map correlation searches. Without it the file is several times smaller.</source>

@@ -4852,10 +4852,6 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>La capa {layer} no se puede editar. Guárdela como GeoPackage y selecciónelo como capa de cobertura del suelo.</translation>
   </message>
   <message>
-   <source>The layer {name} can't be written: {reason}.</source>
-   <translation>No se puede escribir la capa {name}: {reason}.</translation>
-  </message>
-  <message>
    <source>The layer's extent does not fit its CRS {crs}. Correct the CRS of the layer, or choose a target CRS.</source>
    <translation>La extensión de la capa no encaja con su SRC {crs}. Corrija el SRC de la capa o elija un SRC de destino.</translation>
   </message>
@@ -4990,10 +4986,6 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
   <message>
    <source>The output may be the input database. It is replaced when the update is complete.</source>
    <translation>La salida puede ser la base de datos de entrada. Se reemplaza cuando termina la actualización.</translation>
-  </message>
-  <message>
-   <source>The overview can't be written: {reason}.</source>
-   <translation>No se puede escribir la vista general: {reason}.</translation>
   </message>
   <message>
    <source>The overview is the reduced label map that map correlation searches. Without it the file is several times smaller.</source>

@@ -4852,10 +4852,6 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>La couche {layer} n’est pas modifiable. Enregistrez-la dans un GeoPackage et sélectionnez celui-ci comme couche d’occupation du sol.</translation>
   </message>
   <message>
-   <source>The layer {name} can't be written: {reason}.</source>
-   <translation>La couche {name} ne peut pas être écrite : {reason}.</translation>
-  </message>
-  <message>
    <source>The layer's extent does not fit its CRS {crs}. Correct the CRS of the layer, or choose a target CRS.</source>
    <translation>L’emprise de la couche ne convient pas à son SCR {crs}. Corrigez le SCR de la couche, ou choisissez un SCR cible.</translation>
   </message>
@@ -4990,10 +4986,6 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   <message>
    <source>The output may be the input database. It is replaced when the update is complete.</source>
    <translation>La sortie peut être la base de données d’entrée. Celle-ci est remplacée une fois la mise à jour terminée.</translation>
-  </message>
-  <message>
-   <source>The overview can't be written: {reason}.</source>
-   <translation>La vue d’ensemble ne peut pas être écrite : {reason}.</translation>
   </message>
   <message>
    <source>The overview is the reduced label map that map correlation searches. Without it the file is several times smaller.</source>

@@ -4852,10 +4852,6 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>图层 {layer} 无法编辑。请将其另存为 GeoPackage，并选作土地覆盖图层。</translation>
   </message>
   <message>
-   <source>The layer {name} can't be written: {reason}.</source>
-   <translation>无法写入图层 {name}：{reason}。</translation>
-  </message>
-  <message>
    <source>The layer's extent does not fit its CRS {crs}. Correct the CRS of the layer, or choose a target CRS.</source>
    <translation>图层的范围与其坐标参照系 {crs} 不符。请更正图层的坐标参照系，或选择目标坐标参照系。</translation>
   </message>
@@ -4990,10 +4986,6 @@ Use a label map of another date than that of the database, with a map displaceme
   <message>
    <source>The output may be the input database. It is replaced when the update is complete.</source>
    <translation>输出可以是输入数据库本身。更新完成后会将其替换。</translation>
-  </message>
-  <message>
-   <source>The overview can't be written: {reason}.</source>
-   <translation>无法写入概览图：{reason}。</translation>
   </message>
   <message>
    <source>The overview is the reduced label map that map correlation searches. Without it the file is several times smaller.</source>

@@ -28,6 +28,11 @@ def gdal_failure(error: object = None) -> str | Sentence:
     return re.sub(r"\.\s+(?=[A-Z])", "; ", " ".join(text.split())).rstrip(".")
 
 
+def unwritten_database(error: object = None) -> UnwritableError:
+    """Return the error that a database can't be written, because of GDAL's last error or ``error``."""
+    return UnwritableError("The database can't be written: {reason}.", reason=gdal_failure(error))
+
+
 def read_by_gdal(
     kind: type[SemRefError], path: str, read: Callable[..., _Read], *arguments: object, **keywords: object
 ) -> _Read:

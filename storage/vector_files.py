@@ -9,8 +9,8 @@ import time
 
 from osgeo import gdal
 
-from ..core.errors import DatabaseError, ParameterError
-from .gdal_errors import gdal_failures
+from ..core.errors import ParameterError
+from .gdal_errors import gdal_failures, unwritten_database
 
 STYLE_OF_SEMREF = "Style of SemRef"
 """Description of a style in a file. Without one QGIS writes the time, and two runs would differ."""
@@ -30,7 +30,7 @@ def copy_whole(source: sqlite3.Connection, target: sqlite3.Connection) -> None:
     Raises:
         sqlite3.OperationalError: Another program keeps the file locked.
         sqlite3.DatabaseError: The file can't be read.
-        DatabaseError: The copy can't be written: the disk is full.
+        UnwritableError: The copy can't be written: the disk is full.
     """
     until = time.monotonic() + WAIT_S
 
@@ -43,7 +43,7 @@ def copy_whole(source: sqlite3.Connection, target: sqlite3.Connection) -> None:
     except sqlite3.OperationalError as error:
         if "locked" in str(error):
             raise
-        raise DatabaseError("The database can't be written: {reason}.", reason=str(error)) from None
+        raise unwritten_database(error) from None
 
 
 def copy_database(path: str, target: str) -> None:

@@ -12,9 +12,8 @@ from osgeo import gdal, ogr
 from ...core.database.model import Windows
 from ...core.database.parameters import BuildParameters
 from ...core.database.update import DatabaseChanges
-from ...core.errors import DatabaseError
 from ...core.steps import Steps
-from ..gdal_errors import gdal_failure
+from ..gdal_errors import unwritten_database
 from ..vector_files import leave_wal
 from . import schema
 from .copying import copy_database
@@ -33,7 +32,7 @@ def write_changes(path: str, stored: StoredDatabase, changes: DatabaseChanges) -
         stored: The database before the update.
 
     Raises:
-        DatabaseError: GDAL can't write.
+        UnwritableError: GDAL can't write.
     """
     try:
         copy_database(stored.database.source, path, stored.state)
@@ -46,7 +45,7 @@ def write_changes(path: str, stored: StoredDatabase, changes: DatabaseChanges) -
             os.fsync(file.fileno())
         yield "Writing the database", 1.0
     except (RuntimeError, sqlite3.Error) as error:
-        raise DatabaseError("The database can't be written: {reason}.", reason=gdal_failure(error)) from None
+        raise unwritten_database(error) from None
 
 
 def _edit(path: str, stored: StoredDatabase, changes: DatabaseChanges) -> Steps[None]:
@@ -119,10 +118,10 @@ def _edit_overview(path: str, changes: DatabaseChanges) -> None:
 def _open(path: str, kind: int, options: Sequence[str] = ()) -> gdal.Dataset:
     dataset = gdal.OpenEx(path, kind | gdal.OF_UPDATE, ["GPKG"], [*_UNSAFE, *options])
     if dataset is None:
-        raise DatabaseError("The database can't be written: {reason}.", reason=gdal_failure())
+        raise unwritten_database()
     return dataset
 
 
 def _check(failure: int) -> None:
     if failure != ogr.OGRERR_NONE:
-        raise DatabaseError("The database can't be written: {reason}.", reason=gdal_failure())
+        raise unwritten_database()

@@ -11,9 +11,8 @@ from osgeo import gdal, ogr, osr
 
 from ...core.database.model import MapLandmarks
 from ...core.database.parameters import BuildParameters
-from ...core.errors import DatabaseError
 from ...core.labels.class_table import ClassTable
-from ..gdal_errors import gdal_failure
+from ..gdal_errors import unwritten_database
 
 WINDOWS, REFERENCES, BOUNDS, OVERVIEW = "windows", "references", "reference_bounds", "overview"
 CLASSES, PARAMETERS, STYLES = "classes", "parameters", "layer_styles"
@@ -81,12 +80,12 @@ TABLES = (*LAYERS, OVERVIEW)
 
 
 def create_layer(dataset: ogr.DataSource, name: str, srs: osr.SpatialReference | None) -> ogr.Layer:
-    """Create an empty layer of the schema; ``srs``: for layers with geometry. Raises DatabaseError."""
+    """Create an empty layer of the schema; ``srs``: for layers with geometry. Raises UnwritableError."""
     geometry, columns = LAYERS[name]
     fid = "FID=id" if name == STYLES else "FID=fid"
     layer = dataset.CreateLayer(name, None if geometry == ogr.wkbNone else srs, geometry, [fid])
     if layer is None:
-        raise DatabaseError("The layer {name} can't be written: {reason}.", name=name, reason=gdal_failure())
+        raise unwritten_database()
     for column, kind in columns:
         definition = ogr.FieldDefn(column, _OGR_TYPES[kind])
         if kind == _BOOLEAN:
@@ -134,22 +133,22 @@ def write_feature(
     if wkb is not None:
         feature.SetGeometryDirectly(ogr.CreateGeometryFromWkb(wkb))
     if layer.CreateFeature(feature) != ogr.OGRERR_NONE:
-        raise DatabaseError("The database can't be written: {reason}.", reason=gdal_failure())
+        raise unwritten_database()
     return feature.GetFID()
 
 
 def commit(dataset: gdal.Dataset) -> None:
-    """End a transaction. Raises DatabaseError if this fails: SQLite then drops all its rows."""
+    """End a transaction. Raises UnwritableError if this fails: SQLite then drops all its rows."""
     if dataset.CommitTransaction() != ogr.OGRERR_NONE:
-        raise DatabaseError("The database can't be written: {reason}.", reason=gdal_failure())
+        raise unwritten_database()
 
 
 def close(dataset: gdal.Dataset) -> None:
-    """Write pending data. Raises DatabaseError if this fails."""
+    """Write pending data. Raises UnwritableError if this fails."""
     gdal.ErrorReset()
     dataset.FlushCache()
     if gdal.GetLastErrorType() >= gdal.CE_Failure:
-        raise DatabaseError("The database can't be written: {reason}.", reason=gdal_failure())
+        raise unwritten_database()
 
 
 def square_wkb(left: float, bottom: float, right: float, top: float) -> bytes:

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from ...core.errors import DatabaseError, ParameterError
 from ..atomic_output import Batch
+from ..gdal_errors import unwritten_database
 from ..vector_files import WAIT_S, copy_whole
 
 _BEFORE = "_before_update"
@@ -164,7 +165,7 @@ def stated_checksums(path: str) -> str | None:
 
 @contextlib.contextmanager
 def _editable_copy(path: str, target: str) -> Iterator[sqlite3.Connection]:
-    """Copy a database and yield a connection to the copy. Raises DatabaseError."""
+    """Copy a database and yield a connection to the copy. Raises UnwritableError."""
     from .connection import snapshot
 
     with contextlib.closing(sqlite3.connect(target, isolation_level=None)) as copy:
@@ -175,4 +176,4 @@ def _editable_copy(path: str, target: str) -> Iterator[sqlite3.Connection]:
             copy.execute("PRAGMA journal_mode=DELETE")
             yield copy
         except sqlite3.Error as error:
-            raise DatabaseError("The database can't be written: {reason}.", reason=str(error)) from None
+            raise unwritten_database(error) from None

@@ -13,11 +13,10 @@ import numpy as np
 from osgeo import gdal, gdal_array, ogr, osr
 
 from ...core.database.model import ReferenceDatabase, Windows
-from ...core.errors import DatabaseError
 from ...core.labels.class_table import ClassTable
 from ...core.labels.overview import HeldOverview
 from ...core.steps import Steps
-from ..gdal_errors import close, gdal_failure, gdal_failures
+from ..gdal_errors import close, gdal_failures, unwritten_database
 from ..label_map_file import set_class_colors
 from ..vector_files import leave_wal
 from . import schema
@@ -65,7 +64,7 @@ def write_database(  # noqa: PLR0913 - what a file holds; only the plugin has PR
         overview: (h, w) uint8 class values, or the object with its parts.
 
     Raises:
-        DatabaseError: GDAL can't write.
+        UnwritableError: GDAL can't write.
     """
     rows_of = {
         schema.WINDOWS: _window_rows(database.windows, longitudes, latitudes),
@@ -87,8 +86,7 @@ def write_database(  # noqa: PLR0913 - what a file holds; only the plugin has PR
             dataset = ogr.GetDriverByName("GPKG").CreateDataSource(path)
         if failures or dataset is None:
             # On a full disk GDAL returns a dataset without tables.
-            reason = gdal_failure(failures[0] if failures else None)
-            raise DatabaseError("The database can't be written: {reason}.", reason=reason)
+            raise unwritten_database(failures[0] if failures else None)
         for n, _ in enumerate(_write_layers(dataset, srs, rows_of)):
             if n % _FEATURES_A_STEP == 0:
                 yield "Writing the database", 0.9 * n / total
@@ -100,7 +98,7 @@ def write_database(  # noqa: PLR0913 - what a file holds; only the plugin has PR
         store_checksums(path)
         yield "Writing the database", 1.0
     except (RuntimeError, sqlite3.Error) as error:
-        raise DatabaseError("The database can't be written: {reason}.", reason=gdal_failure(error)) from None
+        raise unwritten_database(error) from None
 
 
 def _write_layers(
@@ -168,9 +166,7 @@ def _write_overview(
         close(made)
         del made
     if failures or not is_made:
-        raise DatabaseError(
-            "The overview can't be written: {reason}.", reason=failures[0] if failures else gdal_failure()
-        )
+        raise unwritten_database(failures[0] if failures else None)
 
 
 def _write_titles(path: str) -> None:
