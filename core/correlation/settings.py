@@ -60,9 +60,9 @@ class CorrelationSettings:
             have 2.1. Photos of a shore at different positions in annotation and network have 6.0 [aerial; photos;
             radius].
         least_noise: Least such ratio [aerial; radius].
-        least_factor: Least factor of the refinement's standard deviations for a single image. The errors of 277 photos
-            at the right place have 1.5 to 2.5 of them in each of nine places. They depend on the place, not on the
-            correlation. In Kenya they have 6.4, because the map is about 2 m off [photos; radius].
+        least_factor: Least factor of the refinement's standard deviations for a single image. In each of nine places,
+            photos at the right place need a factor of 1.5 to 2.5, whatever the correlation (277 photos with those of
+            Kenya, which need 6.4, because the map is about 2 m off) [photos; radius].
         largest_error: Largest 95 % radius of a fix, as a share of the image's diagonal. Of poses refined from beside
             the right place it keeps 58 of 60 (modest noise) and 15 of 27 (strong) that are within 2 % of the image's
             edge, and 3 of 9 that are not. On Liechtenstein it refuses no fix [aerial; Liechtenstein, north; radius].
