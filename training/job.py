@@ -69,9 +69,9 @@ class Job:
         resume: Whether to continue a run in the folder.
         ground: Metadata of the training ground: sources, CRS, extent.
         complete: By folder of tiles, names of the classes that were drawn completely. Value 0 then excludes these
-            classes (partial.py).
+            classes (``metrics.partial_labels``).
         tile_size: Tile edge in pixels for the model's metadata; 0 for that of the tiles.
-        card: Other data for the model card: name, licenses, suitable uses (metadata.py).
+        card: Other data for the model card: name, licenses, suitable uses (``export.metadata_of``).
         fingerprint: Sizes and times of the sources, which must be equal to continue a run.
     """
 

@@ -17,8 +17,7 @@ from torch.optim.swa_utils import AveragedModel
 from ..core.errors import TrainingError
 from .augment import random_light, random_piece
 from .job import CHECKPOINT, FREE, Job
-from .metrics import confusion_matrix, intersection_over_union
-from .partial import decided_channels
+from .metrics import confusion_matrix, decided_channels, intersection_over_union
 from .tiles import IGNORED, TileReader
 
 AVERAGING = 0.995  # largest share of the old weights in their running average, per step
@@ -74,7 +73,7 @@ class Trainer:
 
         Args:
             class_weights: (L,) weight of each label.
-            allowed: (L, K) bool of the classes that each label allows (partial.py).
+            allowed: (L, K) bool of the classes that each label allows (``metrics.partial_labels``).
             job: With all defaults filled in (``train.with_defaults``).
         """
         self.device = torch.device("cuda" if torch.cuda.is_available() else "cpu")
@@ -316,7 +315,7 @@ def segmentation_loss(
         logits: (N, K, H, W).
         labels: (N, H, W) int64, IGNORED for unknown pixels.
         weights: (L,) weight of each label.
-        allowed: (L, K) bool of the classes that each label allows (partial.py).
+        allowed: (L, K) bool of the classes that each label allows (``metrics.partial_labels``).
     """
     known = labels != IGNORED
     if not known.any():

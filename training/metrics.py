@@ -1,6 +1,13 @@
-"""Class weights, confusion matrices and IoU."""
+"""Class weights, confusion matrices, IoU, and labels of ground where only some classes were drawn.
+
+If only buildings were drawn in a place, its other ground is known to be no building. Such ground gets an extra label
+for the set of channels that it may have. The loss uses the network's total probability of the set (the “marginal”
+loss of Shi et al. 2021, arXiv:2007.03868). A road is thus not wrong where no roads were drawn.
+"""
 
 from __future__ import annotations
+
+from pathlib import Path
 
 import numpy as np
 
@@ -23,7 +30,7 @@ def confusion_matrix(labels: np.ndarray, predicted: np.ndarray, count: int, sets
 
     Args:
         predicted: Predicted classes, of the same shape.
-        sets: Number of labels after the classes that allow several classes (partial.py).
+        sets: Number of labels after the classes that allow several classes (``partial_labels``).
     """
     known = labels != IGNORED
     pairs = labels[known].astype(np.int64) * count + predicted[known]
@@ -35,8 +42,8 @@ def intersection_over_union(confusion: np.ndarray, allowed: np.ndarray | None = 
 
     Args:
         confusion: (count + sets, count) pixels.
-        allowed: (count + sets, count) bool of the classes that each label allows (partial.py). A pixel of a set counts
-            as wrong for the classes that it excludes, and does not count for the others.
+        allowed: (count + sets, count) bool of the classes that each label allows, see ``partial_labels``. A pixel of a
+            set counts as wrong for the classes that it excludes, and does not count for the others.
     """
     count = confusion.shape[1]
     allowed = np.eye(count, dtype=bool) if allowed is None else allowed
@@ -48,3 +55,35 @@ def intersection_over_union(confusion: np.ndarray, allowed: np.ndarray | None = 
 def rates(confusion: np.ndarray) -> np.ndarray:
     """Return (K, K) shares of each true class (row) by predicted class; 0 in rows without pixels."""
     return confusion / np.maximum(confusion.sum(axis=1, keepdims=True), 1)
+
+
+def partial_labels(count: int, excluded: dict[Path, list[int]]) -> tuple[np.ndarray, dict[Path, int]]:
+    """Return the channels that each label allows, and the label of each folder's unlabeled ground.
+
+    Channel 0 means unlabeled. No set contains it: otherwise ground that differs from the other places would become
+    unlabeled.
+
+    Args:
+        excluded: By folder of tiles, the channels that its unlabeled ground can't have.
+
+    Returns:
+        (count + S, count) bool: a channel allows itself, a set all channels except 0 and the excluded ones. And the
+        number of the set by folder, IGNORED for an empty set.
+    """
+    kept = {path: tuple(sorted(set(range(1, count)) - set(channels))) for path, channels in excluded.items()}
+    sets = sorted({channels for channels in kept.values() if channels})
+    allowed = np.zeros((count + len(sets), count), bool)
+    allowed[:count] = np.eye(count, dtype=bool)
+    for row, channels in zip(allowed[count:], sets):
+        row[list(channels)] = True
+    return allowed, {path: count + sets.index(one) if one else IGNORED for path, one in kept.items()}
+
+
+def decided_channels(allowed):
+    """Return (count + S, count) bool of the channels that a label decides: all, or those that a set excludes.
+
+    ``allowed``: first result of ``partial_labels``, also as a tensor.
+    """
+    decided = ~allowed
+    decided[: allowed.shape[1]] = True
+    return decided

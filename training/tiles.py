@@ -32,7 +32,7 @@ class TilePair:
     Attributes:
         bands: Numbers, from 1, of red, green and blue.
         stretch: (3, 2) values that become 0 and 1, or None.
-        unlabeled: Meaning of value 0: a channel, a set of channels (partial.py) or IGNORED; None for the default of the
+        unlabeled: Meaning of value 0: a channel, a set of channels (metrics.py) or IGNORED; None for the default of the
             reader.
     """
 

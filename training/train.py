@@ -15,9 +15,9 @@ import torch
 from ..core.errors import TrainingError
 from ..core.segmentation.class_bias import KEY, class_bias_text
 from ..core.segmentation.metadata import TEMPERATURE
-from . import base_weights, class_bias, examples, export, loop, metadata, metrics, network, temperature, tiles
+from . import base_weights, class_bias, examples, export, loop, metrics, network, temperature, tiles
 from .job import CHECKPOINT, EXAMPLES, FEWEST_PIECES, MOST_PIECES, NETWORK, PACKAGED, RESULT, Job
-from .partial import partial_labels
+from .metrics import partial_labels
 
 FROM_SCRATCH, FROM_WEIGHTS, FROM_BASE = 3e-3, 1e-3, 5e-4
 """Learning rates for random weights, for a pretrained encoder, and for a base model."""
@@ -44,7 +44,7 @@ class TileData:
 
     Attributes:
         pixels: (L,) pixels of each label.
-        allowed: (L, K) bool of the classes that each label allows (partial.py).
+        allowed: (L, K) bool of the classes that each label allows (``metrics.partial_labels``).
         tile_size: Edge in pixels.
         pixel_size: In m; None if unknown.
         mean: (3,) mean of red, green and blue.
@@ -243,7 +243,7 @@ def finish(
     output, folder = Path(job.output), Path(job.folder)
     temporary = output.with_name(f".{output.name}.part")
     export.write_onnx(trainer.network, ground.tile_size, temporary)
-    entries = metadata.entries(
+    entries = export.metadata_of(
         ground.classes,
         (start.mean, start.deviation),
         job.tile_size or ground.tile_size,

@@ -12,10 +12,9 @@ import numpy as np
 
 from ..localizer.localizer import Localizer
 from .evidence import prepare_image
-from .links import links_by_image
 from .measurement import GATE, Measurement, distance, measure_near, shared_variance
 from .model import FlightImage, FlightPose
-from .motion import Link
+from .motion import Link, links_by_image
 from .pool import Pool, move_states, predict, update
 from .reported_pose import report_pose
 from .settings import FLIGHT, FlightSettings

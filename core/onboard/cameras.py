@@ -14,8 +14,8 @@ from ..flight.telemetry import Telemetry, log_cameras, log_links
 from ..geometry.camera import Camera
 from ..labels.photo_camera import photo_camera
 from ..tables import stem_of
+from .growing_log import GrowingLog, is_growing_log
 from .log import log_event
-from .logs import GrowingLog, is_growing_log
 from .tables import TableOfImages
 
 

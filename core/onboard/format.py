@@ -1,11 +1,13 @@
 """Format of the onboard file: a reference database as one small ``.npz`` (docs/reference/file_formats.md).
 
-It is a zip of arrays in numpy's own format, without pickles, for a computer without QGIS.
+It is a zip of arrays in numpy's own format, without pickles, for a computer without QGIS. A signature proves that the
+holder of a key made it.
 """
 
 from __future__ import annotations
 
 import hashlib
+import hmac
 import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -13,6 +15,7 @@ from datetime import datetime
 from enum import Enum
 
 from ..database.model import ReferenceDatabase
+from ..errors import ParameterError, reason_of
 from ..geometry.lon_lat import LonLatPolynomial
 from ..values import checked
 
@@ -101,5 +104,49 @@ def digest(files: Mapping[str, bytes]) -> bytes:
     found = hashlib.sha256()
     for name in sorted(files):
         if name not in (HASH, SIGNATURE):
+            found.update(files[name])
+    return found.digest()
+
+
+SHORTEST_KEY, LONGEST_KEY = 16, 4096
+"""Bytes of a key file; SHA-256 uses at most 32 random ones."""
+
+_PURPOSE = b"semref onboard signature 1\0"
+"""Separates these signatures from others with the same key."""
+
+
+def read_key(path: str) -> bytes:
+    """Return the bytes of a key file.
+
+    Raises:
+        ParameterError: The file can't be read, or is too short or too long for a key.
+    """
+    try:
+        with open(path, "rb") as file:
+            key = file.read(LONGEST_KEY + 1)
+    except OSError as error:
+        raise ParameterError("The key {path} can't be read: {reason}.", path=path, reason=reason_of(error)) from None
+    if not SHORTEST_KEY <= len(key) <= LONGEST_KEY:
+        raise ParameterError(
+            "The key {path} has {size} bytes; a key needs {least} to {most} random bytes.",
+            path=path,
+            size=len(key),
+            least=SHORTEST_KEY,
+            most=LONGEST_KEY,
+        )
+    return key
+
+
+def signature(files: Mapping[str, bytes], key: bytes) -> bytes:
+    """Return HMAC-SHA256 of all .npy files except hash and signature: name, length and content, in order of names.
+
+    Args:
+        files: .npy files by name.
+        key: Of ``read_key``.
+    """
+    found = hmac.new(key, _PURPOSE, hashlib.sha256)
+    for name in sorted(files):
+        if name not in (HASH, SIGNATURE):
+            found.update(f"{name}\0{len(files[name])}\0".encode("ascii"))
             found.update(files[name])
     return found.digest()

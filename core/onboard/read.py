@@ -40,8 +40,9 @@ from .format import (
     SignatureStatus,
     digest,
     export_date,
+    read_key,
+    signature,
 )
-from .signature import read_key, signature
 
 _UNREADABLE = (zipfile.BadZipFile, zlib.error, EOFError, OSError, RuntimeError, ValueError, struct.error)
 """Errors of a damaged or malicious zip."""

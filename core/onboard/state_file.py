@@ -22,7 +22,7 @@ from .. import limits
 from ..cache import user_secret, write_atomically
 from ..errors import ParameterError
 from ..labels.image_files import open_at_once
-from .signature import read_key
+from .format import read_key
 
 _PURPOSE = b"semref flight state 2\0"
 """Separates these codes from others with the same key."""

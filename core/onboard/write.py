@@ -28,8 +28,9 @@ from .format import (
     SIGNATURE,
     VECTOR_STEPS,
     digest,
+    read_key,
+    signature,
 )
-from .signature import read_key, signature
 
 
 def write_onboard(  # noqa: PLR0913 - a database, and what is stated beside it

@@ -16,8 +16,7 @@ from ..errors import ImageError
 from ..labels.class_table import UNLABELED
 from ..labels.image_source import ImageSource
 from .certainty import LABELS_ALONE, NO_DATA, SAMPLED_PX, Certainty, Sureness, percents
-from .model import SegmentationModel
-from .orientations import averaged_scores
+from .model import SegmentationModel, averaged_scores
 
 MINIMUM_EDGE_PX = 8
 """Smallest edge of an image that a network can segment."""

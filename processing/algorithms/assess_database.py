@@ -166,7 +166,7 @@ class AssessDatabase(AssessAlgorithm):
         crs: QgsCoordinateReferenceSystem,
     ) -> None:
         from ...core.assessment.squares import FIELDS, square_rows
-        from ..layers.assessment_styles import cells_renderer
+        from ..layers.class_styles import cells_renderer
 
         threshold, half = self.threshold(values), cells.size / 2
         renderer = cells_renderer(threshold, results[0].footprint, len(results) == 1)

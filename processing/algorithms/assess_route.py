@@ -340,7 +340,7 @@ class AssessRoute(AssessAlgorithm):
         import numpy as np
 
         from ...core.assessment.route import stretch
-        from ..layers.assessment_styles import route_renderer
+        from ..layers.class_styles import route_renderer
 
         nearest = np.zeros(0) if route.flown is None else route.flown.at(route.points)
         gap_of = {int(n): (gap, hint) for gap, hint in zip(route.stretches, route.hints) for n in gap.points}

@@ -248,7 +248,7 @@ class SegmentImage(SemRefAlgorithm):
         from ...cluster.task_names import SEGMENT
         from ...core.segmentation.blocks import segment_blocks
         from ...storage.file_states import state
-        from ..layers.images import pixel_size_m
+        from ..layers.layer_inputs import pixel_size_m
 
         path, table = self._source.path(), values.class_table(self.CLASS_TABLE)
         tiles = tiles_of(model, image.shape_hw, overlap)
@@ -273,7 +273,7 @@ class SegmentImage(SemRefAlgorithm):
     ) -> ImageSource:
         """Return the photo at that resolution, and log how it is read."""
         from ...core.segmentation.resampling import at_resolution
-        from ..layers.images import pixel_size_m
+        from ..layers.layer_inputs import pixel_size_m
 
         image = at_resolution(photo.image, pixel_size_m(photo.file, photo.crs), resolution_m)
         describe(model, photo.file, feedback)

@@ -443,7 +443,7 @@ def _resolution_m(area: AreaSetup) -> float:
 
 def _pixel_m(layer: QgsRasterLayer) -> float | None:
     """Return the pixel size of a raster file in m; None without a georeference."""
-    from ..layers.images import stated_pixel_size_m
+    from ..layers.layer_inputs import stated_pixel_size_m
 
     found = stated_pixel_size_m(layer.source())
     return None if found is None else found[0]

@@ -36,7 +36,7 @@ from ...storage.rasters import image_files, open_raster
 from ..compat import LINE_GEOMETRY, is_null
 from ..layers.annotation import field_index, require_polygons
 from ..layers.guess_fields import BUILDING, class_field_of, has_osm_tags, priority_field_of
-from ..layers.images import stated_pixel_size_m
+from ..layers.layer_inputs import stated_pixel_size_m
 from ..layers.line_areas import LineAreas
 from ..layers.reference_systems import WGS84, metric_crs, transformed_box, transformed_point
 from ..translation import tr

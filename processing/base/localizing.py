@@ -315,7 +315,7 @@ def localize_scheduled(
     """Localize images with the workers of SCHEDULER; ``before``: state of the database's file."""
     from ...cluster.task_names import IMAGES
     from ...core.localizer.search import AskedImage, ImagesJob
-    from ..layers.images import stated_pixel_size_m
+    from ..layers.layer_inputs import stated_pixel_size_m
 
     model, sun = values.file(LocalizeAlgorithm.MODEL), values.optional_number(LocalizeAlgorithm.SUN_DIRECTION)
     risk = values.number(LocalizeAlgorithm.RISK)

@@ -128,7 +128,7 @@ def open_photo_file(path: str) -> Photo:
     """Open a photo with the ground size of its pixels. Raises ImageError."""
     from ...core.labels.image_source import Photo
     from ...storage.label_images import open_photo
-    from ..layers.images import pixel_size_m, stated_crs
+    from ..layers.layer_inputs import pixel_size_m, stated_crs
 
     photo = open_photo(path)
     return Photo(photo, pixel_size_m(photo, stated_crs(path)))

@@ -24,7 +24,7 @@ from ...core.evaluation.summary import (
 from ...core.evaluation.trial import Trial
 from ...core.localization import Status
 from ...core.simulation.conditions import Conditions
-from ..layers.assessment_styles import success_classes
+from ..layers.class_styles import success_classes
 from ..messages.numbers import Local, shown
 from ..messages.numbers import count as number_text
 from ..translation import tr

@@ -13,7 +13,7 @@ from ...core.assessment.assessment import Estimates
 from ...core.assessment.flights import FlownRoute
 from ...core.assessment.route import RouteGap, RoutePoints, ShiftHint
 from ...core.simulation.conditions import Conditions
-from ..layers.assessment_styles import success_classes
+from ..layers.class_styles import success_classes
 from ..messages.numbers import Local, shown
 from ..messages.numbers import count as number_text
 from ..translation import tr

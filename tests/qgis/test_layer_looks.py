@@ -32,7 +32,7 @@ from semref.core.evaluation import as_json
 from semref.processing.algorithms import assess_route, compare_labels, describe_image
 from semref.processing.base import localized_layers, segmented_files
 from semref.processing.layers import styles
-from semref.processing.layers.assessment_styles import COLORS, cells_renderer, route_renderer
+from semref.processing.layers.class_styles import COLORS, cells_renderer, route_renderer
 from semref.processing.layers.database_layers import add_database_to_map
 from semref.processing.layers.layer_metadata import Note
 from semref.processing.layers.output_style import Look

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from semref.core.errors import TrainingError
-from semref.training import augment, class_bias, metrics, partial, tiles
+from semref.training import augment, class_bias, metrics, tiles
 
 IGNORED = tiles.IGNORED
 
@@ -169,16 +169,16 @@ def test_tiles_that_overlap_count_once():
 
 def test_ground_where_only_one_class_was_drawn_allows_all_the_others_but_not_what_is_unlabeled():
     first, second, full = (tiles.Path(name) for name in ("a", "b", "c"))
-    allowed, labels = partial.partial_labels(4, {first: [1], second: [1], full: [1, 2, 3]})
+    allowed, labels = metrics.partial_labels(4, {first: [1], second: [1], full: [1, 2, 3]})
     assert labels == {first: 4, second: 4, full: IGNORED}
     np.testing.assert_array_equal(allowed, [*np.eye(4), [0, 0, 1, 1]])
-    told = partial.decided_channels(allowed)
+    told = metrics.decided_channels(allowed)
     np.testing.assert_array_equal(told[4], [True, True, False, False])
     assert told[:4].all()
 
 
 def test_a_pixel_of_a_set_counts_only_against_the_classes_it_excludes():
-    allowed, _ = partial.partial_labels(4, {tiles.Path("a"): [1]})
+    allowed, _ = metrics.partial_labels(4, {tiles.Path("a"): [1]})
     labels, predicted = np.array([1, 1, 2, 4, 4, 4], np.uint8), np.array([1, 2, 2, 1, 2, 3])
     confusion = metrics.confusion_matrix(labels, predicted, 4, 1)
     iou = metrics.intersection_over_union(confusion, allowed)

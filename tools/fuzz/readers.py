@@ -18,8 +18,8 @@ from osgeo import gdal
 
 from semref.core.errors import SemRefError
 from semref.core.flight.cameras import read_cameras
-from semref.core.flight.links import links_by_image
 from semref.core.flight.logs.files import read_log
+from semref.core.flight.motion import links_by_image
 from semref.core.flight.odometry import odometry_links, read_odometry
 from semref.core.flight.telemetry import log_cameras, log_links
 from semref.core.labels import image_files

@@ -2,8 +2,7 @@ import numpy as np
 import pytest
 
 from semref.core.errors import ParameterError
-from semref.core.flight.links import links_by_image, rest
-from semref.core.flight.motion import Link, as_rows
+from semref.core.flight.motion import Link, as_rows, links_by_image, rest
 from semref.core.geometry.pose import heading_of, turn_of
 from semref.core.simulation.views import View, image_coordinates
 

@@ -5,7 +5,7 @@ from onboard_area import write_area
 from onboard_blobs import build_blobs, linear
 
 from semref.core.geometry.lon_lat import fit_lon_lat
-from semref.core.onboard import logs, tables
+from semref.core.onboard import growing_log, tables
 from semref.core.onboard.write import write_onboard
 
 
@@ -35,7 +35,7 @@ def area(tmp_path_factory) -> str:
 
 @pytest.fixture
 def never_late(monkeypatch):
-    for module in (logs, tables):
+    for module in (growing_log, tables):
         monkeypatch.setattr(module, "ROW_WITHIN_S", 0.0)
 
 

@@ -6,8 +6,8 @@ from onboard_blobs import hashed, members, zipped
 
 from semref.core.errors import SemRefError
 from semref.core.onboard.command_line import ALL_FIXED, main
+from semref.core.onboard.format import signature
 from semref.core.onboard.read import read_onboard
-from semref.core.onboard.signature import signature
 from semref.core.onboard.write import write_onboard
 
 FILES = {"a": b"12", "b": b"3"}

@@ -4,7 +4,7 @@ from threading import Event
 import numpy as np
 import pytest
 
-from semref.core.segmentation.orientations import averaged_scores
+from semref.core.segmentation.model import averaged_scores
 
 GOING_ON = Event()
 

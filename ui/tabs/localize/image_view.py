@@ -34,7 +34,7 @@ from qgis.PyQt.QtWidgets import (
 
 from ....processing.translation import tr
 from ...canvas.marks import RED, RIM
-from ...canvas.numbers import paint_numbers, paint_ring
+from ...canvas.match_marks import paint_numbers, paint_ring
 from ...widgets.controls import remember
 from ...widgets.layouts import narrow, row_of
 from ...widgets.tables import paint_placeholder

@@ -12,11 +12,11 @@ from made_models import NAMES, write_model
 
 from semref.core.flight.logs.mavlink import checksum
 from semref.core.labels.class_table import class_table_from_csv
-from semref.core.onboard import logs
+from semref.core.onboard import growing_log
 from semref.core.onboard.cameras import open_cameras
+from semref.core.onboard.growing_log import GrowingLog
 from semref.core.onboard.image_records import label_reader
 from semref.core.onboard.log import json_line, log_event, start_log
-from semref.core.onboard.logs import GrowingLog
 
 LONG_S = 30.0
 
@@ -72,10 +72,10 @@ def test_a_rewritten_log_is_read_again(path, start_s):
 
 
 def test_an_entry_that_is_late_is_waited_for(path, start_s, monkeypatch):
-    monkeypatch.setattr(logs, "ROW_WITHIN_S", LONG_S)
+    monkeypatch.setattr(growing_log, "ROW_WITHIN_S", LONG_S)
     log = GrowingLog(str(path))
     looks = []
-    monkeypatch.setattr(logs, "LOOK_EVERY_S", 0.001)
+    monkeypatch.setattr(growing_log, "LOOK_EVERY_S", 0.001)
     look = log._look
     monkeypatch.setattr(log, "_look", lambda: (looks.append(1), look()))
 
@@ -87,7 +87,7 @@ def test_an_entry_that_is_late_is_waited_for(path, start_s, monkeypatch):
     writer = threading.Thread(target=write)
     writer.start()
     # Closer to the present, where later entries may still arrive.
-    monkeypatch.setattr(logs.time, "time", lambda: start_s + 2.0)
+    monkeypatch.setattr(growing_log.time, "time", lambda: start_s + 2.0)
     assert heading(log, start_s + 2) == pytest.approx(30, abs=0.01)
     writer.join()
 

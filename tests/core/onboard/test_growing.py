@@ -4,8 +4,8 @@ import pytest
 
 from semref.core import limits
 from semref.core.errors import ParameterError
-from semref.core.flight.growing import GrowingTable
 from semref.core.flight.odometry import check_odometry
+from semref.core.onboard.tables import GrowingTable
 
 HEADER = "image,dx_m,dy_m,dheading_deg\n"
 
