@@ -9,7 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from operator import itemgetter
 
+import cv2
 import numpy as np
 
 from ..landmarks.landmarks import (
@@ -24,7 +26,6 @@ from ..landmarks.landmarks import (
     Landmarks,
     class_mask,
     contour_row,
-    outer_contours,
     rows_array,
     rows_from_objects,
     shift_row,
@@ -95,10 +96,10 @@ class _Border:
     sides: Sequence[int]
     done: Sequence[int] = ()
 
-    def is_first_of(self, row: tuple) -> bool:
-        """Return whether a region (row) touches one of the sides, but no side in ``done``."""
-        touches = any(row[side] == self.frame[side - LEFT] for side in self.sides)
-        return touches and all(row[other] != self.frame[other - LEFT] for other in self.done)
+    def is_first_of(self, bounds: tuple[int, int, int, int]) -> bool:
+        """Return whether a region with these bounds touches one of the sides, but no side in ``done``."""
+        touches = any(bounds[side - LEFT] == self.frame[side - LEFT] for side in self.sides)
+        return touches and all(bounds[other - LEFT] != self.frame[other - LEFT] for other in self.done)
 
 
 class _Strip:
@@ -145,17 +146,17 @@ class _Strip:
 
     def _regions_by_window(self, size: int, minimum_area: float) -> Iterator[np.ndarray]:
         regions = self._regions(minimum_area)
+        listed = regions.tolist()
         on_left = _rows_by_line(regions, self._columns)
         on_right = _rows_by_line(regions, self._columns + size - 1)
-        begins = np.searchsorted(regions[:, LEFT], self._columns, side="right")
-        ends = np.searchsorted(regions[:, LEFT], self._columns + size, side="left")
-        nothing = np.empty(0, np.int64)
+        begins = np.searchsorted(regions[:, LEFT], self._columns, side="right").tolist()
+        ends = np.searchsorted(regions[:, LEFT], self._columns + size, side="left").tolist()
         for k, column in enumerate(self._columns.tolist()):
             inside = regions[begins[k] : ends[k]]
             inside = inside[inside[:, RIGHT] < column + size]
             frame = (column, 0, column + size, size)
-            crossing = np.union1d(on_left.get(k, nothing), on_right.get(k, nothing))
-            cut = self._cut(regions[crossing], _Border(frame, _VERTICAL), minimum_area)
+            crossing = sorted({*on_left.get(k, ()), *on_right.get(k, ())})
+            cut = self._cut([listed[n] for n in crossing], _Border(frame, _VERTICAL), minimum_area)
             yield np.concatenate([inside, rows_array(cut)]) if cut else inside
 
     def _regions(self, minimum_area: float) -> np.ndarray:
@@ -166,21 +167,21 @@ class _Strip:
         cut = []
         for sides, done in ((_HORIZONTAL, ()), (_VERTICAL, _HORIZONTAL)):
             reached = reaches[sides[0]] | reaches[sides[1]]
-            cut += self._cut(self._near[reached], _Border(frame, sides, done), minimum_area)
+            cut += self._cut(self._near[reached].tolist(), _Border(frame, sides, done), minimum_area)
         whole = self._near[~np.any(list(reaches.values()), axis=0)]
         rows = np.concatenate([whole, rows_array(cut)])
         return rows[np.argsort(rows[:, LEFT], kind="stable")]
 
-    def _cut(self, crossing: np.ndarray, border: _Border, minimum_area: float) -> list:
-        """Return rows (tuples) of the parts inside a frame of the regions ``crossing`` one of two sides.
+    def _cut(self, crossing: list, border: _Border, minimum_area: float) -> list:
+        """Return rows (tuples) of the parts inside a frame of the regions (rows) ``crossing`` one of two sides.
 
         Every part of a cut region has pixels on a side of the frame, and every pixel of a landmark class on this side
         belongs to one of the regions ``crossing`` it (or to a too small one). So the contours that touch a side are
         exactly the wanted ones. Those on a side in ``done`` were found before.
         """
         found = []
-        for value in np.unique(crossing[:, CLASS]).astype(int).tolist():
-            for patch in _patches(crossing[crossing[:, CLASS] == value], border.frame, border.sides):
+        for value in sorted({int(row[CLASS]) for row in crossing}):
+            for patch in _patches([row for row in crossing if row[CLASS] == value], border.frame, border.sides):
                 if border.sides == _VERTICAL and patch[1] > 0 and patch[3] < len(self.labels):
                     found += self._cut_in_many_strips(value, patch, border, minimum_area)
                 else:
@@ -207,13 +208,13 @@ class _Strip:
     def _cut_in_patch(self, value: int, patch: tuple[int, int, int, int], border: _Border, minimum_area: float) -> list:
         left, top, right, bottom = patch
         found = []
-        for contour in outer_contours(class_mask(self.labels[top:bottom, left:right], value)):
-            row = contour_row(contour, value, minimum_area)
-            if row is None:
-                continue
-            row = shift_row(row, left, top)
-            if border.is_first_of(row):
-                found.append(row)
+        mask = class_mask(self.labels[top:bottom, left:right], value)
+        # A region on a side of the patch is in no hole of another region.
+        for contour in cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_SIMPLE)[0]:
+            x, y, width, height = cv2.boundingRect(contour)
+            if border.is_first_of((left + x, top + y, left + x + width, top + y + height)):
+                row = contour_row(contour, value, minimum_area)
+                found += [] if row is None else [shift_row(row, left, top)]
         return found
 
 
@@ -231,40 +232,37 @@ def _reaches(rows: np.ndarray, frame: tuple[int, int, int, int]) -> dict[int, np
 
 
 def _patches(
-    crossing: np.ndarray, frame: tuple[int, int, int, int], sides: Sequence[int]
+    crossing: list, frame: tuple[int, int, int, int], sides: Sequence[int]
 ) -> Iterator[tuple[int, int, int, int]]:
     """Yield (left, top, right, bottom) of patches inside ``frame`` that contain whole regions of one class.
 
     Regions with overlapping extents along the sides share a patch. So patches do not overlap along the sides, and no
     region is in two of them.
     """
-    bounds = np.minimum(np.maximum(crossing[:, LEFT : BOTTOM + 1], (frame[0], frame[1]) * 2), (frame[2], frame[3]) * 2)
-    vertical = sides == _VERTICAL
-    along = 1 if vertical else 0
-    bounds = bounds[np.argsort(bounds[:, along], kind="stable")].astype(np.int64).tolist()
-    patch = None
-    for left, top, right, bottom in bounds:
-        if patch is not None and (top if vertical else left) <= patch[along + 2]:
-            patch = [min(patch[0], left), min(patch[1], top), max(patch[2], right), max(patch[3], bottom)]
+    along = 1 if sides == _VERTICAL else 0
+    patch: tuple[int, int, int, int] | None = None
+    for row in sorted(crossing, key=itemgetter(LEFT + along)):
+        left, top = max(int(row[LEFT]), frame[0]), max(int(row[TOP]), frame[1])
+        right, bottom = min(int(row[RIGHT]), frame[2]), min(int(row[BOTTOM]), frame[3])
+        if patch is not None and (left, top)[along] <= patch[along + 2]:
+            patch = min(patch[0], left), min(patch[1], top), max(patch[2], right), max(patch[3], bottom)
             continue
         if patch is not None:
-            yield tuple(patch)
-        patch = [left, top, right, bottom]
+            yield patch
+        patch = left, top, right, bottom
     if patch is not None:
-        yield tuple(patch)
+        yield patch
 
 
-def _rows_by_line(rows: np.ndarray, lines: np.ndarray) -> dict[int, np.ndarray]:
+def _rows_by_line(rows: np.ndarray, lines: np.ndarray) -> dict[int, list[int]]:
     """Return for each vertical line (pixel column) with regions: line index → indices of those regions."""
     first = np.searchsorted(lines, rows[:, LEFT], side="left")
     after = np.searchsorted(lines, rows[:, RIGHT], side="left")
-    counts = after - first
-    regions = np.repeat(np.arange(len(rows)), counts)
-    offsets = np.arange(len(regions)) - np.repeat(np.cumsum(counts) - counts, counts)
-    line = np.repeat(first, counts) + offsets
-    order = np.argsort(line, kind="stable")
-    found, starts = np.unique(line[order], return_index=True)
-    return dict(zip(found.tolist(), np.split(regions[order], starts[1:]))) if len(found) else {}
+    found: dict[int, list[int]] = {}
+    for region in np.flatnonzero(after > first).tolist():
+        for line in range(first[region], after[region]):
+            found.setdefault(line, []).append(region)
+    return found
 
 
 def _nearest(rows: np.ndarray, center: np.ndarray, count: int) -> np.ndarray:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 
@@ -38,49 +39,63 @@ def nearest_distances(windows: _Windows, others: _Windows) -> Iterator[tuple[sli
     squares = np.einsum("ij,ij->i", other_vectors, other_vectors)
     blur = _score_error(vectors, squares)
     # One product of matrices gives the scores: squared distances without the square of the window's own vector.
-    own = np.column_stack([-2 * vectors, np.ones(len(vectors), np.float32)]), *windows[1:]
-    theirs = np.column_stack([other_vectors, squares]), *others[1:]
-    tiles = [slice(first, first + BLOCK) for first in range(0, len(squares), BLOCK)]
-    for first in range(0, len(vectors), BLOCK):
-        block = np.arange(first, min(first + BLOCK, len(vectors)))
-        lowest, places = np.empty((len(block), len(tiles)), np.float32), np.empty((len(block), len(tiles)), np.int64)
+    blocks = _blocks(np.column_stack([-2 * vectors, np.ones(len(vectors), np.float32)]), *windows[1:])
+    tiles = _blocks(np.column_stack([other_vectors, squares]), *others[1:])
+    for first, block in zip(range(0, len(vectors), BLOCK), blocks):
+        every = np.arange(len(block.sizes))
+        lowest, places = np.empty((len(every), len(tiles)), np.float32), np.empty((len(every), len(tiles)), np.int64)
         for number, tile in enumerate(tiles):
-            score = _scores(_part(own, block), _part(theirs, tile))
+            score = _scores(block, every, tile)
             place = score.argmin(axis=1)
-            lowest[:, number], places[:, number] = score[np.arange(len(block)), place], tile.start + place
-        best = np.arange(len(block)), lowest.argmin(axis=1)
+            lowest[:, number], places[:, number] = score[every, place], number * BLOCK + place
+        best = every, lowest.argmin(axis=1)
         found = lowest[best]
-        distances = _distances(vectors[block], other_vectors[places[best]])
+        distances = _distances(vectors[first + every], other_vectors[places[best]])
         distances[np.isinf(found)] = np.inf
         # The product form loses digits in differences of squares: all possible nearest ones are measured again.
         limit = np.where(np.isfinite(distances) & (distances > 0), found + blur, -np.inf).astype(np.float32)
         for number in np.flatnonzero((lowest <= limit[:, None]).any(axis=0)):
             near = np.flatnonzero(lowest[:, number] <= limit)
-            score = _scores(_part(own, block[near]), _part(theirs, tiles[number]))
+            score = _scores(block, near, tiles[number])
             rows, columns = np.nonzero(score <= limit[near, None])
             for part in range(0, len(rows), _PAIRS_AT_ONCE):
                 row, column = near[rows[part : part + _PAIRS_AT_ONCE]], columns[part : part + _PAIRS_AT_ONCE]
-                measured = _distances(vectors[first + row], other_vectors[tiles[number].start + column])
+                measured = _distances(vectors[first + row], other_vectors[number * BLOCK + column])
                 np.minimum.at(distances, row, measured)
-        yield slice(first, first + len(block)), distances
+        yield slice(first, first + len(every)), distances
 
 
-def _part(windows: _Windows, which: np.ndarray | slice) -> _Windows:
-    factors, centers, sizes = windows
-    return factors[which], centers[which], sizes[which]
+class _Block(NamedTuple):
+    """Some windows: factors of the scores, centers and sizes, with the extremes of centers and sizes."""
+
+    factors: np.ndarray
+    centers: np.ndarray
+    sizes: np.ndarray
+    first: np.ndarray
+    last: np.ndarray
+    smallest: float
+    largest: float
 
 
-def _scores(windows: _Windows, others: _Windows) -> np.ndarray:
-    """Return (n, m) float32 scores, infinity for two windows that overlap; factors of the scores replace vectors."""
-    (factors, centers, sizes), (other_factors, other_centers, other_sizes) = windows, others
-    score = factors @ other_factors.T
-    reach = (sizes.max() + other_sizes.max()) / 2
-    apart = centers.min(axis=0) - other_centers.max(axis=0), other_centers.min(axis=0) - centers.max(axis=0)
-    if (np.maximum(*apart) < reach).all():
-        reaches = (sizes[:, None] / 2 + other_sizes / 2) * _TOUCHING
+def _blocks(factors: np.ndarray, centers: np.ndarray, sizes: np.ndarray) -> list[_Block]:
+    found = []
+    for first in range(0, len(sizes), BLOCK):
+        f, c, s = (values[first : first + BLOCK] for values in (factors, centers, sizes))
+        found.append(_Block(f, c, s, c.min(axis=0), c.max(axis=0), s.min(), s.max()))
+    return found
+
+
+def _scores(block: _Block, which: np.ndarray, other: _Block) -> np.ndarray:
+    """Return (n, m) float32 scores of n windows of a block and another block, infinity for two that overlap."""
+    score = block.factors[which] @ other.factors.T
+    below, above = block.first - other.last, other.first - block.last
+    least, most = (_TOUCHING / 2 * (block[n] + other[n]) for n in (-2, -1))
+    if (np.maximum(below, above) < most).all():
+        reaches = most if least == most else _TOUCHING / 2 * (block.sizes[which, None] + other.sizes)
         overlap = np.True_
-        for axis in range(2):
-            distances = centers[:, None, axis] - other_centers[:, axis]
+        # Along an axis on which the blocks are this close, all pairs overlap.
+        for axis in np.flatnonzero(np.minimum(below, above) <= -least):
+            distances = block.centers[which, None, axis] - other.centers[:, axis]
             overlap = overlap & (np.abs(distances, out=distances) < reaches)
         np.copyto(score, np.inf, where=overlap)
     return score

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import struct
 from collections.abc import Iterator, Sequence
 
@@ -121,7 +122,7 @@ def write_feature(
     if fid is not None:
         feature.SetFID(fid)
     for index, ((_, kind), value) in enumerate(zip(fields, values)):
-        if value is None or (kind == _REAL and not np.isfinite(value)):
+        if value is None or (kind == _REAL and not math.isfinite(value)):
             continue
         if kind == _BLOB:
             feature.SetFieldBinaryFromHexString(index, value.hex())
