@@ -256,12 +256,7 @@ def evaluate(
 
 
 def _prepared(  # noqa: PLR0913 - what is known of the images
-    images: Sequence[Image],
-    database: ReferenceDatabase,
-    model: str | None,
-    search: Search,
-    cameras: str,
-    risk: float,
+    images: Sequence[Image], database: ReferenceDatabase, model: str | None, search: Search, cameras: str, risk: float
 ) -> tuple[Pipeline, list[tuple[str, Camera]]]:
     """Return the pipeline for images, and (name, camera) of each; the name of an array is its number."""
     names = [image if isinstance(image, str) else f"image {number}" for number, image in enumerate(images)]

@@ -113,9 +113,7 @@ def open_raster(path: str) -> gdal.Dataset:
     if transform is not None and not all(abs(value) < _FARTHEST for value in transform):
         numbers = ", ".join(f"{value:g}" for value in transform)
         raise LabelMapError(
-            "{path} has an impossible georeference ({numbers}). Georeference it again.",
-            path=path,
-            numbers=numbers,
+            "{path} has an impossible georeference ({numbers}). Georeference it again.", path=path, numbers=numbers
         )
     return dataset
 
@@ -223,9 +221,7 @@ def require_whole_raster(path: str, target: str) -> None:
     if dataset is None or failures:
         reason = failures[-1].rstrip(".") if failures else gdal_failure()
         raise UnwritableError(
-            "{path} could not be written whole: {reason}; see whether the disk is full.",
-            path=target,
-            reason=reason,
+            "{path} could not be written whole: {reason}; see whether the disk is full.", path=target, reason=reason
         )
 
 

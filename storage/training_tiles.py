@@ -62,9 +62,7 @@ class ImageBands:
         if any(band.DataType != self.kind for band in self.bands) or self.kind not in _KINDS:
             name = gdal.GetDataTypeName(self.kind)
             raise LabelMapError(
-                "{path} holds {name} values; training tiles are made of 8- or 16-bit images.",
-                path=path,
-                name=name,
+                "{path} holds {name} values; training tiles are made of 8- or 16-bit images.", path=path, name=name
             )
         if self.bands[0].GetRasterColorTable() is not None:
             raise LabelMapError("{path} has a palette; convert it to an RGB image first.", path=path)

@@ -58,17 +58,7 @@ class Trainer:
         stopped_by: ``epochs``, ``patience`` or ``minutes``.
     """
 
-    def __init__(
-        self,
-        network,
-        mean,
-        deviation,
-        class_names,
-        class_weights,
-        allowed,
-        job: Job,
-        report: Report,
-    ) -> None:
+    def __init__(self, network, mean, deviation, class_names, class_weights, allowed, job: Job, report: Report) -> None:
         """Prepare a run in the folder of a job.
 
         Args:

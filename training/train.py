@@ -106,8 +106,7 @@ def run(job: Job, report: loop.Report, began: float | None = None) -> loop.Train
     job = replace(job, learning_rate=start.learning_rate)
     weights = metrics.class_weights(ground.pixels)
     trainer = loop.Trainer(
-        *(start.network, start.mean, start.deviation, ground.class_names),
-        *(weights, ground.allowed, job, report),
+        *(start.network, start.mean, start.deviation, ground.class_names), *(weights, ground.allowed, job, report)
     )
     if not job.processor_time:
         trainer.began = began
@@ -231,12 +230,7 @@ def _batches(pieces: loop.Pieces, base: base_weights.Base, size: int):
 
 
 def finish(
-    job: Job,
-    trainer: loop.Trainer,
-    ground: TileData,
-    start: Start,
-    numbers: ValidationTiles,
-    report: loop.Report,
+    job: Job, trainer: loop.Trainer, ground: TileData, start: Start, numbers: ValidationTiles, report: loop.Report
 ) -> None:
     """Write the model to a temporary file, check and rename it; write the result and the pictures."""
     report("exporting", share=trainer.total_share)

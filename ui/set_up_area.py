@@ -14,15 +14,7 @@ from qgis.core import (
 )
 from qgis.gui import QgsFileWidget, QgsProcessingMapLayerComboBox
 from qgis.PyQt.QtCore import Qt, QTimer, pyqtSignal
-from qgis.PyQt.QtWidgets import (
-    QDialog,
-    QDoubleSpinBox,
-    QFileDialog,
-    QFormLayout,
-    QPushButton,
-    QVBoxLayout,
-    QWidget,
-)
+from qgis.PyQt.QtWidgets import QDialog, QDoubleSpinBox, QFileDialog, QFormLayout, QPushButton, QVBoxLayout, QWidget
 
 from ..core.errors import SemRefError
 from ..processing.algorithms.set_up_area import SetUpArea

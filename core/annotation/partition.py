@@ -97,13 +97,7 @@ def partition_polygons(polygons: np.ndarray) -> PlanarPartition:
     order = np.lexsort((cover_polygons, cover_faces))
     neighbors, lengths = _shared_borders(faces)
     return PlanarPartition(
-        faces,
-        shapely.area(faces),
-        shapely.length(faces),
-        cover_faces[order],
-        cover_polygons[order],
-        neighbors,
-        lengths,
+        faces, shapely.area(faces), shapely.length(faces), cover_faces[order], cover_polygons[order], neighbors, lengths
     )
 
 

@@ -46,11 +46,7 @@ class ImageSimulator:
     """Makes images of one footprint from a database and localizes them. The same generator gives the same image."""
 
     def __init__(
-        self,
-        localizer: Localizer,
-        database: ReferenceDatabase,
-        footprint: float,
-        biases: KnownBiases = UNBIASED,
+        self, localizer: Localizer, database: ReferenceDatabase, footprint: float, biases: KnownBiases = UNBIASED
     ) -> None:
         """Prepare the landmarks of a database for images of one size.
 

@@ -13,14 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..correlation.class_pyramid import EvidenceLevel, MapPyramid
-from ..correlation.places import (
-    distinct,
-    first_peaks,
-    image_evidence,
-    missing_information,
-    reduce_image,
-    search_spaces,
-)
+from ..correlation.places import distinct, first_peaks, image_evidence, missing_information, reduce_image, search_spaces
 from ..correlation.refine import ScoredPose
 from ..correlation.refine_many import refine_many
 from ..localization import Localization, Prior, log_odds_of

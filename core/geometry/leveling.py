@@ -165,11 +165,7 @@ class Leveling:
         return straight if self.bent is None else self.bent.seen(straight)
 
     def _warped(
-        self,
-        planes: Sequence[np.ndarray],
-        shape_hw: tuple[int, int],
-        pixels: tuple[np.ndarray, np.ndarray],
-        how: int,
+        self, planes: Sequence[np.ndarray], shape_hw: tuple[int, int], pixels: tuple[np.ndarray, np.ndarray], how: int
     ) -> list[np.ndarray]:
         """Return planes over the image as a level camera sees them.
 

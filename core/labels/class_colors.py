@@ -42,11 +42,7 @@ _KINDS: tuple[tuple[str, bool, str], ...] = (
     ("#7a7f86", not _LANDMARK, "roads? streets? strasse straße straßen transport highway transit carretera camino"),
     ("#7a7f86", not _LANDMARK, "asphalt pavement paved parking ports? airports? runway pier impervious routes? rue"),
     ("#a678b4", not _LANDMARK, "industrial commercial retail gewerbe industrie comercial military construction"),
-    (
-        "#7ec46a",
-        _LANDMARK,
-        "pitch sports? leisure recreation golf parks? parkland gardens? cemetery green friedhof",
-    ),
+    ("#7ec46a", _LANDMARK, "pitch sports? leisure recreation golf parks? parkland gardens? cemetery green friedhof"),
     ("#d89a8f", not _LANDMARK, "built builtup urban residential settlement siedlung stadt urbano urbain artificial"),
     ("#c58a3d", _LANDMARK, "orchards? vineyards? olive fruit berry plantations? nursery perennial obst wein vergers?"),
     ("#e4c65a", not _LANDMARK, "crops? cropland arable cultivated cultivation farmland farmyard agriculture farm rice"),
@@ -57,11 +53,7 @@ _KINDS: tuple[tuple[str, bool, str], ...] = (
     ("#5c9a3c", not _LANDMARK, "gebüsch busch heide matorral garrigue lande flax flaxland matagouri sclerophyllous"),
     ("#1f7a3a", not _LANDMARK, "forests? forested woods? woodland trees? hardwoods? coniferous wald bosque forêt bois"),
     ("#4f9d57", not _LANDMARK, "vegetation vegetated grün"),
-    (
-        "#cfae84",
-        _LANDMARK,
-        "bare barren beach beaches sands? dunes? gravel shingle unpaved soil boden suelo sol",
-    ),
+    ("#cfae84", _LANDMARK, "bare barren beach beaches sands? dunes? gravel shingle unpaved soil boden suelo sol"),
     ("#a89c8c", _LANDMARK, "rocks? scree cliff stone landslide fels kies schotter roca roche burnt burned"),
 )
 """(color, whether its regions usually are landmarks, words); the first kind that matches a name counts."""

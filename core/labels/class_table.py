@@ -109,8 +109,7 @@ class LandCoverClass:
             )
         if (self.hsv_min is None) != (self.hsv_max is None):
             raise ClassTableError(
-                "Class “{name}” has only one of hsv_min and hsv_max; fill in both, or leave both empty.",
-                name=self.name,
+                "Class “{name}” has only one of hsv_min and hsv_max; fill in both, or leave both empty.", name=self.name
             )
 
     @property
@@ -338,9 +337,7 @@ def _class_from_row(row: Row) -> tuple[LandCoverClass, bool]:
         value = int(cell["value"])
     except ValueError:
         raise ClassTableError(
-            "{where}: “{text}” is not a whole number; the column value needs 0 to 255.",
-            where=where,
-            text=cell["value"],
+            "{where}: “{text}” is not a whole number; the column value needs 0 to 255.", where=where, text=cell["value"]
         ) from None
     try:
         order = float(cell["draw_order"]) if cell.get("draw_order") else None

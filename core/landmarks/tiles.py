@@ -119,11 +119,7 @@ def joined_regions(pieces: np.ndarray, components: np.ndarray) -> list[tuple[int
 
 
 def measure_region(
-    source: LabelSource,
-    value: int,
-    region: Region,
-    minimum_area_px: float,
-    patch_pixels: int = PATCH_PIXELS,
+    source: LabelSource, value: int, region: Region, minimum_area_px: float, patch_pixels: int = PATCH_PIXELS
 ) -> tuple | None:
     """Measure one region.
 

@@ -104,11 +104,7 @@ def _draw_spurious(
 
 
 def with_mislabeled_background(
-    labels_hw: np.ndarray,
-    share: float,
-    rng: np.random.Generator,
-    class_values: Sequence[int],
-    minimum_area_px: float,
+    labels_hw: np.ndarray, share: float, rng: np.random.Generator, class_values: Sequence[int], minimum_area_px: float
 ) -> np.ndarray:
     """Return labels with another class in a share of the regions outside the classes of landmarks."""
     if share <= 0:

@@ -24,11 +24,7 @@ SAMPLING_AREA = 0.05
 
 
 def spoil_landmarks(
-    landmarks: Landmarks,
-    noise: LabelNoise,
-    rng: np.random.Generator,
-    population: Landmarks,
-    size_px: tuple[int, int],
+    landmarks: Landmarks, noise: LabelNoise, rng: np.random.Generator, population: Landmarks, size_px: tuple[int, int]
 ) -> Landmarks:
     """Return landmarks of an image with missed, spurious and mislabeled ones and errors of centers and areas.
 

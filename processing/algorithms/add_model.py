@@ -77,9 +77,7 @@ class AddModel(SemRefAlgorithm):
         return (
             with_help(
                 QgsProcessingParameterFile(
-                    self.INPUT,
-                    tr("Network"),
-                    fileFilter=tr("Networks") + " (*.onnx *.pt *.pth *.ckpt)",
+                    self.INPUT, tr("Network"), fileFilter=tr("Networks") + " (*.onnx *.pt *.pth *.ckpt)"
                 ),
                 tr(
                     "ONNX file with input 1 × 3 × height × width and an output for each class, or a checkpoint with "

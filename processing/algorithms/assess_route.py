@@ -317,12 +317,7 @@ class AssessRoute(AssessAlgorithm):
         return picture
 
     def _report(
-        self,
-        values: Values,
-        database: ReferenceDatabase,
-        route: AssessedRoute,
-        assessment: Assessment,
-        below: bytes,
+        self, values: Values, database: ReferenceDatabase, route: AssessedRoute, assessment: Assessment, below: bytes
     ) -> str:
         from ..reports.route_report import route_html
 

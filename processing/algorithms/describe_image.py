@@ -73,8 +73,7 @@ class DescribeImage(SemRefAlgorithm):
                 tr("Single-band class values, or colors of the class table. A georeference is not needed."),
             ),
             parameters.database(
-                tr("Database with the settings to use. The settings below are then ignored."),
-                optional=True,
+                tr("Database with the settings to use. The settings below are then ignored."), optional=True
             ),
             *self._without_database(),
             with_help(

@@ -56,10 +56,7 @@ class MakeClassTable(AnnotationAlgorithm):
             ),
             with_help(
                 QgsProcessingParameterEnum(
-                    self.PRESET,
-                    tr("Nomenclature"),
-                    options=(tr("None"), *PRESETS),
-                    defaultValue=0,
+                    self.PRESET, tr("Nomenclature"), options=(tr("None"), *PRESETS), defaultValue=0
                 ),
                 tr(
                     "Nomenclature that gives values, colors and roles to the classes. The class field may contain its "

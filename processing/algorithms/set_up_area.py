@@ -157,8 +157,7 @@ class SetUpArea(SemRefAlgorithm):
                 tr("Duration of the training. 0 means that the model is used as it is."),
             ),
             parameters.model(
-                tr("Model to use as it is, or to start the training from. If not set, the one of SemRef."),
-                True,
+                tr("Model to use as it is, or to start the training from. If not set, the one of SemRef."), True
             ),
             with_help(
                 QgsProcessingParameterExtent(self.EXTENT, tr("Extent"), optional=True),

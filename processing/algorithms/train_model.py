@@ -290,13 +290,7 @@ class TrainModel(AnnotationAlgorithm):
         return values.choice(self.UNLABELED) == UNKNOWN and not self._has_single_class
 
     def _train(
-        self,
-        values: Values,
-        python: str,
-        target: str,
-        run: TrainingRun,
-        began: float,
-        feedback: QgsProcessingFeedback,
+        self, values: Values, python: str, target: str, run: TrainingRun, began: float, feedback: QgsProcessingFeedback
     ) -> TrainingReport:
         """Cut the tiles, train, write the model, and return the report."""
         from ...training.job import EXAMPLES, JOB, RESULT
@@ -363,10 +357,7 @@ class TrainModel(AnnotationAlgorithm):
         source = self._source
         # The priority field counts only if it is set, so that runs that were canceled before it existed continue.
         fields = filter(None, (values.text(key) for key in (self.CLASS_FIELD, self.PRIORITY_FIELD, self.CLASS)))
-        return {
-            **found,
-            "labels": [source.name, source.count, source.extent.toString(3), *fields],
-        }
+        return {**found, "labels": [source.name, source.count, source.extent.toString(3), *fields]}
 
     def _ground(self, values: Values, feedback: QgsProcessingFeedback) -> TrainingGround:
         """Return the part of the image to train on; a layer that is not a file is drawn first."""

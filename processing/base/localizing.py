@@ -132,10 +132,7 @@ class LocalizeAlgorithm(SemRefAlgorithm):
     def camera_parameter(self) -> QgsProcessingParameterDefinition:
         return with_help(
             QgsProcessingParameterFile(
-                self.ATTITUDE,
-                tr("Camera table"),
-                fileFilter=tr("CSV (*.csv *.txt)"),
-                optional=True,
+                self.ATTITUDE, tr("Camera table"), fileFilter=tr("CSV (*.csv *.txt)"), optional=True
             ),
             tr(
                 "CSV file with the column image and any of roll, pitch, heading (degrees), height (m above ground), "

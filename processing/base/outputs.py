@@ -148,13 +148,7 @@ class Outputs:
 
     @contextmanager
     def layer(
-        self,
-        key: str,
-        schema: Schema,
-        geometry: Any,
-        crs: QgsCoordinateReferenceSystem,
-        style: str = "",
-        **look: Any,
+        self, key: str, schema: Schema, geometry: Any, crs: QgsCoordinateReferenceSystem, style: str = "", **look: Any
     ) -> Iterator[FeatureSink]:
         """Yield a sink to fill; a sink that is not selected ignores its features.
 

@@ -60,10 +60,7 @@ class PhotoSource:
         self._layer: QgsRasterLayer | None = None
         if needs_drawing(layer):
             if not values.has(extent_key) and area is None:
-                raise ImageError(
-                    "“{layer}” has no extent of its own. Set an extent.",
-                    layer=layer.name(),
-                )
+                raise ImageError("“{layer}” has no extent of its own. Set an extent.", layer=layer.name())
             self._layer = drawable(layer)
         else:
             self._file = image_layer(layer)

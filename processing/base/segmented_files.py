@@ -56,12 +56,7 @@ class SegmentedFiles:
     """
 
     def __init__(
-        self,
-        outputs: Outputs,
-        grid: SeenGrid,
-        model: SegmentationModel,
-        keys: tuple[str, str, str],
-        wanted: Certainty,
+        self, outputs: Outputs, grid: SeenGrid, model: SegmentationModel, keys: tuple[str, str, str], wanted: Certainty
     ) -> None:
         """Prepare to write.
 

@@ -149,10 +149,7 @@ def part_to_rasterize(
 
 
 def _meets(
-    ground: LayerGround,
-    extent: QgsRectangle,
-    crs: QgsCoordinateReferenceSystem,
-    context: QgsCoordinateTransformContext,
+    ground: LayerGround, extent: QgsRectangle, crs: QgsCoordinateReferenceSystem, context: QgsCoordinateTransformContext
 ) -> bool:
     there = transformed_box(QgsCoordinateTransform(ground.crs, crs, context), ground.extent)
     return not there.isNull() and there.intersects(extent)

@@ -245,10 +245,7 @@ def _distinct_values(source: AnnotationSource, canceled: Callable[[], bool]) -> 
 
 
 def burn_polygons(
-    source: AnnotationSource,
-    lookup: ClassLookup,
-    transform: QgsCoordinateTransform | None,
-    counts: AnnotationCounts,
+    source: AnnotationSource, lookup: ClassLookup, transform: QgsCoordinateTransform | None, counts: AnnotationCounts
 ) -> Iterator[list[BurnPolygon]]:
     """Yield the polygons of each feature, an empty list for a skipped one, and update ``counts``."""
     for feature in source.features.getFeatures(source.request):

@@ -26,11 +26,5 @@ INK, SOFT_INK, LINE = "#1c2126", "#5d6770", "#d5dade"
 CASING = "#ffffff"
 """Outline of marks, so that they are visible on forest, water, photos and landmarks."""
 
-DARK = {
-    FIX: "#56b4e9",
-    FLIGHT: "#f0913a",
-    GOOD: "#2fc49b",
-    BAD: "#ff8a80",
-    FOURTH: "#d98fc5",
-}
+DARK = {FIX: "#56b4e9", FLIGHT: "#f0913a", GOOD: "#2fc49b", BAD: "#ff8a80", FOURTH: "#d98fc5"}
 """The same meanings on a dark page."""

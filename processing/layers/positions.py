@@ -109,9 +109,7 @@ def read_positions(
 
 
 def read_matches(
-    source: QgsProcessingFeatureSource | None,
-    positions: QgsProcessingFeatureSource,
-    images: Sequence[PositionRow],
+    source: QgsProcessingFeatureSource | None, positions: QgsProcessingFeatureSource, images: Sequence[PositionRow]
 ) -> dict[str, list[ControlPoint]]:
     """Return the matched landmarks of each image by the image's path.
 

@@ -71,8 +71,7 @@ def metric_crs(
     if target.isValid():
         if not is_metric(target):
             raise ParameterError(
-                "{crs} is not in meters. Choose a projected CRS in meters as target CRS.",
-                crs=describe_crs(target),
+                "{crs} is not in meters. Choose a projected CRS in meters as target CRS.", crs=describe_crs(target)
             )
         return target
     return source if is_metric(source) else utm_zone(source, extent, transform_context)

@@ -219,10 +219,7 @@ class _Frame:
         self.height = self.bottom + BOTTOM
 
     def point(self, x: float, y: float) -> tuple[float, float]:
-        return (
-            LEFT + self.x_axis.place(x) * (self.right - LEFT),
-            self.bottom - self.y_axis.place(y) * self.tall,
-        )
+        return (LEFT + self.x_axis.place(x) * (self.right - LEFT), self.bottom - self.y_axis.place(y) * self.tall)
 
     def axes(self) -> list[Element]:
         parts, grid = [], stroke("var(--line)")

@@ -242,11 +242,7 @@ def flown_parts(flown: FlownRoute | None, threshold: float, footprint: float) ->
         "{flights} simulated flights along each route with an image every {distance:.0f} m, processed as in flight. "
         "First position: where {threshold} of the flights had their first position. Radii are medians of the flights "
         "with a position."
-    ).format(
-        flights=len(flown.is_placed),
-        distance=_distance(flown),
-        threshold=page.percent(threshold, 0),
-    )
+    ).format(flights=len(flown.is_placed), distance=_distance(flown), threshold=page.percent(threshold, 0))
     parts = [page.table(header, rows, range(1, 6)), page.paragraph(note)]
     poor = poor_stretches(flown, threshold, LARGE_SHARE * footprint)
     if not poor:

@@ -88,10 +88,7 @@ def setup_html(summary: str, warnings: Sequence[str], expected: Expectation, pho
         warnings: Sentences from before the run.
         expected: Result of the quick assessment.
     """
-    body = [
-        expected.html(),
-        page.section(tr("Settings"), page.paragraph(summary), *map(page.paragraph, warnings)),
-    ]
+    body = [expected.html(), page.section(tr("Settings"), page.paragraph(summary), *map(page.paragraph, warnings))]
     if photos:
         body = [_figures(photos), *body, page.section(tr("Photos"), _table(photos))]
     return page.page(tr("Set up an area"), tr("Positions of the photos"), *body, parts.next_steps([_next(photos)]))

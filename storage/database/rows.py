@@ -76,9 +76,7 @@ def read_windows(connection: sqlite3.Connection, parameters: BuildParameters, pa
         levels, sizes, xs, ys, counts, blobs, distinctiveness = columns
         if any(blob is not None and len(blob) != 4 * length for blob in blobs):
             raise DatabaseError(
-                "{path} has vectors that are not {length} numbers long; build it again.",
-                path=path,
-                length=length,
+                "{path} has vectors that are not {length} numbers long; build it again.", path=path, length=length
             )
         described = np.array([blob is not None for blob in blobs], bool)
         vectors = np.zeros((len(blobs), length), np.float32)

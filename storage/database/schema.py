@@ -43,12 +43,7 @@ WINDOW_FIELDS = (
     ("distinctiveness", _REAL),
 )
 REFERENCE_FIELDS = (("class", _INTEGER), ("class_name", _TEXT), ("area", _REAL), ("touches_edge", _BOOLEAN))
-BOUNDS_FIELDS = (
-    ("first_column", _INTEGER),
-    ("first_row", _INTEGER),
-    ("end_column", _INTEGER),
-    ("end_row", _INTEGER),
-)
+BOUNDS_FIELDS = (("first_column", _INTEGER), ("first_row", _INTEGER), ("end_column", _INTEGER), ("end_row", _INTEGER))
 CLASS_FIELDS = tuple((name, {"value": _INTEGER, "draw_order": _REAL}.get(name, _TEXT)) for name in CLASS_COLUMNS)
 PARAMETER_FIELDS = (("key", _TEXT), ("value", _TEXT))
 STYLE_FIELDS = (
@@ -111,11 +106,7 @@ def parameter_texts(parameters: BuildParameters) -> dict[str, str]:
 
 
 def write_feature(
-    layer: ogr.Layer,
-    fields: Sequence[tuple[str, str]],
-    wkb: bytes | None,
-    values: Sequence,
-    fid: int | None = None,
+    layer: ogr.Layer, fields: Sequence[tuple[str, str]], wkb: bytes | None, values: Sequence, fid: int | None = None
 ) -> int:
     """Add a feature and return its fid; None and NaN become NULL."""
     feature = ogr.Feature(layer.GetLayerDefn())
