@@ -12,7 +12,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.append(str(ROOT / "tools" / "release"))
-from update_translations import all_texts, sentence_texts, step_texts, texts_of  # noqa: E402
+from update_translations import all_texts, texts_of  # noqa: E402
 
 MARKERS = re.compile(
     r"\b(?:(?i:tells?|telling|told|lies?|lying|stands?|stood|anew|whoever|whose|of which|look-alikes?|at hand"
@@ -57,7 +57,7 @@ def texts_in(path: Path) -> Iterator[str]:
     source = path.read_text(encoding="utf-8")
     if path.suffix == ".py":
         yield from docstrings(path)
-        yield from texts_of(source) + step_texts(source) + sentence_texts(source)
+        yield from texts_of(source)
     else:
         yield source
 

@@ -42,9 +42,16 @@ SEPARATOR = ";"
 
 class AddModel(SemRefAlgorithm):
     ID = "addmodel"
+    TITLE = "Add model"
     GROUP = ANNOTATION
     TAGS = ("model", "network", "onnx", "checkpoint", "pytorch", "segmentation", "import", "deepness", "flair")
     PACKAGES = (*NEEDED, ONNXRUNTIME)
+    SUMMARY = (
+        "Makes a model from a segmentation network of others: an ONNX file, or a checkpoint of "
+        "segmentation_models_pytorch.\n\nThe result is a copy with class names, resolution, standardization and "
+        "license. Outputs of the same class are merged: their probabilities are added after a softmax over all "
+        "used outputs. A checkpoint needs the training environment (Settings ▸ Options ▸ SemRef)."
+    )
 
     INPUT = "INPUT"
     PRESET = "PRESET"
@@ -62,27 +69,14 @@ class AddModel(SemRefAlgorithm):
     OUTPUT = "OUTPUT"
     CLASS_COUNT = "CLASS_COUNT"
 
-    def title(self) -> str:
-        return tr("Add model")
-
-    def summary(self) -> str:
-        return tr(
-            "Makes a model from a segmentation network of others: an ONNX file, or a checkpoint of "
-            "segmentation_models_pytorch.\n\nThe result is a copy with class names, resolution, standardization and "
-            "license. Outputs of the same class are merged: their probabilities are added after a softmax over all "
-            "used outputs. A checkpoint needs the training environment (Settings ▸ Options ▸ SemRef)."
-        )
-
     def parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
                 QgsProcessingParameterFile(
                     self.INPUT, tr("Network"), fileFilter=tr("Networks") + " (*.onnx *.pt *.pth *.ckpt)"
                 ),
-                tr(
-                    "ONNX file with input 1 × 3 × height × width and an output for each class, or a checkpoint with "
-                    "the weights of such a network."
-                ),
+                "ONNX file with input 1 × 3 × height × width and an output for each class, or a checkpoint with "
+                "the weights of such a network.",
             ),
             with_help(
                 QgsProcessingParameterEnum(
@@ -95,35 +89,33 @@ class AddModel(SemRefAlgorithm):
                     ),
                     defaultValue=NO_PRESET,
                 ),
-                tr("Values for all fields that are not set. Without a preset, those in the metadata of the file."),
+                "Values for all fields that are not set. Without a preset, those in the metadata of the file.",
             ),
             with_help(
                 QgsProcessingParameterString(self.CLASSES, tr("Class of each output"), optional=True),
-                tr(
-                    "Names in the order of the outputs, separated by “;”. Outputs with the same name are merged. Leave "
-                    "a name empty for an output that is not used, for example building;road;;road."
-                ),
+                "Names in the order of the outputs, separated by “;”. Outputs with the same name are merged. Leave "
+                "a name empty for an output that is not used, for example building;road;;road.",
             ),
-            parameters.resolution(tr("Pixel size of the images that the network was trained on."), advanced=False),
+            parameters.resolution("Pixel size of the images that the network was trained on.", advanced=False),
             *self._standardization(),
             with_help(
                 QgsProcessingParameterNumber(
                     self.THRESHOLD, tr("Threshold"), DOUBLE, optional=True, minValue=0, maxValue=1
                 ),
-                tr("Probability from which a pixel has the class, for networks with one output. If not set, 0.5."),
+                "Probability from which a pixel has the class, for networks with one output. If not set, 0.5.",
             ),
             with_help(
                 QgsProcessingParameterString(self.LICENSE, tr("License"), optional=True),
-                tr("License of the network, as its maker states it. The model card shows it."),
+                "License of the network, as its maker states it. The model card shows it.",
             ),
             with_help(
                 QgsProcessingParameterString(self.NAME, tr("Name"), optional=True),
-                tr("Name for the list of models. If not set, the name of the file."),
+                "Name for the list of models. If not set, the name of the file.",
             ),
             *self._checkpoint(),
             with_help(
                 QgsProcessingParameterFileDestination(self.OUTPUT, tr("Model"), fileFilter=tr("ONNX models (*.onnx)")),
-                tr("Copy of the network with metadata. The file of the network is not changed."),
+                "Copy of the network with metadata. The file of the network is not changed.",
             ),
             QgsProcessingOutputNumber(self.CLASS_COUNT, tr("Number of classes")),
         )
@@ -137,17 +129,17 @@ class AddModel(SemRefAlgorithm):
                     options=(tr("from 0 to 1"), tr("from 0 to 255")),
                     defaultValue=FROM_0_TO_1,
                 ),
-                tr("Range of the pixel values before the mean is subtracted and the result is divided."),
+                "Range of the pixel values before the mean is subtracted and the result is divided.",
             ),
             with_help(
                 QgsProcessingParameterString(self.MEAN, tr("Mean (R; G; B)"), optional=True),
-                tr("Three numbers, separated by “;”. 0;0;0 if the network takes pixel values as they are."),
+                "Three numbers, separated by “;”. 0;0;0 if the network takes pixel values as they are.",
             ),
             with_help(
                 QgsProcessingParameterString(
                     self.STANDARD_DEVIATION, tr("Standard deviation (R; G; B)"), optional=True
                 ),
-                tr("Three numbers, separated by “;”. 1;1;1 if the network takes pixel values as they are."),
+                "Three numbers, separated by “;”. 1;1;1 if the network takes pixel values as they are.",
             ),
         )
 
@@ -155,12 +147,12 @@ class AddModel(SemRefAlgorithm):
         return (
             with_help(
                 QgsProcessingParameterString(self.ARCHITECTURE, tr("Architecture of the checkpoint"), "unet"),
-                tr("Name in segmentation_models_pytorch, for example unet, fpn or deeplabv3. Not used for ONNX files."),
+                "Name in segmentation_models_pytorch, for example unet, fpn or deeplabv3. Not used for ONNX files.",
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterString(self.ENCODER, tr("Encoder of the checkpoint"), "resnet34"),
-                tr("Name in segmentation_models_pytorch, for example resnet34. Not used for ONNX files."),
+                "Name in segmentation_models_pytorch, for example resnet34. Not used for ONNX files.",
                 advanced=True,
             ),
             parameters.python_of_training(),

@@ -38,8 +38,15 @@ if TYPE_CHECKING:
 
 class AssessDatabase(AssessAlgorithm):
     ID = "assessdatabase"
+    TITLE = "Assess reference database"
     GROUP = LOCALIZATION
     TAGS = ("coverage", "planning", "success", "probability", "footprint", "mission", "map", "look-alikes")
+    SUMMARY = (
+        "Maps where images can be localized with a reference database, from simulated images with the given "
+        "errors. Each square has an expected success and error, numbers of landmarks and similar windows, and "
+        "the reason where localization fails.\n\nThe result is too optimistic if the real errors are larger or "
+        "the ground has changed. “Evaluate localization” tests with another label map."
+    )
 
     FOOTPRINT = "FOOTPRINT"
     SPACING = "SPACING"
@@ -47,53 +54,36 @@ class AssessDatabase(AssessAlgorithm):
     OUTPUT = "OUTPUT"
     LOCALIZABLE_FRACTION = "LOCALIZABLE_FRACTION"
 
-    def title(self) -> str:
-        return tr("Assess reference database")
-
-    def summary(self) -> str:
-        return tr(
-            "Maps where images can be localized with a reference database, from simulated images with the given "
-            "errors. Each square has an expected success and error, numbers of landmarks and similar windows, and "
-            "the reason where localization fails.\n\nThe result is too optimistic if the real errors are larger or "
-            "the ground has changed. “Evaluate localization” tests with another label map."
-        )
-
     def parameters(self) -> tuple[Declared, ...]:
         return (
             parameters.database(),
             with_help(
                 QgsProcessingParameterString(self.FOOTPRINT, tr("Footprint widths (m)"), optional=True),
-                tr(
-                    "Edge length of the ground that an image shows. Separate the values for several flight heights by "
-                    "“;”. If not set, the window size of the database."
-                ),
+                "Edge length of the ground that an image shows. Separate the values for several flight heights by "
+                "“;”. If not set, the window size of the database.",
             ),
             with_help(
                 QgsProcessingParameterNumber(self.SPACING, tr("Spacing (m)"), DOUBLE, optional=True, minValue=0.0),
-                tr("Edge length of the squares. If not set, half the smallest footprint width."),
+                "Edge length of the squares. If not set, half the smallest footprint width.",
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterNumber(
                     self.TRIALS, tr("Simulated images"), INTEGER, 1000, minValue=20, maxValue=100_000
                 ),
-                tr(
-                    "Number of simulated images for each footprint width, spread evenly over the ground. More images "
-                    "give narrower intervals."
-                ),
+                "Number of simulated images for each footprint width, spread evenly over the ground. More images "
+                "give narrower intervals.",
                 advanced=True,
             ),
             *self.noise_parameters(),
             scheduler(),
             with_help(
                 QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Expected success"), type=SOURCE_POLYGON),
-                tr(
-                    "Squares of ground. With several footprint widths there is one square for each; the map shows the "
-                    "first one."
-                ),
+                "Squares of ground. With several footprint widths there is one square for each; the map shows the "
+                "first one.",
             ),
             parameters.report(
-                tr("Page with a map, the success for each footprint width, the landmarks and the assumed errors.")
+                "Page with a map, the success for each footprint width, the landmarks and the assumed errors."
             ),
             QgsProcessingOutputNumber(self.LOCALIZABLE_FRACTION, tr("Localizable fraction")),
         )

@@ -76,10 +76,16 @@ class RouteParameter(QgsProcessingParameterFeatureSource):
 
 class AssessRoute(AssessAlgorithm):
     ID = "assessroute"
+    TITLE = "Assess route"
     GROUP = LOCALIZATION
     TAGS = (
         *("flight plan", "mission", "waypoints", "gpx", "kml", "qgroundcontrol", "planning", "gap", "profile"),
         *("print", "paper", "report"),
+    )
+    SUMMARY = (
+        "Estimates the success and error of localization at points along a planned route, its longest gap, and "
+        "parallel lines with more success.\n\nThe route is a line layer or a file: GPX, KML, QGroundControl plan "
+        "(.plan, also surveys) or waypoint list (.waypoints). Images are simulated as in “Assess reference database”."
     )
 
     ROUTE = "ROUTE"
@@ -94,41 +100,28 @@ class AssessRoute(AssessAlgorithm):
     LONGEST_GAP = "LONGEST_GAP"
     LONGEST_GAP_SECONDS = "LONGEST_GAP_SECONDS"
 
-    def title(self) -> str:
-        return tr("Assess route")
-
-    def summary(self) -> str:
-        return tr(
-            "Estimates the success and error of localization at points along a planned route, its longest gap, and "
-            "parallel lines with more success.\n\nThe route is a line layer or a file: GPX, KML, QGroundControl plan "
-            "(.plan, also surveys) or waypoint list (.waypoints). Images are simulated as in “Assess reference "
-            "database”."
-        )
-
     def parameters(self) -> tuple[Declared, ...]:
         return (
             parameters.database(),
             with_help(
                 RouteParameter(self.ROUTE, tr("Route"), types=[SOURCE_LINE]),
-                tr("Line layer, or path of a GPX, KML, .plan or .waypoints file. Each line is a separate route."),
+                "Line layer, or path of a GPX, KML, .plan or .waypoints file. Each line is a separate route.",
             ),
             *self._lengths(),
             with_help(
                 QgsProcessingParameterNumber(
                     self.TRIALS, tr("Simulated images per point"), INTEGER, 10, minValue=1, maxValue=1000
                 ),
-                tr(
-                    "Number of simulated images at each point, for example 10. More images give narrower intervals. "
-                    "Nearby points share their results."
-                ),
+                "Number of simulated images at each point, for example 10. More images give narrower intervals. "
+                "Nearby points share their results.",
                 advanced=True,
             ),
             *self.noise_parameters(),
             with_help(
                 QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Points along the route"), type=SOURCE_POINT),
-                tr("Expected success at each point. The field “gap” is the length of the gap that contains the point."),
+                "Expected success at each point. The field “gap” is the length of the gap that contains the point.",
             ),
-            parameters.report(tr("Page with a map of the route, a profile of the expected success, and the gaps.")),
+            parameters.report("Page with a map of the route, a profile of the expected success, and the gaps."),
             *self._below_the_route(),
             *route_flights.parameters(),
             QgsProcessingOutputNumber(self.LONGEST_GAP, tr("Longest gap")),
@@ -180,15 +173,12 @@ class AssessRoute(AssessAlgorithm):
                 QgsProcessingParameterFeatureSource(
                     self.ASSESSMENT, tr("Expected success"), types=[SOURCE_POLYGON], optional=True
                 ),
-                tr("Squares of “Assess reference database”. They are drawn below the route in the report."),
+                "Squares of “Assess reference database”. They are drawn below the route in the report.",
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterRasterLayer(self.BASE_MAP, tr("Base map"), optional=True),
-                tr(
-                    "Orthophoto, map tiles or overview of the database. It is drawn below everything else in the "
-                    "report."
-                ),
+                "Orthophoto, map tiles or overview of the database. It is drawn below everything else in the report.",
                 advanced=True,
             ),
         )

@@ -37,8 +37,15 @@ if TYPE_CHECKING:
 
 class BuildDatabase(SemRefAlgorithm):
     ID = "builddatabase"
+    TITLE = "Build reference database"
     GROUP = REFERENCE_DATABASE
     TAGS = ("topology vector", "sliding window", "landmarks", "geopackage", "reference map")
+    SUMMARY = (
+        "Builds a reference database from a label map: its landmarks, and windows that are described by topology "
+        "vectors.\n\nThe GeoPackage contains windows, landmarks, a reduced map (overview), classes and "
+        "parameters. The method is that of He & Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three "
+        "landmarks have no vector."
+    )
 
     LABELS = "LABELS"
     REFERENCE_CLASSES = "REFERENCE_CLASSES"
@@ -52,42 +59,26 @@ class BuildDatabase(SemRefAlgorithm):
     WINDOW_COUNT = "WINDOW_COUNT"
     REFERENCE_COUNT = "REFERENCE_COUNT"
 
-    def title(self) -> str:
-        return tr("Build reference database")
-
-    def summary(self) -> str:
-        return tr(
-            "Builds a reference database from a label map: its landmarks, and windows that are described by topology "
-            "vectors.\n\nThe GeoPackage contains windows, landmarks, a reduced map (overview), classes and "
-            "parameters. The method is that of He & Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three "
-            "landmarks have no vector."
-        )
-
     def parameters(self) -> tuple[Declared, ...]:
         return (
             parameters.label_map(
-                tr(
-                    "Single-band raster of class values in a projected CRS with meters, for example from “Rasterize "
-                    "land-cover layer”."
-                )
+                "Single-band raster of class values in a projected CRS with meters, for example from “Rasterize "
+                "land-cover layer”."
             ),
             parameters.reference_classes(
-                tr(
-                    "Classes that are landmarks: names or values separated by “;”, for example "
-                    "building;bare_land;water. If not set, the classes with the role “reference” in the class table "
-                    "of the map are used."
-                )
+                "Classes that are landmarks: names or values separated by “;”, for example building;bare_land;water. "
+                "If not set, the classes with the role “reference” in the class table of the map are used."
             ),
             *self._windows(),
             with_help(
                 QgsProcessingParameterNumber(self.MINIMUM_AREA, tr("Minimum area (m²)"), DOUBLE, 100.0, minValue=0.0),
-                tr("Regions smaller than this area are not used as landmarks."),
+                "Regions smaller than this area are not used as landmarks.",
             ),
             with_help(
                 QgsProcessingParameterFileDestination(
                     self.DATABASE, tr("Reference database"), fileFilter=tr("GeoPackage (*.gpkg)")
                 ),
-                tr("GeoPackage with the layers windows, references, overview, classes and parameters."),
+                "GeoPackage with the layers windows, references, overview, classes and parameters.",
             ),
             with_help(
                 QgsProcessingParameterNumber(
@@ -99,11 +90,9 @@ class BuildDatabase(SemRefAlgorithm):
                     minValue=0.0,
                     maxValue=10000.0,
                 ),
-                tr(
-                    "Standard deviation of landmark positions on the map, along each axis. It increases the 95 % "
-                    "radius, because neighboring landmarks are displaced together. The default of 1.2 m was measured "
-                    "between maps of two dates in two countries. “Compare label maps” measures it for your maps."
-                ),
+                "Standard deviation of landmark positions on the map, along each axis. It increases the 95 % "
+                "radius, because neighboring landmarks are displaced together. The default of 1.2 m was measured "
+                "between maps of two dates in two countries. “Compare label maps” measures it for your maps.",
                 advanced=True,
             ),
             parameters.open_output(),
@@ -117,25 +106,23 @@ class BuildDatabase(SemRefAlgorithm):
         return (
             with_help(
                 QgsProcessingParameterNumber(self.WINDOW_SIZE, tr("Window size (m)"), DOUBLE, 1280.0, minValue=0.001),
-                tr("Edge length of a window on the ground, about the footprint width of an image."),
+                "Edge length of a window on the ground, about the footprint width of an image.",
             ),
             with_help(
                 QgsProcessingParameterNumber(self.STRIDE, tr("Stride (m)"), DOUBLE, 350.0, minValue=0.001),
-                tr("Distance between neighboring windows. It must not be larger than the window size."),
+                "Distance between neighboring windows. It must not be larger than the window size.",
             ),
             with_help(
                 QgsProcessingParameterString(self.LEVELS, tr("Levels"), defaultValue="1", optional=True),
-                tr(
-                    "Multipliers of window size and stride, separated by “;”. For example, 1;2 adds windows of twice "
-                    "the size for flights at twice the height."
-                ),
+                "Multipliers of window size and stride, separated by “;”. For example, 1;2 adds windows of twice "
+                "the size for flights at twice the height.",
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterNumber(
                     self.REFERENCES_PER_VECTOR, tr("Landmarks per vector"), INTEGER, 10, minValue=3, maxValue=1000
                 ),
-                tr("Number of landmarks in a vector: those nearest to the center of the window."),
+                "Number of landmarks in a vector: those nearest to the center of the window.",
                 advanced=True,
             ),
         )

@@ -36,8 +36,15 @@ READ, CHECKED, BURNT, DONE = 20.0, 70.0, 90.0, 95.0
 
 class CheckAnnotation(AnnotationAlgorithm):
     ID = "checkannotation"
+    TITLE = "Check land-cover layer"
     TAGS = ("validate", "topology", "quality", "overlap", "gap", "sliver", "invalid geometry", "land cover")
     PACKAGES = (*NEEDED, SHAPELY)
+    SUMMARY = (
+        "Finds errors in a land-cover layer: invalid geometries, overlaps, duplicates, gaps, slivers, and missing "
+        "or unknown classes. It also finds landmarks that touch, are too small, or are lost, merged or split at a "
+        "pixel size.\n\nEach finding is a feature with a kind, a severity and a message. “Repair land-cover "
+        "layer” repairs most findings."
+    )
 
     MINIMUM_AREA = "MINIMUM_AREA"
     MAXIMUM_GAP = "MAXIMUM_GAP"
@@ -47,17 +54,6 @@ class CheckAnnotation(AnnotationAlgorithm):
     ISSUE_COUNT = "ISSUE_COUNT"
     ERROR_COUNT = "ERROR_COUNT"
 
-    def title(self) -> str:
-        return tr("Check land-cover layer")
-
-    def summary(self) -> str:
-        return tr(
-            "Finds errors in a land-cover layer: invalid geometries, overlaps, duplicates, gaps, slivers, and missing "
-            "or unknown classes. It also finds landmarks that touch, are too small, or are lost, merged or split at a "
-            "pixel size.\n\nEach finding is a feature with a kind, a severity and a message. “Repair land-cover "
-            "layer” repairs most findings."
-        )
-
     def parameters(self) -> tuple[Declared, ...]:
         return (
             *parameters.annotation(),
@@ -65,33 +61,27 @@ class CheckAnnotation(AnnotationAlgorithm):
                 QgsProcessingParameterNumber(
                     self.MINIMUM_AREA, tr("Minimum area (m²)"), DOUBLE, 100.0, optional=True, minValue=0.0
                 ),
-                tr(
-                    "Landmarks smaller than this area are reported, because “Build reference database” does not use "
-                    "them. A typical value is 100."
-                ),
+                "Landmarks smaller than this area are reported, because “Build reference database” does not use "
+                "them. A typical value is 100.",
             ),
             with_help(
                 QgsProcessingParameterNumber(
                     self.PIXEL_SIZE, tr("Pixel size (m)"), DOUBLE, optional=True, minValue=0.001
                 ),
-                tr(
-                    "Pixel size for “Rasterize land-cover layer”. Landmarks that are lost, merged or split at this "
-                    "pixel size are reported too. If not set, this is not checked."
-                ),
+                "Pixel size for “Rasterize land-cover layer”. Landmarks that are lost, merged or split at this "
+                "pixel size are reported too. If not set, this is not checked.",
             ),
             with_help(
                 QgsProcessingParameterNumber(self.MAXIMUM_GAP, tr("Maximum gap (m²)"), DOUBLE, 1.0, minValue=0.0),
-                tr(
-                    "Uncovered areas up to this size, enclosed by polygons, are reported as gaps. Thin areas are "
-                    "reported at any size."
-                ),
+                "Uncovered areas up to this size, enclosed by polygons, are reported as gaps. Thin areas are "
+                "reported at any size.",
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterFeatureSink(self.ISSUES, tr("Issues"), type=SOURCE_POLYGON),
-                tr("One feature for each finding, in the CRS of the label map."),
+                "One feature for each finding, in the CRS of the label map.",
             ),
-            parameters.report(tr("Page with the findings by kind and class."), by_default=False),
+            parameters.report("Page with the findings by kind and class.", by_default=False),
             QgsProcessingOutputNumber(self.ISSUE_COUNT, tr("Number of findings")),
             QgsProcessingOutputNumber(self.ERROR_COUNT, tr("Number of errors")),
         )

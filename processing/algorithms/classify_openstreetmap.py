@@ -49,9 +49,16 @@ LEFT_OUT = ""
 
 class ClassifyOpenStreetMap(SemRefAlgorithm):
     ID = "classifyopenstreetmap"
+    TITLE = "Classify OpenStreetMap"
     GROUP = ANNOTATION
     TAGS = ("osm", "openstreetmap", "tags", "pbf", "quickosm", "geofabrik", "overture", "land cover", "classes")
     PACKAGES = ()
+    SUMMARY = (
+        "Converts polygons with OpenStreetMap tags to land cover: building, water, bare land, forest, cultivated "
+        "land, grass and built-up land. Roads, railways, rivers and streams can be added from lines. A priority "
+        "decides which polygon is on top.\n\nThe input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a "
+        "Geofabrik shapefile, or a layer with tags in columns. A table of rules assigns classes to tags."
+    )
 
     INPUT = "INPUT"
     LINES = "LINES"
@@ -60,53 +67,35 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
     OUTPUT = "OUTPUT"
     FEATURE_COUNT = "FEATURE_COUNT"
 
-    def title(self) -> str:
-        return tr("Classify OpenStreetMap")
-
-    def summary(self) -> str:
-        return tr(
-            "Converts polygons with OpenStreetMap tags to land cover: building, water, bare land, forest, cultivated "
-            "land, grass and built-up land. Roads, railways, rivers and streams can be added from lines. A priority "
-            "decides which polygon is on top.\n\nThe input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a "
-            "Geofabrik shapefile, or a layer with tags in columns. A table of rules assigns classes to tags."
-        )
-
     def parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
                 QgsProcessingParameterFeatureSource(self.INPUT, tr("OpenStreetMap polygons"), types=[SOURCE_POLYGON]),
-                tr("Layer with tags as columns, or an OpenStreetMap extract. Of an extract, the areas are used."),
+                "Layer with tags as columns, or an OpenStreetMap extract. Of an extract, the areas are used.",
             ),
             with_help(
                 QgsProcessingParameterFeatureSource(
                     self.LINES, tr("OpenStreetMap lines"), types=[SOURCE_LINE], optional=True
                 ),
-                tr(
-                    "Layer of lines with tags as columns, or the extract. Roads and railways get the class road, "
-                    "rivers and streams the class water. The tags width and lanes give the width, otherwise the rules. "
-                    "Tunnels are left out."
-                ),
+                "Layer of lines with tags as columns, or the extract. Roads and railways get the class road, "
+                "rivers and streams the class water. The tags width and lanes give the width, otherwise the rules. "
+                "Tunnels are left out.",
             ),
             with_help(
                 QgsProcessingParameterFile(self.RULES, tr("Rules"), fileFilter=tr("CSV files (*.csv)"), optional=True),
-                tr(
-                    "CSV file with the columns key, value, class, priority, and width (m) for lines. The value * "
-                    "matches any value; an empty class excludes polygons and lines. If not set, the rules of SemRef "
-                    "are used."
-                ),
+                "CSV file with the columns key, value, class, priority, and width (m) for lines. The value * matches "
+                "any value; an empty class excludes polygons and lines. If not set, the rules of SemRef are used.",
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterString(self.OTHER_CLASS, tr("Class of other polygons"), optional=True),
-                tr(
-                    "Class of polygons that no rule matches, for example of building outlines without tags. If empty, "
-                    "these polygons are left out."
-                ),
+                "Class of polygons that no rule matches, for example of building outlines without tags. If empty, "
+                "these polygons are left out.",
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Land cover"), type=SOURCE_POLYGON),
-                tr("Polygons with a class, with the fields class, priority, tag, osm_id and name."),
+                "Polygons with a class, with the fields class, priority, tag, osm_id and name.",
             ),
             QgsProcessingOutputNumber(self.FEATURE_COUNT, tr("Number of polygons with a class")),
         )

@@ -42,8 +42,16 @@ FIELDS = (
 
 class CompareLabels(SemRefAlgorithm):
     ID = "comparelabels"
+    TITLE = "Compare label maps"
     GROUP = ANNOTATION
     TAGS = ("confusion matrix", "iou", "accuracy", "validation", "disagreement", "segmentation", "label map")
+    SUMMARY = (
+        "Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall "
+        "accuracy, and polygons of the disagreements.\n\nClasses are matched by name, otherwise by value. Pixels "
+        "without prediction count as wrong. The class offset (the distance by which the model shows a class off "
+        "its position) can be saved in a copy of the model.\n\nFor label maps of two dates, the log and the report "
+        "show how far landmarks moved: the map accuracy for “Build reference database”."
+    )
 
     REFERENCE = "REFERENCE"
     PREDICTED = "PREDICTED"
@@ -55,59 +63,40 @@ class CompareLabels(SemRefAlgorithm):
     OVERALL_ACCURACY = "OVERALL_ACCURACY"
     MAP_ACCURACY = "MAP_ACCURACY"
 
-    def title(self) -> str:
-        return tr("Compare label maps")
-
-    def summary(self) -> str:
-        return tr(
-            "Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall "
-            "accuracy, and polygons of the disagreements.\n\nClasses are matched by name, otherwise by value. Pixels "
-            "without prediction count as wrong. The class offset (the distance by which the model shows a class off "
-            "its position) can be saved in a copy of the model.\n\nFor label maps of two dates, the log and the report "
-            "show how far landmarks moved: the map accuracy for “Build reference database”."
-        )
-
     def parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
                 QgsProcessingParameterRasterLayer(self.REFERENCE, tr("Annotated label map")),
-                tr("Label map that is correct, for example from “Rasterize land-cover layer”."),
+                "Label map that is correct, for example from “Rasterize land-cover layer”.",
             ),
             with_help(
                 QgsProcessingParameterRasterLayer(self.PREDICTED, tr("Predicted label map")),
-                tr("Label map to check, for example from “Segment image”. It must have the CRS of the annotated map."),
+                "Label map to check, for example from “Segment image”. It must have the CRS of the annotated map.",
             ),
             with_help(
                 QgsProcessingParameterNumber(
                     self.MINIMUM_AREA, tr("Minimum area"), DOUBLE, 10.0, optional=True, minValue=0.0
                 ),
-                tr(
-                    "Disagreements and landmarks smaller than this area are not counted, in square map units (square "
-                    "pixels without a georeference)."
-                ),
+                "Disagreements and landmarks smaller than this area are not counted, in square map units (square "
+                "pixels without a georeference).",
             ),
             with_help(
                 QgsProcessingParameterFeatureSink(self.DISAGREEMENTS, tr("Disagreements"), type=SOURCE_POLYGON),
-                tr("One polygon for each connected area where the same two classes are confused, ranked by area."),
+                "One polygon for each connected area where the same two classes are confused, ranked by area.",
             ),
             parameters.report(
-                tr(
-                    "Page with the confusion matrix, the accuracy of each class, and the missed, spurious and "
-                    "mislabeled landmarks. “Assess reference database”, “Assess route” and “Evaluate localization” "
-                    "can read it."
-                ),
+                "Page with the confusion matrix, the accuracy of each class, and the missed, spurious and mislabeled "
+                "landmarks. “Assess reference database”, “Assess route” and “Evaluate localization” can read it.",
                 by_default=False,
             ),
             parameters.model(
-                tr("Model that made the predicted map. Select it to save the class offset in a copy of the model."),
+                "Model that made the predicted map. Select it to save the class offset in a copy of the model.",
                 optional=True,
             ),
             parameters.sun_direction(
-                tr(
-                    "Azimuth of the sun when the predicted image was taken, in degrees clockwise from grid north. A "
-                    "class offset that shadows cause turns with the sun. If not set, the offset is the same for all "
-                    "directions of the sun."
-                )
+                "Azimuth of the sun when the predicted image was taken, in degrees clockwise from grid north. A "
+                "class offset that shadows cause turns with the sun. If not set, the offset is the same for all "
+                "directions of the sun."
             ),
             with_help(
                 QgsProcessingParameterFileDestination(
@@ -117,7 +106,7 @@ class CompareLabels(SemRefAlgorithm):
                     optional=True,
                     createByDefault=False,
                 ),
-                tr("Copy of the model with the class offset, in meters, in its metadata."),
+                "Copy of the model with the class offset, in meters, in its metadata.",
                 advanced=True,
             ),
             QgsProcessingOutputNumber(self.MEAN_IOU, tr("Mean IoU")),

@@ -23,8 +23,14 @@ ROWS_PIXELS = 4_000_000
 
 class DecodeColorLabels(SemRefAlgorithm):
     ID = "decodecolorlabels"
+    TITLE = "Decode color labels"
     GROUP = ANNOTATION
     TAGS = ("colour", "color", "hsv", "decode", "label image", "label map")
+    SUMMARY = (
+        "Converts an image that shows classes as colors to a label map. Classes are found by the HSV ranges of "
+        "the class table, as in the published method, or by the nearest class color.\n\nPixels outside all ranges "
+        "are unlabeled (0). With “Nearest color”, black is unlabeled unless a class is black."
+    )
 
     INPUT = "INPUT"
     CLASS_TABLE = "CLASS_TABLE"
@@ -32,27 +38,15 @@ class DecodeColorLabels(SemRefAlgorithm):
     OUTPUT = "OUTPUT"
     HSV_RANGES, NEAREST_COLOR = range(2)
 
-    def title(self) -> str:
-        return tr("Decode color labels")
-
-    def summary(self) -> str:
-        return tr(
-            "Converts an image that shows classes as colors to a label map. Classes are found by the HSV ranges of "
-            "the class table, as in the published method, or by the nearest class color.\n\nPixels outside all ranges "
-            "are unlabeled (0). With “Nearest color”, black is unlabeled unless a class is black."
-        )
-
     def parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
                 QgsProcessingParameterRasterLayer(self.INPUT, tr("Color label image")),
-                tr("Image with at least three 8-bit bands (red, green, blue)."),
+                "Image with at least three 8-bit bands (red, green, blue).",
             ),
             parameters.class_table(
-                tr(
-                    "CSV file with the columns value, name, color, role and, for HSV ranges, hsv_min and hsv_max (“h "
-                    "s v”, h from 0 to 180, s and v from 0 to 255; the hue may wrap around)."
-                ),
+                "CSV file with the columns value, name, color, role and, for HSV ranges, hsv_min and hsv_max (“h "
+                "s v”, h from 0 to 180, s and v from 0 to 255; the hue may wrap around).",
                 optional=False,
             ),
             with_help(
@@ -62,11 +56,11 @@ class DecodeColorLabels(SemRefAlgorithm):
                     options=(tr("HSV ranges"), tr("Nearest color")),
                     defaultValue=self.HSV_RANGES,
                 ),
-                tr("“HSV ranges” is the published way. “Nearest color” also labels blended colors at edges."),
+                "“HSV ranges” is the published way. “Nearest color” also labels blended colors at edges.",
             ),
             with_help(
                 QgsProcessingParameterRasterDestination(self.OUTPUT, tr("Label map")),
-                tr("8-bit GeoTIFF with the pixels of the image."),
+                "8-bit GeoTIFF with the pixels of the image.",
             ),
         )
 

@@ -43,8 +43,14 @@ FIELDS = (
 
 class DescribeImage(SemRefAlgorithm):
     ID = "describeimage"
+    TITLE = "Describe image"
     GROUP = LOCALIZATION
     TAGS = ("landmarks", "topology vector", "center of gravity")
+    SUMMARY = (
+        "Shows what localization uses of a label image: its landmarks as points, and its topology vector.\n\nThe "
+        "image is described in its largest centered square, like the windows of a database. With a database, its "
+        "classes, minimum area and vector length are used. Without a database, set them here."
+    )
 
     INPUT = "INPUT"
     DATABASE = "DATABASE"
@@ -56,32 +62,20 @@ class DescribeImage(SemRefAlgorithm):
     VECTOR = "VECTOR"
     REFERENCE_COUNT = "REFERENCE_COUNT"
 
-    def title(self) -> str:
-        return tr("Describe image")
-
-    def summary(self) -> str:
-        return tr(
-            "Shows what localization uses of a label image: its landmarks as points, and its topology vector.\n\nThe "
-            "image is described in its largest centered square, like the windows of a database. With a database, its "
-            "classes, minimum area and vector length are used. Without a database, set them here."
-        )
-
     def parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
                 QgsProcessingParameterRasterLayer(self.INPUT, tr("Label image")),
-                tr("Single-band class values, or colors of the class table. A georeference is not needed."),
+                "Single-band class values, or colors of the class table. A georeference is not needed.",
             ),
             parameters.database(
-                tr("Database with the settings to use. The settings below are then ignored."), optional=True
+                "Database with the settings to use. The settings below are then ignored.", optional=True
             ),
             *self._without_database(),
             with_help(
                 QgsProcessingParameterFeatureSink(self.REFERENCES, tr("Landmarks"), type=SOURCE_POINT),
-                tr(
-                    "Points with class, area and pixel position. Without a georeference the coordinates are pixels (y "
-                    "up, negative)."
-                ),
+                "Points with class, area and pixel position. Without a georeference the coordinates are pixels (y "
+                "up, negative).",
             ),
             with_help(
                 QgsProcessingParameterFileDestination(
@@ -91,7 +85,7 @@ class DescribeImage(SemRefAlgorithm):
                     optional=True,
                     createByDefault=False,
                 ),
-                tr("Distance ratios, angle differences, class ranks, and the classes that were used."),
+                "Distance ratios, angle differences, class ranks, and the classes that were used.",
             ),
             QgsProcessingOutputNumber(self.REFERENCE_COUNT, tr("Number of landmarks")),
         )
@@ -100,29 +94,23 @@ class DescribeImage(SemRefAlgorithm):
         """Return the settings that a database replaces."""
         return (
             parameters.class_table(
-                tr(
-                    "Classes of the image, if no database is selected. If not set, the class table of the label image "
-                    "is used."
-                )
+                "Classes of the image, if no database is selected. If not set, the class table of the label image "
+                "is used."
             ),
             parameters.reference_classes(
-                tr(
-                    "Classes that are landmarks, if no database is selected: names or values separated by “;”. If not "
-                    "set, the roles in the class table are used."
-                )
+                "Classes that are landmarks, if no database is selected: names or values separated by “;”. If not "
+                "set, the roles in the class table are used."
             ),
             with_help(
                 QgsProcessingParameterNumber(self.MINIMUM_AREA, tr("Minimum area"), DOUBLE, 100.0, minValue=0.0),
-                tr(
-                    "Smallest landmark, if no database is selected, in square map units (square pixels without a "
-                    "georeference)."
-                ),
+                "Smallest landmark, if no database is selected, in square map units (square pixels without a "
+                "georeference).",
             ),
             with_help(
                 QgsProcessingParameterNumber(
                     self.REFERENCES_PER_VECTOR, tr("Landmarks per vector"), INTEGER, 10, minValue=3
                 ),
-                tr("Number of landmarks in the vector, if no database is selected: those nearest to the center."),
+                "Number of landmarks in the vector, if no database is selected: those nearest to the center.",
                 advanced=True,
             ),
         )

@@ -67,8 +67,15 @@ _TRIALS_A_TASK = 4
 
 class EvaluateLocalization(SemRefAlgorithm):
     ID = "evaluatelocalization"
+    TITLE = "Evaluate localization"
     GROUP = LOCALIZATION
     TAGS = ("accuracy", "trials", "benchmark", "success rate", "false accept", "noise", "report", "table")
+    SUMMARY = (
+        "Tests a reference database with images of known position. They are cut from a label map, rotated, "
+        "scaled, given label errors, and localized with one or more methods. The report compares the "
+        "methods.\n\nUse a label map of another date than that of the database, with a map displacement of 0. The "
+        "map of the database itself is too optimistic."
+    )
 
     DATABASE, LABELS, REPORT, SEED = parameters.DATABASE, parameters.LABELS, parameters.REPORT, parameters.SEED
     METHODS = "METHODS"
@@ -85,25 +92,12 @@ class EvaluateLocalization(SemRefAlgorithm):
     MEDIAN_ERROR = "MEDIAN_ERROR"
     FALSE_ACCEPT_RATE = "FALSE_ACCEPT_RATE"
 
-    def title(self) -> str:
-        return tr("Evaluate localization")
-
-    def summary(self) -> str:
-        return tr(
-            "Tests a reference database with images of known position. They are cut from a label map, rotated, "
-            "scaled, given label errors, and localized with one or more methods. The report compares the "
-            "methods.\n\nUse a label map of another date than that of the database, with a map displacement of 0. The "
-            "map of the database itself is too optimistic."
-        )
-
     def parameters(self) -> tuple[Declared, ...]:
         return (
             parameters.database(),
             parameters.label_map(
-                tr(
-                    "Label map that images are cut from: the map of the database, or another map of the same ground. "
-                    "It needs the CRS and the classes of the database; the pixel size may differ."
-                )
+                "Label map that images are cut from: the map of the database, or another map of the same ground. "
+                "It needs the CRS and the classes of the database; the pixel size may differ."
             ),
             with_help(
                 QgsProcessingParameterEnum(
@@ -113,10 +107,8 @@ class EvaluateLocalization(SemRefAlgorithm):
                     allowMultiple=True,
                     defaultValue=[0, 1],
                 ),
-                tr(
-                    "Methods to compare on the same images. The output numbers and the noise table use the first "
-                    "selected method in the order Automatic, Constellation, Map correlation, Published method."
-                ),
+                "Methods to compare on the same images. The output numbers and the noise table use the first "
+                "selected method in the order Automatic, Constellation, Map correlation, Published method.",
             ),
             *self._numbers(),
             *self._range_parameters(),
@@ -126,17 +118,14 @@ class EvaluateLocalization(SemRefAlgorithm):
             scheduler(),
             with_help(
                 QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Trials"), type=SOURCE_POINT),
-                tr(
-                    "One point for each trial and method at the true position, with the computed position and its "
-                    "error."
-                ),
+                "One point for each trial and method at the true position, with the computed position and its error.",
             ),
-            parameters.report(tr("Page with tables and charts.")),
+            parameters.report("Page with tables and charts."),
             with_help(
                 QgsProcessingParameterFileDestination(
                     self.JSON, tr("Numbers"), fileFilter=tr("JSON files (*.json)"), optional=True, createByDefault=False
                 ),
-                tr("All numbers of the report, for scripts."),
+                "All numbers of the report, for scripts.",
             ),
             QgsProcessingOutputNumber(self.SUCCESS_RATE, tr("Success rate")),
             QgsProcessingOutputNumber(self.MEDIAN_ERROR, tr("Median error")),
@@ -148,19 +137,15 @@ class EvaluateLocalization(SemRefAlgorithm):
         return (
             with_help(
                 QgsProcessingParameterNumber(self.TRIALS, tr("Trials"), INTEGER, 200, minValue=1, maxValue=1_000_000),
-                tr(
-                    "Number of images. The report needs about 1.5 times as many additional images for noise and "
-                    "offset, and 66 for its tables."
-                ),
+                "Number of images. The report needs about 1.5 times as many additional images for noise and "
+                "offset, and 66 for its tables.",
             ),
             with_help(
                 QgsProcessingParameterNumber(
                     self.MIRRORED, tr("Mirrored images (%)"), DOUBLE, 25.0, minValue=0.0, maxValue=90.0
                 ),
-                tr(
-                    "Share of trials that show a mirrored part of the map. Such an image has no correct position, so "
-                    "each computed position is false."
-                ),
+                "Share of trials that show a mirrored part of the map. Such an image has no correct position, so "
+                "each computed position is false.",
             ),
         )
 
@@ -198,18 +183,14 @@ class EvaluateLocalization(SemRefAlgorithm):
                 QgsProcessingParameterNumber(
                     self.MINIMUM_REFERENCES, tr("Minimum landmarks in the window"), INTEGER, 3, minValue=0
                 ),
-                tr(
-                    "Trials are placed around windows with at least this number of landmarks. 20 excludes open country."
-                ),
+                "Trials are placed around windows with at least this number of landmarks. 20 excludes open country.",
             ),
             with_help(
                 QgsProcessingParameterNumber(
                     self.RIGHT_WITHIN, tr("Right within (m)"), DOUBLE, optional=True, minValue=0.0
                 ),
-                tr(
-                    "Largest error of a position that counts as right. If not set, 2 % of the footprint width. A "
-                    "position of “Published method” is right if it names the nearest window."
-                ),
+                "Largest error of a position that counts as right. If not set, 2 % of the footprint width. A "
+                "position of “Published method” is right if it names the nearest window.",
                 advanced=True,
             ),
             parameters.seed(),

@@ -34,8 +34,14 @@ if TYPE_CHECKING:
 
 class ExportOnboard(SemRefAlgorithm):
     ID = "exportonboard"
+    TITLE = "Export for onboard use"
     GROUP = REFERENCE_DATABASE
     TAGS = ("aircraft", "uav", "drone", "npz", "companion computer", "flight", "compact", "numpy")
+    SUMMARY = (
+        "Writes a reference database to one small file (.npz) for a computer without QGIS. Install the Python "
+        "package semref on that computer and run “semref localize”.\n\nPositions, areas and vectors are rounded; "
+        "the log shows the largest error. An existing onboard file is replaced. Other files are never overwritten."
+    )
 
     DATABASE = "DATABASE"
     PRECISION = "PRECISION"
@@ -46,42 +52,30 @@ class ExportOnboard(SemRefAlgorithm):
     OUTPUT = "OUTPUT"
     BYTES = "BYTES"
 
-    def title(self) -> str:
-        return tr("Export for onboard use")
-
-    def summary(self) -> str:
-        return tr(
-            "Writes a reference database to one small file (.npz) for a computer without QGIS. Install the Python "
-            "package semref on that computer and run “semref localize”.\n\nPositions, areas and vectors are rounded; "
-            "the log shows the largest error. An existing onboard file is replaced. Other files are never overwritten."
-        )
-
     def parameters(self) -> tuple[Declared, ...]:
         return (
             parameters.database(),
             with_help(
                 QgsProcessingParameterFeatureSource(self.CLIP, tr("Area or route"), optional=True),
-                tr("Polygons or lines that limit the export. If not set, the whole map is exported."),
+                "Polygons or lines that limit the export. If not set, the whole map is exported.",
             ),
             with_help(
                 QgsProcessingParameterNumber(
                     self.DISTANCE, tr("Distance around area or route (m)"), DOUBLE, 0.0, minValue=0.0
                 ),
-                tr("Half the width of the corridor along a route. Use at least the footprint width of the images."),
+                "Half the width of the corridor along a route. Use at least the footprint width of the images.",
             ),
             with_help(
                 QgsProcessingParameterBoolean(self.OVERVIEW, tr("Include the overview"), defaultValue=True),
-                tr(
-                    "The overview is the reduced label map that map correlation searches. Without it the file is "
-                    "several times smaller."
-                ),
+                "The overview is the reduced label map that map correlation searches. Without it the file is "
+                "several times smaller.",
             ),
             *self._file_parameters(),
             with_help(
                 QgsProcessingParameterFileDestination(
                     self.OUTPUT, tr("Onboard file"), fileFilter=tr("Onboard files (*.npz)")
                 ),
-                tr("Zip file of NumPy arrays. The documentation describes the format for other programming languages."),
+                "Zip file of NumPy arrays. The documentation describes the format for other programming languages.",
             ),
             QgsProcessingOutputNumber(self.BYTES, tr("Size in bytes")),
         )
@@ -90,18 +84,16 @@ class ExportOnboard(SemRefAlgorithm):
         return (
             with_help(
                 QgsProcessingParameterNumber(self.PRECISION, tr("Precision (m)"), DOUBLE, optional=True, minValue=1e-6),
-                tr("Maximum rounding error of the x and y of a landmark. If not set, 0.01 pixels of the label map."),
+                "Maximum rounding error of the x and y of a landmark. If not set, 0.01 pixels of the label map.",
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterFile(
                     self.KEY_FILE, tr("Key file"), fileFilter=tr("All files (*)"), optional=True
                 ),
-                tr(
-                    "File with secret bytes, for example 32 random bytes, that signs the onboard file (HMAC-SHA256). "
-                    "With “semref … --require-signature KEY” the aircraft rejects files that were changed or made by "
-                    "others. Keep this file secret: anyone who has it can sign."
-                ),
+                "File with secret bytes, for example 32 random bytes, that signs the onboard file (HMAC-SHA256). "
+                "With “semref … --require-signature KEY” the aircraft rejects files that were changed or made by "
+                "others. Keep this file secret: anyone who has it can sign.",
                 advanced=True,
             ),
         )

@@ -23,8 +23,15 @@ from ..translation import tr
 
 class ExportTrainingTiles(SemRefAlgorithm):
     ID = "exporttrainingtiles"
+    TITLE = "Export training tiles"
     GROUP = ANNOTATION
     TAGS = ("training", "tiles", "chips", "patches", "segmentation", "deep learning", "neural network", "data set")
+    SUMMARY = (
+        "Cuts an image and its label map into tiles for training a segmentation network, with a class table, "
+        "statistics and a manifest.\n\nWhole blocks of ground are set aside for validation, and no pixel is in "
+        "both sets. Tiles without labels are left out. Labels with other pixels are resampled to the image "
+        "(nearest neighbor)."
+    )
 
     IMAGE = "IMAGE"
     LABELS = "LABELS"
@@ -35,47 +42,31 @@ class ExportTrainingTiles(SemRefAlgorithm):
     OUTPUT = "OUTPUT"
     TILE_COUNT = "TILE_COUNT"
 
-    def title(self) -> str:
-        return tr("Export training tiles")
-
-    def summary(self) -> str:
-        return tr(
-            "Cuts an image and its label map into tiles for training a segmentation network, with a class table, "
-            "statistics and a manifest.\n\nWhole blocks of ground are set aside for validation, and no pixel is in "
-            "both sets. Tiles without labels are left out. Labels with other pixels are resampled to the image "
-            "(nearest neighbor)."
-        )
-
     def parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
                 QgsProcessingParameterRasterLayer(self.IMAGE, tr("Image")),
-                tr(
-                    "Aerial image with 8 or 16 bits. SemRef’s networks use three bands; further bands are exported too."
-                ),
+                "Aerial image with 8 or 16 bits. SemRef’s networks use three bands; further bands are exported too.",
             ),
             parameters.label_map(
-                tr("Single-band raster of class values for the same ground; 0 where the class is unknown.")
+                "Single-band raster of class values for the same ground; 0 where the class is unknown."
             ),
             with_help(
                 QgsProcessingParameterNumber(self.TILE_SIZE, tr("Tile size (pixels)"), INTEGER, 512, minValue=32),
-                tr("Edge length of a tile, for example 512. Multiples of 32 suit most networks."),
+                "Edge length of a tile, for example 512. Multiples of 32 suit most networks.",
             ),
             with_help(
                 QgsProcessingParameterNumber(self.STRIDE, tr("Stride (pixels)"), INTEGER, 512, minValue=1),
-                tr("Distance between neighboring tiles. A stride smaller than the tile size makes tiles overlap."),
+                "Distance between neighboring tiles. A stride smaller than the tile size makes tiles overlap.",
             ),
             parameters.validation_fraction(optional=True),
             parameters.class_table(
-                tr(
-                    "CSV file with the columns value, name, color, role. It is used if the label map contains no "
-                    "classes."
-                ),
+                "CSV file with the columns value, name, color, role. It is used if the label map contains no classes.",
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterFolderDestination(self.OUTPUT, tr("Folder for tiles")),
-                tr("A new or empty folder. Files in an existing folder are not changed."),
+                "A new or empty folder. Files in an existing folder are not changed.",
             ),
             QgsProcessingOutputNumber(self.TILE_COUNT, tr("Number of tiles")),
         )

@@ -41,8 +41,14 @@ LEAST_MATCHES = 4
 
 class GeoreferenceImages(SemRefAlgorithm):
     ID = "georeferenceimages"
+    TITLE = "Georeference images"
     GROUP = LOCALIZATION
     TAGS = ("georeference", "geotiff", "world file", "georeferencer", "ground control points", "gcp", "points", "lay")
+    SUMMARY = (
+        "Georeferences images with the positions of “Localize images”: as GeoTIFFs, with world files, or with control "
+        "points for the Georeferencer.\n\nImages without a position are left out, and so are likely positions and "
+        "positions of “Published method”, which have no heading. The original images are not changed."
+    )
 
     POSITIONS = "POSITIONS"
     FORMAT = "FORMAT"
@@ -52,22 +58,11 @@ class GeoreferenceImages(SemRefAlgorithm):
     OUTPUT = "OUTPUT"
     IMAGE_COUNT = "IMAGE_COUNT"
 
-    def title(self) -> str:
-        return tr("Georeference images")
-
-    def summary(self) -> str:
-        return tr(
-            "Georeferences images with the positions of “Localize images”: as GeoTIFFs, with world files, or with "
-            "control points for the Georeferencer.\n\nImages without a position are left out, and so are likely "
-            "positions and positions of “Published method”, which have no heading. The original images are not "
-            "changed."
-        )
-
     def parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
                 QgsProcessingParameterFeatureSource(self.POSITIONS, tr("Positions"), types=[SOURCE_POINT]),
-                tr("Positions layer of “Localize images”, with all its columns."),
+                "Positions layer of “Localize images”, with all its columns.",
             ),
             with_help(
                 QgsProcessingParameterEnum(
@@ -76,34 +71,30 @@ class GeoreferenceImages(SemRefAlgorithm):
                     options=(tr("GeoTIFF"), tr("World file"), tr("Control points (.points)")),
                     defaultValue=GEOTIFF,
                 ),
-                tr(
-                    "GeoTIFF: the image is rotated to north up, with transparent borders. World file: a copy of the "
-                    "image with unchanged pixels, a world file and the CRS. Control points: a copy of the image and a "
-                    ".points file, which the Georeferencer opens with it."
-                ),
+                "GeoTIFF: the image is rotated to north up, with transparent borders. World file: a copy of the "
+                "image with unchanged pixels, a world file and the CRS. Control points: a copy of the image and a "
+                ".points file, which the Georeferencer opens with it.",
             ),
             with_help(
                 QgsProcessingParameterFeatureSource(
                     self.FOOTPRINTS, tr("Footprints"), types=[SOURCE_POLYGON], optional=True
                 ),
-                tr("Footprints layer of the same run. Needed for images that were taken with a tilted camera."),
+                "Footprints layer of the same run. Needed for images that were taken with a tilted camera.",
             ),
             with_help(
                 QgsProcessingParameterFeatureSource(self.MATCHES, tr("Matches"), types=[SOURCE_POINT], optional=True),
-                tr(
-                    "Matches layer of the same run. The matching landmarks become control points with their "
-                    "residuals. Without it, with fewer than four landmarks or with map correlation, the corners, "
-                    "edges and center of the footprint become control points."
-                ),
+                "Matches layer of the same run. The matching landmarks become control points with their "
+                "residuals. Without it, with fewer than four landmarks or with map correlation, the corners, "
+                "edges and center of the footprint become control points.",
             ),
             with_help(
                 QgsProcessingParameterMultipleLayers(self.IMAGES, tr("Images"), layerType=SOURCE_FILE, optional=True),
-                tr("The images or their folder. Needed if the images are not in the folder of the positions layer."),
+                "The images or their folder. Needed if the images are not in the folder of the positions layer.",
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterFolderDestination(self.OUTPUT, tr("Folder for georeferenced images")),
-                tr("A new or empty folder."),
+                "A new or empty folder.",
             ),
             QgsProcessingOutputNumber(self.IMAGE_COUNT, tr("Number of images")),
         )

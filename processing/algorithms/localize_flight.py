@@ -42,24 +42,20 @@ READ_PERCENT, JOINED_PERCENT = 60, 97
 
 class LocalizeFlight(LocalizeAlgorithm):
     ID = "localizeflight"
+    TITLE = "Localize flight"
     TAGS = ("track", "trajectory", "path", "sequence", "uav", "drone", "navigation", "gnss", "odometry", "position")
+    SUMMARY = (
+        "Computes the track of a flight from the positions of its images and the motion between them. Images "
+        "without a position of their own are placed too, and wrong positions are outvoted.\n\nThe motion is "
+        "measured in overlapping images, or read from an odometry table or a flight log. Otherwise it is "
+        "extrapolated and the error grows."
+    )
 
     ODOMETRY = "ODOMETRY"
     LOG = "LOG"
     TRACK = "TRACK"
     REPORT = parameters.REPORT
     TRACK_COUNT = "TRACK_COUNT"
-
-    def title(self) -> str:
-        return tr("Localize flight")
-
-    def summary(self) -> str:
-        return tr(
-            "Computes the track of a flight from the positions of its images and the motion between them. Images "
-            "without a position of their own are placed too, and wrong positions are outvoted.\n\nThe motion is "
-            "measured in overlapping images, or read from an odometry table or a flight log. Otherwise it is "
-            "extrapolated and the error grows."
-        )
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
@@ -71,21 +67,17 @@ class LocalizeFlight(LocalizeAlgorithm):
                 QgsProcessingParameterFile(
                     self.ODOMETRY, tr("Odometry table"), fileFilter=tr("CSV (*.csv *.txt)"), optional=True
                 ),
-                tr(
-                    "CSV file with the columns image, dx_m, dy_m and dheading_deg: the motion since the previous row, "
-                    "to the right and to the top of that image (m), and the clockwise turn (degrees). Optional "
-                    "columns are sigma_m, sigma_heading_deg, scale and sigma_scale. A row without numbers means "
-                    "unknown motion. The table is used before the motion measured in images."
-                ),
+                "CSV file with the columns image, dx_m, dy_m and dheading_deg: the motion since the previous row, "
+                "to the right and to the top of that image (m), and the clockwise turn (degrees). Optional "
+                "columns are sigma_m, sigma_heading_deg, scale and sigma_scale. A row without numbers means "
+                "unknown motion. The table is used before the motion measured in images.",
                 advanced=True,
             ),
             self.speed_parameter(),
             *self._output_parameters(),
             self.risk_parameter(
-                tr(
-                    "A track is accepted if the probability that it is wrong is not larger than this value, for "
-                    "example 0.0001 (1 in 10,000). A smaller value needs more images."
-                )
+                "A track is accepted if the probability that it is wrong is not larger than this value, for "
+                "example 0.0001 (1 in 10,000). A smaller value needs more images."
             ),
             self.sun_parameter(),
             with_help(
@@ -95,11 +87,9 @@ class LocalizeFlight(LocalizeAlgorithm):
                     fileFilter=tr("Flight logs (*.bin *.ulg *.tlog *.srt *.SRT *.txt)"),
                     optional=True,
                 ),
-                tr(
-                    "Autopilot log (ArduPilot .bin, PX4 .ulg, .tlog), DJI subtitles (.SRT) or geo.txt. SemRef uses "
-                    "heading, height and attitude where the camera table and the photos lack them, and motion where "
-                    "the images and the odometry table lack it. Positions in the log are not used."
-                ),
+                "Autopilot log (ArduPilot .bin, PX4 .ulg, .tlog), DJI subtitles (.SRT) or geo.txt. SemRef uses "
+                "heading, height and attitude where the camera table and the photos lack them, and motion where "
+                "the images and the odometry table lack it. Positions in the log are not used.",
                 advanced=True,
             ),
         )
@@ -108,19 +98,17 @@ class LocalizeFlight(LocalizeAlgorithm):
         return (
             with_help(
                 QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Positions of the flight"), type=SOURCE_POINT),
-                tr(
-                    "One row for each image, in flight order. In addition to the columns of “Localize images” it has "
-                    "the source of the position (own or flight), the track, and whether its own position was "
-                    "outvoted. If the times are known, the temporal controller of QGIS can play the flight."
-                ),
+                "One row for each image, in flight order. In addition to the columns of “Localize images” it has "
+                "the source of the position (own or flight), the track, and whether its own position was "
+                "outvoted. If the times are known, the temporal controller of QGIS can play the flight.",
             ),
             with_help(
                 QgsProcessingParameterFeatureSink(self.TRACK, tr("Track"), type=SOURCE_LINE, optional=True),
-                tr("One line for each track, from image to image."),
+                "One line for each track, from image to image.",
             ),
-            self.footprints_parameter(tr("One polygon for each image with a position: its footprint.")),
+            self.footprints_parameter("One polygon for each image with a position: its footprint."),
             parameters.report(
-                tr("Page with the track and its error ellipses, the source and heading of each position, and gaps.")
+                "Page with the track and its error ellipses, the source and heading of each position, and gaps."
             ),
             *self.shown_parameters(),
             QgsProcessingOutputNumber(self.FIX_COUNT, tr("Number of images with a position")),

@@ -40,23 +40,19 @@ if TYPE_CHECKING:
 
 class LocalizeImages(LocalizeAlgorithm):
     ID = "localizeimages"
+    TITLE = "Localize images"
     TAGS = ("position", "match", "uav", "drone", "navigation", "gnss", "geolocation", "fix")
+    SUMMARY = (
+        "Computes the positions of aerial images. The landmarks of each image are matched with a reference "
+        "database.\n\nEach image gives one row; without a position it contains the reason. “Automatic” and "
+        "“Constellation” verify each position. “Published method” finds only images that are centered on a "
+        "window, and does not reject images of other areas."
+    )
 
     ALTERNATIVES = "ALTERNATIVES"
     LAYER = "LAYER"
     EXTENT = parameters.EXTENT
     MASK = parameters.MASK
-
-    def title(self) -> str:
-        return tr("Localize images")
-
-    def summary(self) -> str:
-        return tr(
-            "Computes the positions of aerial images. The landmarks of each image are matched with a reference "
-            "database.\n\nEach image gives one row; without a position it contains the reason. “Automatic” and "
-            "“Constellation” verify each position. “Published method” finds only images that are centered on a "
-            "window, and does not reject images of other areas."
-        )
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
@@ -67,11 +63,9 @@ class LocalizeImages(LocalizeAlgorithm):
             self.speed_parameter(),
             *self._output_parameters(),
             self.risk_parameter(
-                tr(
-                    "A position is accepted if the probability that it is wrong is not larger than this value, for "
-                    "example 0.0001 (1 in 10,000). A smaller value gives fewer positions. Above it, up to 0.2, the "
-                    "result is a likely position. “Published method” does not use it."
-                )
+                "A position is accepted if the probability that it is wrong is not larger than this value, for "
+                "example 0.0001 (1 in 10,000). A smaller value gives fewer positions. Above it, up to 0.2, the "
+                "result is a likely position. “Published method” does not use it."
             ),
             *self._layer_parameters(),
             self.sun_parameter(),
@@ -84,26 +78,22 @@ class LocalizeImages(LocalizeAlgorithm):
         return (
             with_help(
                 QgsProcessingParameterRasterLayer(self.LAYER, tr("Layer to test"), optional=True),
-                tr(
-                    "A raster layer or map tiles. Its extent is localized like an image, at the resolution of the "
-                    "model (for label colors, at the resolution of the database). Use it to test whether this place "
-                    "would be found."
-                ),
+                "A raster layer or map tiles. Its extent is localized like an image, at the resolution of the "
+                "model (for label colors, at the resolution of the database). Use it to test whether this place "
+                "would be found.",
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterExtent(self.EXTENT, tr("Extent of the test layer"), optional=True),
-                tr("Part of the layer to test. Map tiles need it. If not set, the whole layer is used."),
+                "Part of the layer to test. Map tiles need it. If not set, the whole layer is used.",
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterFeatureSource(
                     self.MASK, tr("Mask of the test layer"), types=[SOURCE_POLYGON], optional=True
                 ),
-                tr(
-                    "Polygons that limit the area to test. Pixels outside the polygons get no label. Without an "
-                    "extent, the extent of the polygons is used."
-                ),
+                "Polygons that limit the area to test. Pixels outside the polygons get no label. Without an "
+                "extent, the extent of the polygons is used.",
                 advanced=True,
             ),
         )
@@ -112,22 +102,18 @@ class LocalizeImages(LocalizeAlgorithm):
         return (
             with_help(
                 QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Positions"), type=SOURCE_POINT),
-                tr(
-                    "One row for each image with status, position, error probability, 95 % radius and, without a "
-                    "position, the reason."
-                ),
+                "One row for each image with status, position, error probability, 95 % radius and, without a "
+                "position, the reason.",
             ),
             self.footprints_parameter(
-                tr(
-                    "One polygon for each position: the footprint of the image or, for “Published method”, the "
-                    "matched window."
-                )
+                "One polygon for each position: the footprint of the image or, for “Published method”, the "
+                "matched window."
             ),
             with_help(
                 QgsProcessingParameterFeatureSink(
                     self.ALTERNATIVES, tr("Possible places"), type=SOURCE_POLYGON, optional=True, createByDefault=False
                 ),
-                tr("Footprints of all places that fit an ambiguous image. The best place has rank 1."),
+                "Footprints of all places that fit an ambiguous image. The best place has rank 1.",
             ),
             *self.shown_parameters(),
             QgsProcessingOutputNumber(self.FIX_COUNT, tr("Number of positions")),

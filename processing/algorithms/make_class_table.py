@@ -21,48 +21,40 @@ from ..translation import tr
 
 class MakeClassTable(AnnotationAlgorithm):
     ID = "classtable"
+    TITLE = "Make class table"
     TAGS = ("class table", "classes", "legend", "colors", "csv", "nomenclature", "openstreetmap", "corine", "lcdb")
+    SUMMARY = (
+        "Makes a class table for a land-cover layer, with a value, a color and a role for each class of the "
+        "layer.\n\nColors come from the style of the layer, otherwise from the nomenclature, otherwise from "
+        "typical colors: blue for water, green for forest. Check the table before you use it; it can be edited in "
+        "SemRef or a spreadsheet."
+    )
 
     REFERENCE_CLASSES = parameters.REFERENCE_CLASSES
     OUTPUT = "OUTPUT"
     PRESET = "PRESET"
     CLASS_COUNT = "CLASS_COUNT"
 
-    def title(self) -> str:
-        return tr("Make class table")
-
-    def summary(self) -> str:
-        return tr(
-            "Makes a class table for a land-cover layer, with a value, a color and a role for each class of the "
-            "layer.\n\nColors come from the style of the layer, otherwise from the nomenclature, otherwise from "
-            "typical colors: blue for water, green for forest. Check the table before you use it; it can be edited in "
-            "SemRef or a spreadsheet."
-        )
-
     def parameters(self) -> tuple[Declared, ...]:
         return (
             *parameters.annotation()[:3],
             parameters.reference_classes(
-                tr(
-                    "Names or values of the classes that are landmarks, separated by “;”. If not set, classes that "
-                    "are usually compact and permanent are used: buildings, water, bare land, orchards."
-                )
+                "Names or values of the classes that are landmarks, separated by “;”. If not set, classes that "
+                "are usually compact and permanent are used: buildings, water, bare land, orchards."
             ),
             with_help(
                 QgsProcessingParameterFileDestination(
                     self.OUTPUT, tr("Class table"), fileFilter=tr("CSV files (*.csv)")
                 ),
-                tr("CSV file with the columns value, name, color, role, draw_order, hsv_min, hsv_max."),
+                "CSV file with the columns value, name, color, role, draw_order, hsv_min, hsv_max.",
             ),
             with_help(
                 QgsProcessingParameterEnum(
                     self.PRESET, tr("Nomenclature"), options=(tr("None"), *PRESETS), defaultValue=0
                 ),
-                tr(
-                    "Nomenclature that gives values, colors and roles to the classes. The class field may contain its "
-                    "class names or the codes at the start of these names. Other classes are added after those of the "
-                    "nomenclature."
-                ),
+                "Nomenclature that gives values, colors and roles to the classes. The class field may contain its "
+                "class names or the codes at the start of these names. Other classes are added after those of the "
+                "nomenclature.",
                 advanced=True,
             ),
             QgsProcessingOutputNumber(self.CLASS_COUNT, tr("Number of classes")),

@@ -38,7 +38,14 @@ READING_SHARE = 30.0
 
 class RasterizeAnnotation(AnnotationAlgorithm):
     ID = "rasterizeannotation"
+    TITLE = "Rasterize land-cover layer"
     TAGS = ("rasterize", "burn", "land cover", "label map", "polygons", "shapefile")
+    SUMMARY = (
+        "Converts a land-cover layer to a label map: a single-band GeoTIFF of class values. Pixels without a "
+        "polygon are 0.\n\nClasses come from the class table, otherwise from the categorized style of the layer, "
+        "otherwise from the values of the class field. Invalid polygons are repaired and empty polygons are "
+        "skipped; the log shows their number."
+    )
 
     PIXEL_SIZE = "PIXEL_SIZE"
     EXTENT = "EXTENT"
@@ -48,47 +55,32 @@ class RasterizeAnnotation(AnnotationAlgorithm):
     CLASS_COUNT = "CLASS_COUNT"
     LABELED_FRACTION = "LABELED_FRACTION"
 
-    def title(self) -> str:
-        return tr("Rasterize land-cover layer")
-
-    def summary(self) -> str:
-        return tr(
-            "Converts a land-cover layer to a label map: a single-band GeoTIFF of class values. Pixels without a "
-            "polygon are 0.\n\nClasses come from the class table, otherwise from the categorized style of the layer, "
-            "otherwise from the values of the class field. Invalid polygons are repaired and empty polygons are "
-            "skipped; the log shows their number."
-        )
-
     def parameters(self) -> tuple[Declared, ...]:
         return (
             *parameters.annotation(),
             with_help(
                 QgsProcessingParameterNumber(self.PIXEL_SIZE, tr("Pixel size (m)"), DOUBLE, 1.0, minValue=0.001),
-                tr("Edge length of a pixel, for example 1. The smallest landmark should cover about 50 pixels."),
+                "Edge length of a pixel, for example 1. The smallest landmark should cover about 50 pixels.",
             ),
             with_help(
                 QgsProcessingParameterExtent(self.EXTENT, tr("Extent"), optional=True),
-                tr("Area to rasterize, extended to whole pixels. If not set, the extent of the polygons is used."),
+                "Area to rasterize, extended to whole pixels. If not set, the extent of the polygons is used.",
             ),
             with_help(
                 QgsProcessingParameterCrs(self.TARGET_CRS, tr("Target CRS"), optional=True),
-                tr(
-                    "Projected CRS with meters. If not set, the CRS of the layer is used if its unit is the meter, "
-                    "otherwise a UTM zone."
-                ),
+                "Projected CRS with meters. If not set, the CRS of the layer is used if its unit is the meter, "
+                "otherwise a UTM zone.",
             ),
             with_help(
                 QgsProcessingParameterBoolean(
                     self.OTHER_GROUND, tr("Treat ground without a polygon as class “other”"), defaultValue=False
                 ),
-                tr(
-                    "Applies within the extent of the polygons. Use it if all areas of the classes were drawn. SemRef "
-                    "always does this for a layer with a single class, such as buildings."
-                ),
+                "Applies within the extent of the polygons. Use it if all areas of the classes were drawn. SemRef "
+                "always does this for a layer with a single class, such as buildings.",
             ),
             with_help(
                 QgsProcessingParameterRasterDestination(self.OUTPUT, tr("Label map")),
-                tr("8-bit GeoTIFF with class table, colors and class names."),
+                "8-bit GeoTIFF with class table, colors and class names.",
             ),
             scheduler(),
             QgsProcessingOutputNumber(self.CLASS_COUNT, tr("Number of classes on the map")),

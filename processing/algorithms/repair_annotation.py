@@ -23,24 +23,20 @@ READ, REPAIRED = 20.0, 95.0
 
 class RepairAnnotation(AnnotationAlgorithm):
     ID = "repairannotation"
+    TITLE = "Repair land-cover layer"
     TAGS = ("clean", "topology", "fix geometries", "dissolve", "overlap", "gap", "sliver", "land cover")
     PACKAGES = (*NEEDED, SHAPELY)
+    SUMMARY = (
+        "Repairs a land-cover layer, so that each landmark is one polygon. Geometries become valid, touching "
+        "polygons of one class are merged, and small gaps and slivers go to a neighbor.\n\nIn an overlap the "
+        "polygon with the higher priority is kept, otherwise the smaller polygon. Each polygon keeps the "
+        "attributes of the feature that covers most of it."
+    )
 
     MAXIMUM_GAP = "MAXIMUM_GAP"
     MINIMUM_AREA = "MINIMUM_AREA"
     OUTPUT = "OUTPUT"
     CHANGES = "CHANGES"
-
-    def title(self) -> str:
-        return tr("Repair land-cover layer")
-
-    def summary(self) -> str:
-        return tr(
-            "Repairs a land-cover layer, so that each landmark is one polygon. Geometries become valid, touching "
-            "polygons of one class are merged, and small gaps and slivers go to a neighbor.\n\nIn an overlap the "
-            "polygon with the higher priority is kept, otherwise the smaller polygon. Each polygon keeps the "
-            "attributes of the feature that covers most of it."
-        )
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
@@ -49,29 +45,24 @@ class RepairAnnotation(AnnotationAlgorithm):
                 QgsProcessingParameterNumber(
                     self.MAXIMUM_GAP, tr("Maximum gap (m²)"), DOUBLE, 1.0, optional=True, minValue=0.0
                 ),
-                tr(
-                    "Uncovered areas up to this size, enclosed by polygons, are filled. Thin areas are filled at any "
-                    "size."
-                ),
+                "Uncovered areas up to this size, enclosed by polygons, are filled. Thin areas are filled at any size.",
             ),
             with_help(
                 QgsProcessingParameterNumber(
                     self.MINIMUM_AREA, tr("Minimum area (m²)"), DOUBLE, 0.0, optional=True, minValue=0.0
                 ),
-                tr(
-                    "Pieces smaller than this area are merged with a neighbor that they touch. Pieces without a "
-                    "neighbor stay. Thin pieces are merged at any size."
-                ),
+                "Pieces smaller than this area are merged with a neighbor that they touch. Pieces without a "
+                "neighbor stay. Thin pieces are merged at any size.",
             ),
             with_help(
                 QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Repaired layer"), type=SOURCE_POLYGON),
-                tr("Valid single polygons with the fields of the land-cover layer, in a CRS with meters."),
+                "Valid single polygons with the fields of the land-cover layer, in a CRS with meters.",
             ),
             with_help(
                 QgsProcessingParameterFeatureSink(
                     self.CHANGES, tr("Changes"), type=SOURCE_POLYGON, optional=True, createByDefault=False
                 ),
-                tr("One feature for each change, with its location and the ids of the features."),
+                "One feature for each change, with its location and the ids of the features.",
             ),
         )
 

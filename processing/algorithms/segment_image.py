@@ -39,9 +39,16 @@ if TYPE_CHECKING:
 
 class SegmentImage(SemRefAlgorithm):
     ID = "segmentimage"
+    TITLE = "Segment image"
     GROUP = ANNOTATION
     TAGS = ("segmentation", "network", "onnx", "deepness", "land cover", "label map", "orthophoto", "photo")
     PACKAGES = (*NEEDED, ONNXRUNTIME)
+    SUMMARY = (
+        "Makes a label map from a photo or orthophoto with a segmentation model (ONNX).\n\nThe image is resampled "
+        "to the resolution of the model if both are known, and processed in overlapping tiles. The label map has "
+        "the georeference of the image and the classes of the model. QGIS draws map tiles and web maps within the "
+        "given extent."
+    )
 
     INPUT = "INPUT"
     MODEL = "MODEL"
@@ -58,42 +65,27 @@ class SegmentImage(SemRefAlgorithm):
     PROBABILITIES = "PROBABILITIES"
     CERTAINTY = "CERTAINTY"
 
-    def title(self) -> str:
-        return tr("Segment image")
-
-    def summary(self) -> str:
-        return tr(
-            "Makes a label map from a photo or orthophoto with a segmentation model (ONNX).\n\nThe image is resampled "
-            "to the resolution of the model if both are known, and processed in overlapping tiles. The label map has "
-            "the georeference of the image and the classes of the model. QGIS draws map tiles and web maps within the "
-            "given extent."
-        )
-
     def parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
                 QgsProcessingParameterRasterLayer(self.INPUT, tr("Photo or orthophoto")),
-                tr(
-                    "Raster with or without georeference, or map tiles. Red, green and blue are found by color "
-                    "interpretation or wavelength; otherwise the first three bands are used. A single band is read as "
-                    "gray. Bands with more than 8 bits are stretched from their 2nd to their 98th percentile."
-                ),
+                "Raster with or without georeference, or map tiles. Red, green and blue are found by color "
+                "interpretation or wavelength; otherwise the first three bands are used. A single band is read as "
+                "gray. Bands with more than 8 bits are stretched from their 2nd to their 98th percentile.",
             ),
             parameters.model(
-                tr("Segmentation model (ONNX) with class names in its metadata. Models for Deepness can be used.")
+                "Segmentation model (ONNX) with class names in its metadata. Models for Deepness can be used."
             ),
             *self._tile_parameters(),
             parameters.class_table(
-                tr(
-                    "Class values and colors for the classes of the model, matched by name. For a model without class "
-                    "names, the table needs one row for each output of the network, in order of value."
-                ),
+                "Class values and colors for the classes of the model, matched by name. For a model without class "
+                "names, the table needs one row for each output of the network, in order of value.",
                 advanced=True,
             ),
             parameters.extent(),
             with_help(
                 QgsProcessingParameterRasterDestination(self.OUTPUT, tr("Label map")),
-                tr("8-bit GeoTIFF with the classes of the model. Pixels without data are 0."),
+                "8-bit GeoTIFF with the classes of the model. Pixels without data are 0.",
             ),
             *self._polygon_parameters(),
             parameters.mask(),
@@ -109,17 +101,13 @@ class SegmentImage(SemRefAlgorithm):
                 QgsProcessingParameterNumber(
                     self.OVERLAP, tr("Tile overlap (%)"), DOUBLE, optional=True, minValue=0, maxValue=75
                 ),
-                tr(
-                    "Overlap of neighboring tiles, typically 20. If not set, the value in the metadata of the model "
-                    "is used, or 20. A larger overlap takes longer and hides seams better."
-                ),
+                "Overlap of neighboring tiles, typically 20. If not set, the value in the metadata of the model "
+                "is used, or 20. A larger overlap takes longer and hides seams better.",
                 advanced=True,
             ),
             parameters.resolution(
-                tr(
-                    "Pixel size that the network was trained on. If not set, the value in the metadata of the model "
-                    "is used. Images without a georeference are not resampled."
-                )
+                "Pixel size that the network was trained on. If not set, the value in the metadata of the model "
+                "is used. Images without a georeference are not resampled."
             ),
         )
 
@@ -129,7 +117,7 @@ class SegmentImage(SemRefAlgorithm):
                 QgsProcessingParameterFeatureSink(
                     self.POLYGONS, tr("Polygons"), type=SOURCE_POLYGON, optional=True, createByDefault=False
                 ),
-                tr("Label map as polygons with class, name and area, without gaps and overlaps."),
+                "Label map as polygons with class, name and area, without gaps and overlaps.",
             ),
             with_help(
                 QgsProcessingParameterNumber(
@@ -139,10 +127,8 @@ class SegmentImage(SemRefAlgorithm):
                     optional=True,
                     minValue=0,
                 ),
-                tr(
-                    "Smaller regions are merged with their largest neighbor. The unit is square pixels for images "
-                    "without a georeference."
-                ),
+                "Smaller regions are merged with their largest neighbor. The unit is square pixels for images "
+                "without a georeference.",
                 advanced=True,
             ),
             with_help(
@@ -153,10 +139,8 @@ class SegmentImage(SemRefAlgorithm):
                     optional=True,
                     minValue=0,
                 ),
-                tr(
-                    "Borders are simplified by about this distance, identically on both sides. If not set, 1.5 "
-                    "pixels. 0 keeps the edges of the pixels."
-                ),
+                "Borders are simplified by about this distance, identically on both sides. If not set, 1.5 "
+                "pixels. 0 keeps the edges of the pixels.",
                 advanced=True,
             ),
         )
@@ -167,19 +151,15 @@ class SegmentImage(SemRefAlgorithm):
                 QgsProcessingParameterRasterDestination(
                     self.CONFIDENCE, tr("Confidence"), optional=True, createByDefault=False
                 ),
-                tr(
-                    "GeoTIFF with the probability of the label of each pixel, in percent; 255 where there is no "
-                    "label. Networks often overestimate this probability."
-                ),
+                "GeoTIFF with the probability of the label of each pixel, in percent; 255 where there is no "
+                "label. Networks often overestimate this probability.",
             ),
             with_help(
                 QgsProcessingParameterRasterDestination(
                     self.PROBABILITIES, tr("Probabilities"), optional=True, createByDefault=False
                 ),
-                tr(
-                    "GeoTIFF with one band for each class of the model: its probability in percent; 255 where there "
-                    "is no label."
-                ),
+                "GeoTIFF with one band for each class of the model: its probability in percent; 255 where there "
+                "is no label.",
             ),
         )
 

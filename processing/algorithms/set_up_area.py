@@ -75,8 +75,16 @@ up to half a minute."""
 
 class SetUpArea(SemRefAlgorithm):
     ID = "setuparea"
+    TITLE = "Set up an area"
     GROUP = LOCALIZATION
     TAGS = ("start", "wizard", "assistant", "photos", "drone", "openstreetmap", "train", "database", "positions")
+    SUMMARY = (
+        "Finds the positions of photos on a map in one run: it builds a reference database, optionally trains the "
+        "model on imagery of the area, assesses how many photos can be expected to get a position, and localizes "
+        "the photos.\n\nSemRef derives pixel size, window size, "
+        "stride and minimum area from the map and the photos, and shows them in the log before it starts. Each "
+        "file in the folder is usable by itself. To continue a canceled run, run it again with the same values."
+    )
 
     ANNOTATION = "ANNOTATION"
     CLASS_FIELD = parameters.CLASS_FIELD
@@ -93,83 +101,59 @@ class SetUpArea(SemRefAlgorithm):
     POSITIONS = "POSITIONS"
     REPORT = "REPORT"
 
-    def title(self) -> str:
-        return tr("Set up an area")
-
-    def summary(self) -> str:
-        return tr(
-            "Finds the positions of photos on a map in one run: it builds a reference database, optionally trains the "
-            "model on imagery of the area, assesses how many photos can be expected to get a position, and localizes "
-            "the photos.\n\nSemRef derives pixel size, window size, "
-            "stride and minimum area from the map and the photos, and shows them in the log before it starts. Each "
-            "file in the folder is usable by itself. To continue a canceled run, run it again with the same values."
-        )
-
     def parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
                 QgsProcessingParameterMultipleLayers(self.PHOTOS, tr("Photos"), layerType=SOURCE_FILE, optional=True),
-                tr("Photos, or folders with photos. Without photos, only the database and the model are made."),
+                "Photos, or folders with photos. Without photos, only the database and the model are made.",
             ),
             with_help(
                 QgsProcessingParameterNumber(
                     self.PHOTO_WIDTH, tr("Ground width of a photo (m)"), DOUBLE, optional=True, minValue=1.0
                 ),
-                tr(
-                    "Width of the ground that a typical photo shows, for example 150. If not set, height and focal "
-                    "length of the camera give it, or the pixels of the imagery."
-                ),
+                "Width of the ground that a typical photo shows, for example 150. If not set, height and focal "
+                "length of the camera give it, or the pixels of the imagery.",
             ),
             with_help(
                 QgsProcessingParameterFeatureSource(self.ANNOTATION, tr("Map"), types=[SOURCE_POLYGON]),
-                tr(
-                    "Polygon layer: land cover, OpenStreetMap (layer with tags, or an extract such as .osm.pbf), or "
-                    "buildings only."
-                ),
+                "Polygon layer: land cover, OpenStreetMap (layer with tags, or an extract such as .osm.pbf), or "
+                "buildings only.",
             ),
             with_help(
                 QgsProcessingParameterField(
                     self.CLASS_FIELD, tr("Class field"), parentLayerParameterName=self.ANNOTATION, optional=True
                 ),
-                tr(
-                    "Field with the class of each polygon. If not set, SemRef guesses it, or uses the tags of "
-                    "OpenStreetMap. In a layer without either, all polygons are buildings."
-                ),
+                "Field with the class of each polygon. If not set, SemRef guesses it, or uses the tags of "
+                "OpenStreetMap. In a layer without either, all polygons are buildings.",
             ),
             with_help(
                 QgsProcessingParameterFeatureSource(
                     self.LINES, tr("OpenStreetMap lines"), types=[SOURCE_LINE], optional=True
                 ),
-                tr(
-                    "Roads, railways, rivers and streams as lines: layer with OpenStreetMap tags, or the extract. Only "
-                    "models with a class road or water use them."
-                ),
+                "Roads, railways, rivers and streams as lines: layer with OpenStreetMap tags, or the extract. Only "
+                "models with a class road or water use them.",
             ),
             with_help(
                 QgsProcessingParameterRasterLayer(self.IMAGERY, tr("Imagery"), optional=True),
-                tr(
-                    "Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must "
-                    "allow this."
-                ),
+                "Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must "
+                "allow this.",
             ),
             with_help(
                 QgsProcessingParameterNumber(self.MINUTES, tr("Training (minutes)"), DOUBLE, 0.0, minValue=0.0),
-                tr("Duration of the training. 0 means that the model is used as it is."),
+                "Duration of the training. 0 means that the model is used as it is.",
             ),
             parameters.model(
-                tr("Model to use as it is, or to start the training from. If not set, the one of SemRef."), True
+                "Model to use as it is, or to start the training from. If not set, the one of SemRef.", True
             ),
             with_help(
                 QgsProcessingParameterExtent(self.EXTENT, tr("Extent"), optional=True),
-                tr(
-                    "Ground of the database. If not set, the ground around the photos’ GPS positions, or the whole map."
-                ),
+                "Ground of the database. If not set, the ground around the photos’ GPS positions, or the whole map.",
             ),
             with_help(
                 QgsProcessingParameterFile(
                     self.FOLDER, tr("Folder for the results"), behavior=QgsProcessingParameterFile.Folder
                 ),
-                tr("Folder for all files. Existing files that this algorithm did not make are never replaced."),
+                "Folder for all files. Existing files that this algorithm did not make are never replaced.",
             ),
             QgsProcessingOutputFile(self.DATABASE, tr("Reference database")),
             QgsProcessingOutputFile(self.TRAINED_MODEL, tr("Model")),

@@ -54,7 +54,13 @@ LIGHT = 1.5
 
 class TrainModel(AnnotationAlgorithm):
     ID = "trainmodel"
+    TITLE = "Train model"
     TAGS = ("training", "segmentation", "network", "deep learning", "onnx", "torch", "fine-tune", "land cover")
+    SUMMARY = (
+        "Trains a segmentation model (ONNX) on an orthophoto and a land-cover layer or label map of the same ground. "
+        "Part of the ground is set aside to test the model.\n\nTraining needs the training environment: install it "
+        "under Settings ▸ Options ▸ SemRef. To continue a canceled run, run it again with the same output."
+    )
 
     IMAGE = "IMAGE"
     LABELS = "LABELS"
@@ -77,45 +83,28 @@ class TrainModel(AnnotationAlgorithm):
 
     _has_single_class = False
 
-    def title(self) -> str:
-        return tr("Train model")
-
-    def summary(self) -> str:
-        return tr(
-            "Trains a segmentation model (ONNX) on an orthophoto and a land-cover layer or label map of the same "
-            "ground. Part of the ground is set aside to test the model.\n\nTraining needs the training environment: "
-            "install it under Settings ▸ Options ▸ SemRef. To continue a canceled run, run it again with the same "
-            "output."
-        )
-
     def parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
                 QgsProcessingParameterRasterLayer(self.IMAGE, tr("Orthophoto")),
-                tr(
-                    "Georeferenced aerial image with 8 or 16 bits. Red, green and blue are used. QGIS draws map tiles "
-                    "and web maps; they need an extent and a resolution."
-                ),
+                "Georeferenced aerial image with 8 or 16 bits. Red, green and blue are used. QGIS draws map tiles "
+                "and web maps; they need an extent and a resolution.",
                 widget="PhotoWidget",
             ),
             *parameters.annotation(optional=True),
             parameters.label_map(
-                tr(
-                    "Raster of class values for the same ground, instead of a land-cover layer; 0 where the class is "
-                    "unknown."
-                ),
+                "Raster of class values for the same ground, instead of a land-cover layer; 0 where the class is "
+                "unknown.",
                 optional=True,
             ),
             *self._choices(),
             *self._details(),
             with_help(
                 QgsProcessingParameterFileDestination(self.OUTPUT, tr("Model"), fileFilter=tr("ONNX models (*.onnx)")),
-                tr(
-                    "ONNX file. During training a folder beside it contains the state that a canceled run needs to "
-                    "continue."
-                ),
+                "ONNX file. During training a folder beside it contains the state that a canceled run needs to "
+                "continue.",
             ),
-            parameters.report(tr("Page with the IoU of each class, confusion matrix, learning curves and examples.")),
+            parameters.report("Page with the IoU of each class, confusion matrix, learning curves and examples."),
             QgsProcessingOutputNumber(self.MEAN_IOU, tr("Mean IoU")),
             parameters.mask(),
         )
@@ -129,11 +118,9 @@ class TrainModel(AnnotationAlgorithm):
                     options=(tr("is unknown"), tr("is class “other”")),
                     defaultValue=UNKNOWN,
                 ),
-                tr(
-                    "“is unknown” excludes this ground from training. Select the second choice only if all areas of "
-                    "the classes were drawn, and set an extent without undrawn ground. SemRef always uses class "
-                    "“other” for a layer with a single class, such as buildings."
-                ),
+                "“is unknown” excludes this ground from training. Select the second choice only if all areas of "
+                "the classes were drawn, and set an extent without undrawn ground. SemRef always uses class "
+                "“other” for a layer with a single class, such as buildings.",
             ),
             with_help(
                 QgsProcessingParameterFile(
@@ -142,22 +129,18 @@ class TrainModel(AnnotationAlgorithm):
                     fileFilter=tr("Models that SemRef trained (*.onnx *.pt)"),
                     optional=True,
                 ),
-                tr("Model that was trained with SemRef and is trained further. Its classes are matched by name."),
+                "Model that was trained with SemRef and is trained further. Its classes are matched by name.",
             ),
             with_help(
                 QgsProcessingParameterNumber(
                     self.MINUTES, tr("Time limit (minutes)"), DOUBLE, 30, optional=True, minValue=0
                 ),
-                tr(
-                    "Time from the start until the model is written. 10 minutes are enough for a test, 60 minutes "
-                    "give a better model. 0 means no limit."
-                ),
+                "Time from the start until the model is written. 10 minutes are enough for a test, 60 minutes "
+                "give a better model. 0 means no limit.",
             ),
             parameters.resolution(
-                tr(
-                    "Pixel size for training, if it differs from the image. The smallest buildings should be about 14 "
-                    "pixels wide. Larger pixels train faster."
-                ),
+                "Pixel size for training, if it differs from the image. The smallest buildings should be about 14 "
+                "pixels wide. Larger pixels train faster.",
                 advanced=False,
             ),
             parameters.extent(),
@@ -169,10 +152,8 @@ class TrainModel(AnnotationAlgorithm):
             parameters.validation_fraction(advanced=True),
             with_help(
                 QgsProcessingParameterBoolean(self.RESUME, tr("Continue a canceled run"), defaultValue=True),
-                tr(
-                    "A canceled run with the same output and settings is continued. Otherwise training starts from "
-                    "the beginning."
-                ),
+                "A canceled run with the same output and settings is continued. Otherwise training starts from "
+                "the beginning.",
                 advanced=True,
             ),
             parameters.python_of_training(),
@@ -183,15 +164,13 @@ class TrainModel(AnnotationAlgorithm):
         return (
             with_help(
                 QgsProcessingParameterNumber(self.EPOCHS, tr("Epochs"), INTEGER, 200, minValue=1),
-                tr("Maximum number of passes over the training tiles. The time limit may end training earlier."),
+                "Maximum number of passes over the training tiles. The time limit may end training earlier.",
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterNumber(self.PATIENCE, tr("Patience (epochs)"), INTEGER, 30, minValue=0),
-                tr(
-                    "Training stops if the result on the ground set aside has not improved for this number of epochs. "
-                    "0 means never."
-                ),
+                "Training stops if the result on the ground set aside has not improved for this number of epochs. "
+                "0 means never.",
                 advanced=True,
             ),
             with_help(
@@ -201,10 +180,8 @@ class TrainModel(AnnotationAlgorithm):
                     options=(tr("EfficientNet-Lite0, pretrained on photos"), tr("Small, not pretrained")),
                     defaultValue=LITE0_NETWORK,
                 ),
-                tr(
-                    "Network that is trained if there is no base model. The small network trains faster, but has "
-                    "learned nothing before."
-                ),
+                "Network that is trained if there is no base model. The small network trains faster, but has "
+                "learned nothing before.",
                 advanced=True,
             ),
         )

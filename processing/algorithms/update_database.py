@@ -36,48 +36,41 @@ if TYPE_CHECKING:
 
 class UpdateDatabase(SemRefAlgorithm):
     ID = "updatedatabase"
+    TITLE = "Update reference database"
     MAY_REPLACE = {"OUTPUT": "DATABASE"}
     GROUP = REFERENCE_DATABASE
     TAGS = ("incremental", "correction", "label map", "landmarks", "geopackage")
+    SUMMARY = (
+        "Updates a reference database after its label map was corrected. The result is the same as a new build, but "
+        "only windows and landmarks near the changes are computed.\n\nAll settings come from the database. Unchanged "
+        "rows keep their fid. The label map must have the same pixels, CRS and classes as the old label map."
+    )
 
     DATABASE = "DATABASE"
     LABELS = "LABELS"
     CHANGED = "CHANGED"
     OUTPUT = "OUTPUT"
 
-    def title(self) -> str:
-        return tr("Update reference database")
-
-    def summary(self) -> str:
-        return tr(
-            "Updates a reference database after its label map was corrected. The result is the same as a new build, "
-            "but only windows and landmarks near the changes are computed.\n\nAll settings come from the database. "
-            "Unchanged rows keep their fid. The label map must have the same pixels, CRS and classes as the old label "
-            "map."
-        )
-
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            parameters.database(tr("GeoPackage from “Build reference database” or from this algorithm.")),
+            parameters.database("GeoPackage from “Build reference database” or from this algorithm."),
             with_help(
                 QgsProcessingParameterRasterLayer(self.LABELS, tr("Corrected label map")),
-                tr("Label map of the whole area, with the pixel size and extent of the old label map."),
+                "Label map of the whole area, with the pixel size and extent of the old label map.",
             ),
             with_help(
                 QgsProcessingParameterFeatureSource(
                     self.CHANGED, tr("Changed areas"), types=[SOURCE_POLYGON], optional=True
                 ),
-                tr(
-                    "Polygons that contain all changes. Only blocks of 512 × 512 pixels that these polygons touch are "
-                    "compared, so changes outside are missed. If not set, the whole map is compared with the "
-                    "database, which takes longer."
-                ),
+                "Polygons that contain all changes. Only blocks of 512 × 512 pixels that these polygons touch are "
+                "compared, so changes outside are missed. If not set, the whole map is compared with the "
+                "database, which takes longer.",
             ),
             with_help(
                 QgsProcessingParameterFileDestination(
                     self.OUTPUT, tr("Updated database"), fileFilter=tr("GeoPackage (*.gpkg)")
                 ),
-                tr("The output may be the input database. It is replaced when the update is complete."),
+                "The output may be the input database. It is replaced when the update is complete.",
             ),
             parameters.open_output(),
         )

@@ -60,11 +60,14 @@ class Canceled(Exception):
 
 
 class SemRefAlgorithm(QgsProcessingAlgorithm):
-    """Base of the algorithms. A subclass defines ID, GROUP, TAGS and title, summary, parameters and work."""
+    """Base of the algorithms. A subclass defines ID, TITLE, GROUP, TAGS, SUMMARY, parameters and work."""
 
     ID = ""
+    TITLE = ""
     GROUP = ""
     TAGS: tuple[str, ...] = ()
+    SUMMARY = ""
+    """One to three paragraphs of help; each parameter has its own help. Like the title, it is translated when shown."""
     PACKAGES: tuple[Package, ...] = NEEDED
     """Required Python packages beside those of QGIS."""
     MAY_REPLACE: ClassVar[Mapping[str, str]] = MappingProxyType({})
@@ -73,13 +76,6 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
     _refusal: SemRefError | None = None
     _note = Note()
     _reports_as_files = False
-
-    def title(self) -> str:
-        raise NotImplementedError
-
-    def summary(self) -> str:
-        """Return one to three paragraphs of help; each parameter has its own help."""
-        raise NotImplementedError
 
     def parameters(self) -> tuple[Declared, ...]:
         """Return inputs, outputs and result numbers in the order of the dialog."""
@@ -121,7 +117,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         return self.ID
 
     def displayName(self) -> str:
-        return self.title()
+        return tr(self.TITLE)
 
     def groupId(self) -> str:
         return self.GROUP
@@ -139,11 +135,11 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         return str(ICON_PATH)
 
     def shortDescription(self) -> str:
-        return self.summary().split("\n\n")[0]
+        return tr(self.SUMMARY).split("\n\n")[0]
 
     def shortHelpString(self) -> str:
         """Return the help of dialogs as HTML; for qgis_process, plain text without what it prints itself."""
-        summary = self.summary()
+        summary = tr(self.SUMMARY)
         if prints_help():
             return summary.partition("\n\n")[2] or summary
         paragraphs = "".join(f"<p>{escape(paragraph, False)}</p>" for paragraph in summary.split("\n\n"))

@@ -109,16 +109,14 @@ class AssessAlgorithm(SemRefAlgorithm):
                 QgsProcessingParameterNumber(
                     self.THRESHOLD, tr("Success threshold (%)"), DOUBLE, 90.0, minValue=1.0, maxValue=99.9
                 ),
-                tr("Expected success from which a place counts as localizable, for example 90."),
+                "Expected success from which a place counts as localizable, for example 90.",
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterBoolean(self.MAP_CORRELATION, tr("With map correlation"), defaultValue=True),
-                tr(
-                    "Assess the method “Automatic”: where the landmarks give no position, map correlation is tested "
-                    "on images of the overview. This takes about 1 s per image on a large map, so at most an eighth "
-                    "of the images are tested. If off, only the constellation of landmarks is assessed."
-                ),
+                "Assess the method “Automatic”: where the landmarks give no position, map correlation is tested "
+                "on images of the overview. This takes about 1 s per image on a large map, so at most an eighth "
+                "of the images are tested. If off, only the constellation of landmarks is assessed.",
                 advanced=True,
             ),
             *(_noise(*what) for what in parameters.noises()),

@@ -72,16 +72,12 @@ class LocalizeAlgorithm(SemRefAlgorithm):
                 QgsProcessingParameterMultipleLayers(
                     self.IMAGES, tr("Images"), layerType=SOURCE_FILE, optional=optional
                 ),
-                tr(
-                    "Label images, photos, or folders with such files. Label images have one band of class values, or "
-                    "colors of the database’s class table. Photos need a model. A georeference is not needed."
-                ),
+                "Label images, photos, or folders with such files. Label images have one band of class values, or "
+                "colors of the database’s class table. Photos need a model. A georeference is not needed.",
             ),
             parameters.model(
-                tr(
-                    "Segmentation model for photos. Its classes are matched with the classes of the database by name. "
-                    "Classes that the database does not have count as unlabeled."
-                ),
+                "Segmentation model for photos. Its classes are matched with the classes of the database by name. "
+                "Classes that the database does not have count as unlabeled.",
                 optional=True,
             ),
             with_help(
@@ -91,12 +87,10 @@ class LocalizeAlgorithm(SemRefAlgorithm):
                     options=[worded(method.title) for method in Method],
                     defaultValue=Method.AUTOMATIC.number,
                 ),
-                tr(
-                    "“Automatic” uses the constellation of landmarks first, and map correlation where the "
-                    "constellation finds no position. Each method checks the other. “Map correlation” compares class "
-                    "areas and suits poor labels, but needs seconds for each image. “Published method” finds the "
-                    "nearest topology vector of all windows and accepts distances up to 2."
-                ),
+                "“Automatic” uses the constellation of landmarks first, and map correlation where the "
+                "constellation finds no position. Each method checks the other. “Map correlation” compares class "
+                "areas and suits poor labels, but needs seconds for each image. “Published method” finds the "
+                "nearest topology vector of all windows and accepts distances up to 2.",
             ),
         )
 
@@ -109,10 +103,8 @@ class LocalizeAlgorithm(SemRefAlgorithm):
 
     def sun_parameter(self) -> QgsProcessingParameterDefinition:
         return parameters.sun_direction(
-            tr(
-                "Azimuth of the sun when the images were taken, in degrees clockwise from grid north. SemRef turns "
-                "the class offset that shadows cause with it. If not set, this offset only increases the 95 % radius."
-            )
+            "Azimuth of the sun when the images were taken, in degrees clockwise from grid north. SemRef turns "
+            "the class offset that shadows cause with it. If not set, this offset only increases the 95 % radius."
         )
 
     def speed_parameter(self) -> QgsProcessingParameterDefinition:
@@ -120,12 +112,10 @@ class LocalizeAlgorithm(SemRefAlgorithm):
             QgsProcessingParameterNumber(
                 self.MAXIMUM_SPEED, tr("Maximum speed (m/s)"), DOUBLE, optional=True, minValue=0.001
             ),
-            tr(
-                "Highest ground speed of the flight, for example 20. Images without a position are searched again on "
-                "the ground that the aircraft can reach at this speed from the nearest position in time. Positions "
-                "that cannot be reached from the positions before and after are marked as jumps. They still count as "
-                "positions. The times of the images must be known."
-            ),
+            "Highest ground speed of the flight, for example 20. Images without a position are searched again on "
+            "the ground that the aircraft can reach at this speed from the nearest position in time. Positions "
+            "that cannot be reached from the positions before and after are marked as jumps. They still count as "
+            "positions. The times of the images must be known.",
             advanced=True,
         )
 
@@ -134,12 +124,10 @@ class LocalizeAlgorithm(SemRefAlgorithm):
             QgsProcessingParameterFile(
                 self.ATTITUDE, tr("Camera table"), fileFilter=tr("CSV (*.csv *.txt)"), optional=True
             ),
-            tr(
-                "CSV file with the column image and any of roll, pitch, heading (degrees), height (m above ground), "
-                "time, and focal_length_px, focal_length_35mm or field_of_view. Missing values are read from EXIF and "
-                "XMP of the photos. SemRef levels the images to nadir; height and lens give the pixel size. "
-                "“Published method” uses the images without leveling."
-            ),
+            "CSV file with the column image and any of roll, pitch, heading (degrees), height (m above ground), "
+            "time, and focal_length_px, focal_length_35mm or field_of_view. Missing values are read from EXIF and "
+            "XMP of the photos. SemRef levels the images to nadir; height and lens give the pixel size. "
+            "“Published method” uses the images without leveling.",
             advanced=True,
         )
 
@@ -158,17 +146,15 @@ class LocalizeAlgorithm(SemRefAlgorithm):
                 QgsProcessingParameterFeatureSink(
                     self.MATCHES, tr("Matches"), type=SOURCE_POINT, optional=True, createByDefault=False
                 ),
-                tr(
-                    "One point for each landmark of the map that matches a landmark of an image: its position in the "
-                    "image, its position by the computed position of the image, and the residual."
-                ),
+                "One point for each landmark of the map that matches a landmark of an image: its position in the "
+                "image, its position by the computed position of the image, and the residual.",
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterFolderDestination(
                     self.LABELS, tr("Folder for label images"), optional=True, createByDefault=False
                 ),
-                tr("A new or empty folder. The labels of each image are saved as a GeoTIFF with the class table."),
+                "A new or empty folder. The labels of each image are saved as a GeoTIFF with the class table.",
                 advanced=True,
             ),
         )

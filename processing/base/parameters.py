@@ -42,11 +42,11 @@ def with_help(
 
     Args:
         parameter: It is changed.
-        text: Help of at most 60 words, in the user's language.
+        text: Help of at most 60 words, in English or translated.
         advanced: Whether dialogs fold it away.
         widget: A class of ``ui/fields/dialog_widgets.py`` that shows it in dialogs; QGIS's own widget if empty.
     """
-    parameter.setHelp(text)
+    parameter.setHelp(tr(text))
     if advanced:
         parameter.setFlags(parameter.flags() | QgsProcessingParameterDefinition.FlagAdvanced)
     if widget:
@@ -57,11 +57,10 @@ def with_help(
 
 def database(text: str = "", optional: bool = False) -> QgsProcessingParameterDefinition:
     """Return the reference database; ``text`` replaces its help."""
-    text = text or tr("A GeoPackage made by “Build reference database”.")
     kinds = tr("Reference databases (*.gpkg)")
     return with_help(
         QgsProcessingParameterFile(DATABASE, tr("Reference database"), fileFilter=kinds, optional=optional),
-        text,
+        text if text else "A GeoPackage made by “Build reference database”.",
         widget="DatabaseWidget",
     )
 
@@ -91,24 +90,27 @@ def model(text: str, optional: bool = False) -> QgsProcessingParameterDefinition
 def open_output() -> QgsProcessingParameterDefinition:
     """Return the switch that opens a new database in QGIS: on by default in dialogs only."""
     title = tr("Open the database after running")
-    text = tr("Adds the layers of the database to the project and selects the database in the dock.")
     # Optional, because the model designer reports an error for a mandatory parameter that has its default.
     return with_help(
         QgsProcessingParameterBoolean(OPEN_OUTPUT, title, defaultValue=False, optional=True),
-        text,
+        "Adds the layers of the database to the project and selects the database in the dock.",
         advanced=True,
         widget="OpenWidget",
     )
 
 
 def extent() -> QgsProcessingParameterDefinition:
-    text = tr("Area to process; the whole image or layer if not set. Map tiles and web maps need an extent or a mask.")
-    return with_help(QgsProcessingParameterExtent(EXTENT, tr("Extent"), optional=True), text)
+    return with_help(
+        QgsProcessingParameterExtent(EXTENT, tr("Extent"), optional=True),
+        "Area to process; the whole image or layer if not set. Map tiles and web maps need an extent or a mask.",
+    )
 
 
 def mask() -> QgsProcessingParameterDefinition:
-    text = tr("Polygons that limit the area to process. Pixels outside the polygons get no label.")
-    return with_help(QgsProcessingParameterFeatureSource(MASK, tr("Mask"), types=[SOURCE_POLYGON], optional=True), text)
+    return with_help(
+        QgsProcessingParameterFeatureSource(MASK, tr("Mask"), types=[SOURCE_POLYGON], optional=True),
+        "Polygons that limit the area to process. Pixels outside the polygons get no label.",
+    )
 
 
 def resolution(text: str, advanced: bool = True) -> QgsProcessingParameterDefinition:
@@ -124,10 +126,8 @@ def python_of_training() -> QgsProcessingParameterDefinition:
         QgsProcessingParameterFile(
             PYTHON, tr("Python of the training environment"), fileFilter=tr("Programs (*)"), optional=True
         ),
-        tr(
-            "Python with torch. If not set, the Python of the SemRef options is used, or the training environment that "
-            "SemRef installed."
-        ),
+        "Python with torch. If not set, the Python of the SemRef options is used, or the training environment that "
+        "SemRef installed.",
         advanced=True,
     )
 
@@ -148,13 +148,12 @@ def report(text: str, by_default: bool = True) -> QgsProcessingParameterDefiniti
 
 def validation_fraction(optional: bool = False, advanced: bool = False) -> QgsProcessingParameterDefinition:
     """Return the share of the labeled ground that is set aside to test a model."""
-    text = tr("Share of the labeled ground that is set aside to test the model, for example 0.2. 0 sets nothing aside.")
     title = tr("Validation fraction")
     return with_help(
         QgsProcessingParameterNumber(
             VALIDATION_FRACTION, title, DOUBLE, 0.2, optional=optional, minValue=0.0, maxValue=0.9
         ),
-        text,
+        "Share of the labeled ground that is set aside to test the model, for example 0.2. 0 sets nothing aside.",
         advanced=advanced,
     )
 
@@ -163,7 +162,7 @@ def seed(default: int = 1) -> QgsProcessingParameterDefinition:
     """Return the seed of random numbers."""
     return with_help(
         QgsProcessingParameterNumber(SEED, tr("Seed"), INTEGER, default, minValue=0),
-        tr("Start value of the random numbers. The same number gives the same trials again."),
+        "Start value of the random numbers. The same number gives the same trials again.",
         advanced=True,
     )
 
@@ -185,31 +184,25 @@ def annotation(optional: bool = False) -> tuple[QgsProcessingParameterDefinition
             QgsProcessingParameterFeatureSource(
                 INPUT, tr("Land-cover layer"), types=[SOURCE_POLYGON], optional=optional
             ),
-            tr(
-                "Polygon layer with land-cover classes. Polygons may overlap, and may be multipart, invalid or "
-                "three-dimensional."
-            ),
+            "Polygon layer with land-cover classes. Polygons may overlap, and may be multipart, invalid or "
+            "three-dimensional.",
         ),
         with_help(
             QgsProcessingParameterField(CLASS_FIELD, tr("Class field"), parentLayerParameterName=INPUT, optional=True),
-            tr("Text or number field with the class of each polygon. Not needed if all polygons have the same class."),
+            "Text or number field with the class of each polygon. Not needed if all polygons have the same class.",
             widget="ClassFieldWidget",
         ),
         with_help(
             QgsProcessingParameterString(CLASS, tr("All polygons are"), optional=True),
-            tr(
-                "Class of all polygons, for example “building”. If you enter a class here, the class field is not used."
-            ),
+            "Class of all polygons, for example “building”. If you enter a class here, the class field is not used.",
             widget="ClassNameWidget",
         ),
         with_help(
             QgsProcessingParameterField(
                 PRIORITY_FIELD, tr("Priority field"), parentLayerParameterName=INPUT, optional=True
             ),
-            tr(
-                "Number field. Where polygons overlap, the polygon with the higher value is on top. Without this "
-                "field the draw order of the class table decides, otherwise the later polygon is on top."
-            ),
+            "Number field. Where polygons overlap, the polygon with the higher value is on top. Without this "
+            "field the draw order of the class table decides, otherwise the later polygon is on top.",
         ),
         class_table(
             tr(
@@ -223,28 +216,23 @@ def annotation(optional: bool = False) -> tuple[QgsProcessingParameterDefinition
 def network() -> QgsProcessingParameterDefinition:
     """Return the choice that sets all label errors of a model at once."""
     options = (tr("use the values below"), tr("good"), tr("usable"), tr("poor"))
-    text = tr(
+    return with_help(
+        QgsProcessingParameterEnum(NETWORK, tr("Label quality"), options=options, defaultValue=0, optional=True),
         "Quality of the labels that the model makes of photos. “usable” means 20 % missed landmarks, 20 % spurious "
         "landmarks, 5 % mislabeled landmarks and a boundary jitter of 1 m. “good” means half of these errors, “poor” "
-        "twice as much. Errors of the map and the camera are not changed."
-    )
-    return with_help(
-        QgsProcessingParameterEnum(NETWORK, tr("Label quality"), options=options, defaultValue=0, optional=True), text
+        "twice as much. Errors of the map and the camera are not changed.",
     )
 
 
 def comparison() -> QgsProcessingParameterDefinition:
     """Return the report of “Compare label maps” that replaces the assumed errors."""
-    text = tr(
-        "Report of “Compare label maps”. Its measured values replace the label quality and the values of these "
-        "parameters: missed, spurious and mislabeled landmarks, boundary jitter, mislabeled background and class "
-        "offset. Errors of the map and the camera are not changed."
-    )
     return with_help(
         QgsProcessingParameterFile(
             COMPARISON, tr("Comparison report"), fileFilter=tr("HTML files (*.html)"), optional=True
         ),
-        text,
+        "Report of “Compare label maps”. Its measured values replace the label quality and the values of these "
+        "parameters: missed, spurious and mislabeled landmarks, boundary jitter, mislabeled background and class "
+        "offset. Errors of the map and the camera are not changed.",
     )
 
 

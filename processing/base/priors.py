@@ -26,32 +26,28 @@ def parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
     return (
         with_help(
             QgsProcessingParameterPoint(PRIOR_POINT, tr("Prior position"), optional=True),
-            tr("Approximate position of the images. It limits the search area and makes the search faster. Optional."),
+            "Approximate position of the images. It limits the search area and makes the search faster. Optional.",
             advanced=True,
         ),
         with_help(
             QgsProcessingParameterNumber(PRIOR_RADIUS, tr("Search radius (m)"), DOUBLE, 1000.0, minValue=0.01),
-            tr("Radius of the search area around the prior position. It is used only with a prior position."),
+            "Radius of the search area around the prior position. It is used only with a prior position.",
             advanced=True,
         ),
         with_help(
             QgsProcessingParameterNumber(
                 PRIOR_HEADING, tr("Prior heading (°)"), DOUBLE, optional=True, minValue=-360, maxValue=360
             ),
-            tr(
-                "Approximate direction of the top of the images, in degrees clockwise from grid north. If not set, "
-                "SemRef uses the heading of the camera (camera table or XMP) ± 25°, where it is known."
-            ),
+            "Approximate direction of the top of the images, in degrees clockwise from grid north. If not set, "
+            "SemRef uses the heading of the camera (camera table or XMP) ± 25°, where it is known.",
             advanced=True,
         ),
         with_help(
             QgsProcessingParameterNumber(
                 PRIOR_HEADING_RANGE, tr("Heading tolerance (± °)"), DOUBLE, 20.0, minValue=1, maxValue=180
             ),
-            tr(
-                "Only headings within this tolerance of the prior heading are searched. It is used only with a prior "
-                "heading."
-            ),
+            "Only headings within this tolerance of the prior heading are searched. It is used only with a prior "
+            "heading.",
             advanced=True,
         ),
         *_scale_parameters(),
@@ -59,16 +55,13 @@ def parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
 
 
 def _scale_parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
-    scale = tr(
-        "Ground length of the shorter image edge, as a multiple of the window size of the database. If neither limit "
-        "is set, SemRef uses the height and lens of the camera, or 0.4 to 2.5 if they are unknown. A narrow range is "
-        "searched faster."
-    )
     titles = {SCALE_MINIMUM: tr("Minimum scale"), SCALE_MAXIMUM: tr("Maximum scale")}
     return tuple(
         with_help(
             QgsProcessingParameterNumber(key, title, DOUBLE, optional=True, minValue=0.01, maxValue=100),
-            scale,
+            "Ground length of the shorter image edge, as a multiple of the window size of the database. If neither "
+            "limit is set, SemRef uses the height and lens of the camera, or 0.4 to 2.5 if they are unknown. A narrow "
+            "range is searched faster.",
             advanced=True,
         )
         for key, title in titles.items()

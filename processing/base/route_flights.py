@@ -41,26 +41,22 @@ def parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
     return (
         with_help(
             QgsProcessingParameterNumber(FLIGHTS, tr("Simulated flights"), INTEGER, 0, minValue=0, maxValue=100),
-            tr(
-                "Number of simulated flights along each line, for example 5. They are localized as in “Localize "
-                "flight”. The report shows where the first position is found, the largest error, and where the track "
-                "is lost. Each image takes about 1 s until the first position. 0 means no flights."
-            ),
+            "Number of simulated flights along each line, for example 5. They are localized as in “Localize "
+            "flight”. The report shows where the first position is found, the largest error, and where the track "
+            "is lost. Each image takes about 1 s until the first position. 0 means no flights.",
             advanced=True,
         ),
         with_help(
             QgsProcessingParameterNumber(
                 IMAGE_DISTANCE, tr("Distance between images (m)"), DOUBLE, optional=True, minValue=0.0
             ),
-            tr("Distance between the images of a simulated flight. If not set, a third of the footprint width."),
+            "Distance between the images of a simulated flight. If not set, a third of the footprint width.",
             advanced=True,
         ),
         with_help(
             QgsProcessingParameterNumber(DRIFT, tr("Motion drift (%)"), DOUBLE, 1.0, minValue=0.0, maxValue=20.0),
-            tr(
-                "Error of the motion between images, in percent of the distance: a random error of each step, and a "
-                "constant error of the same size."
-            ),
+            "Error of the motion between images, in percent of the distance: a random error of each step, and a "
+            "constant error of the same size.",
             advanced=True,
         ),
     )

@@ -34,6 +34,8 @@ def makers() -> frozenset[str]:
 
 
 MAKERS = makers()
+HELPED = ("risk_parameter", "footprints_parameter")
+"""Functions that pass a help to ``with_help``, like all of ``parameters``."""
 
 
 def literals(node: ast.expr) -> list[str]:
@@ -53,32 +55,26 @@ def calls_in(source: str) -> Iterator[ast.Call]:
     return (node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Call))
 
 
-def sentence_texts(source: str) -> list[str]:
-    """Return the templates of all sentences and errors, except those that are a single value."""
-    found = [text for call in calls_in(source) if name_of(call.func) in MAKERS for text in templates_of(call)]
-    return [text for text in found if not re.fullmatch(r"\{\w+\}", text)]
+def texts_of_call(call: ast.Call) -> list[str]:
+    """Return the literals of ``tr("…")``, of a sentence or an error, and the help that ``with_help`` translates."""
+    name, owner = name_of(call.func), name_of(getattr(call.func, "value", call.func))
+    if name == "with_help":
+        return literals(call.args[1])
+    is_tr = name == "tr" and len(call.args) == 1
+    return templates_of(call) if is_tr or name in MAKERS or name in HELPED or owner == "parameters" else []
 
 
 def texts_of(source: str) -> list[str]:
-    """Return the literals of all ``tr("…")`` calls."""
-    calls = [call for call in calls_in(source) if name_of(call.func) == "tr" and len(call.args) == 1]
-    return [text for call in calls for text in literals(call.args[0])]
-
-
-def step_texts(source: str) -> list[str]:
-    """Return the texts of ``yield "text", share``. The caller translates them."""
-    yields = [node.value for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Yield)]
-    return [text for value in yields if isinstance(value, ast.Tuple) for text in literals(value.elts[0])]
-
-
-def title_texts(source: str) -> list[str]:
-    """Return the English texts in the tables ``SENTENCES…``: titles of columns and layers."""
+    """Return all texts of a module: those of calls, steps (``yield "text", share``), and TITLE and SUMMARY."""
     found = []
-    for node in ast.parse(source).body:
-        target = node.targets[0] if isinstance(node, ast.Assign) else getattr(node, "target", None)
-        if isinstance(target, ast.Name) and target.id.startswith("SENTENCES") and isinstance(node.value, ast.Dict):
-            found += [ast.literal_eval(value) for value in node.value.values]
-    return found
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Call):
+            found += texts_of_call(node)
+        elif isinstance(node, ast.Yield) and isinstance(node.value, ast.Tuple):
+            found += literals(node.value.elts[0])
+        elif isinstance(node, ast.Assign) and name_of(node.targets[0]) in ("TITLE", "SUMMARY"):
+            found += literals(node.value)
+    return [text for text in found if not re.fullmatch(r"\{\w+\}", text)]
 
 
 def style_texts(source: str) -> list[str]:
@@ -102,8 +98,7 @@ def all_texts() -> list[str]:
     found = []
     for room in ROOMS:
         for path in sorted((ROOT / room).rglob("*.py")):
-            source = path.read_text(encoding="utf-8")
-            found += texts_of(source) + step_texts(source) + title_texts(source) + sentence_texts(source)
+            found += texts_of(path.read_text(encoding="utf-8"))
     for path in sorted((ROOT / "resources" / "styles").glob("*.qml")):
         found += style_texts(path.read_text(encoding="utf-8"))
     for path in sorted((ROOT / "models").glob("*.model3")):

@@ -114,9 +114,8 @@ class RepairButton(QPushButton):
         self.repaired.emit(layer)
         self.textChanged.emit(
             tr(
-                "Repaired “{layer}”: {changed} polygons changed, {added} added, {removed} removed. Save the "
-                "layer’s edits to keep the repair, or undo it (Ctrl+Z). Check the layer again to find what is "
-                "left."
+                "Repaired “{layer}”: {changed} polygons changed, {added} added, {removed} removed. Save the layer’s "
+                "edits to keep the repair, or undo it (Ctrl+Z). Check the layer again to find what is left."
             ).format(layer=layer.name(), **{name: number_text(count) for name, count in done._asdict().items()})
         )
 
