@@ -18,6 +18,9 @@ if TYPE_CHECKING:  # The toolbox lists methods before NumPy is loaded.
 RISK = 1e-4
 """Default maximum error probability of a fix: at most one wrong fix in 10,000."""
 
+SHOWN_RISK = 0.01
+"""Maximum error probability where a person looks at each position: in the dock and in *Set up an area*."""
+
 LEAST_RISK = 1e-12
 """Smallest error probability that is reported; a confidence of 1 − a smaller one would round to 1."""
 

@@ -97,31 +97,6 @@ class AddModel(SemRefAlgorithm):
                 "a name empty for an output that is not used, for example building;road;;road.",
             ),
             parameters.resolution("Pixel size of the images that the network was trained on.", advanced=False),
-            *self._standardization(),
-            with_help(
-                QgsProcessingParameterNumber(
-                    self.THRESHOLD, tr("Threshold"), DOUBLE, optional=True, minValue=0, maxValue=1
-                ),
-                "Probability from which a pixel has the class, for networks with one output. If not set, 0.5.",
-            ),
-            with_help(
-                QgsProcessingParameterString(self.LICENSE, tr("License"), optional=True),
-                "License of the network, as its maker states it. The model card shows it.",
-            ),
-            with_help(
-                QgsProcessingParameterString(self.NAME, tr("Name"), optional=True),
-                "Name for the list of models. If not set, the name of the file.",
-            ),
-            *self._checkpoint(),
-            with_help(
-                QgsProcessingParameterFileDestination(self.OUTPUT, tr("Model"), fileFilter=tr("ONNX models (*.onnx)")),
-                "Copy of the network with metadata. The file of the network is not changed.",
-            ),
-            QgsProcessingOutputNumber(self.CLASS_COUNT, tr("Number of classes")),
-        )
-
-    def _standardization(self) -> tuple[Declared, ...]:
-        return (
             with_help(
                 QgsProcessingParameterEnum(
                     self.PIXEL_VALUES,
@@ -141,10 +116,20 @@ class AddModel(SemRefAlgorithm):
                 ),
                 "Three numbers, separated by “;”. 1;1;1 if the network takes pixel values as they are.",
             ),
-        )
-
-    def _checkpoint(self) -> tuple[Declared, ...]:
-        return (
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.THRESHOLD, tr("Threshold"), DOUBLE, optional=True, minValue=0, maxValue=1
+                ),
+                "Probability from which a pixel has the class, for networks with one output. If not set, 0.5.",
+            ),
+            with_help(
+                QgsProcessingParameterString(self.LICENSE, tr("License"), optional=True),
+                "License of the network, as its maker states it. The model card shows it.",
+            ),
+            with_help(
+                QgsProcessingParameterString(self.NAME, tr("Name"), optional=True),
+                "Name for the list of models. If not set, the name of the file.",
+            ),
             with_help(
                 QgsProcessingParameterString(self.ARCHITECTURE, tr("Architecture of the checkpoint"), "unet"),
                 "Name in segmentation_models_pytorch, for example unet, fpn or deeplabv3. Not used for ONNX files.",
@@ -156,6 +141,11 @@ class AddModel(SemRefAlgorithm):
                 advanced=True,
             ),
             parameters.python_of_training(),
+            with_help(
+                QgsProcessingParameterFileDestination(self.OUTPUT, tr("Model"), fileFilter=tr("ONNX models (*.onnx)")),
+                "Copy of the network with metadata. The file of the network is not changed.",
+            ),
+            QgsProcessingOutputNumber(self.CLASS_COUNT, tr("Number of classes")),
         )
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:

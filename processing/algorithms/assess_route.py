@@ -107,7 +107,27 @@ class AssessRoute(AssessAlgorithm):
                 RouteParameter(self.ROUTE, tr("Route"), types=[SOURCE_LINE]),
                 "Line layer, or path of a GPX, KML, .plan or .waypoints file. Each line is a separate route.",
             ),
-            *self._lengths(),
+            with_help(
+                QgsProcessingParameterNumber(self.SPACING, tr("Spacing (m)"), DOUBLE, optional=True, minValue=0.0),
+                "Distance between the points. If not set, a quarter of the footprint width.",
+                advanced=True,
+            ),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.FOOTPRINT, tr("Footprint width (m)"), DOUBLE, optional=True, minValue=0.0
+                ),
+                "Edge length of the ground that an image shows. If not set, the window size of the database.",
+            ),
+            with_help(
+                QgsProcessingParameterNumber(self.SPEED, tr("Speed (m/s)"), DOUBLE, optional=True, minValue=0.0),
+                "Ground speed, for example 20. It is used to give the length of gaps in seconds.",
+            ),
+            with_help(
+                QgsProcessingParameterNumber(self.SHIFT, tr("Maximum shift (m)"), DOUBLE, optional=True, minValue=0.0),
+                "Maximum distance by which gaps may be moved to the left or right. Half of it is tested, too. If not "
+                "set, the footprint width. 0 disables it.",
+                advanced=True,
+            ),
             with_help(
                 QgsProcessingParameterNumber(
                     self.TRIALS, tr("Simulated images per point"), INTEGER, 10, minValue=1, maxValue=1000
@@ -122,53 +142,6 @@ class AssessRoute(AssessAlgorithm):
                 "Expected success at each point. The field “gap” is the length of the gap that contains the point.",
             ),
             parameters.report("Page with a map of the route, a profile of the expected success, and the gaps."),
-            *self._below_the_route(),
-            *route_flights.parameters(),
-            QgsProcessingOutputNumber(self.LONGEST_GAP, tr("Longest gap")),
-            QgsProcessingOutputNumber(self.LONGEST_GAP_SECONDS, tr("Longest gap in seconds")),
-            *route_flights.outputs(),
-        )
-
-    def _lengths(self) -> tuple[Declared, ...]:
-        """Return the lengths and the speed of the flight."""
-        lengths = (
-            (
-                self.SPACING,
-                tr("Spacing (m)"),
-                tr("Distance between the points. If not set, a quarter of the footprint width."),
-            ),
-            (
-                self.FOOTPRINT,
-                tr("Footprint width (m)"),
-                tr("Edge length of the ground that an image shows. If not set, the window size of the database."),
-            ),
-            (
-                self.SPEED,
-                tr("Speed (m/s)"),
-                tr("Ground speed, for example 20. It is used to give the length of gaps in seconds."),
-            ),
-            (
-                self.SHIFT,
-                tr("Maximum shift (m)"),
-                tr(
-                    "Maximum distance by which gaps may be moved to the left or right. Half of it is tested, too. If "
-                    "not set, the footprint width. 0 disables it."
-                ),
-            ),
-        )
-        rare = self.SPACING, self.SHIFT
-        return tuple(
-            with_help(
-                QgsProcessingParameterNumber(key, title, DOUBLE, optional=True, minValue=0.0),
-                text,
-                advanced=key in rare,
-            )
-            for key, title, text in lengths
-        )
-
-    def _below_the_route(self) -> tuple[Declared, ...]:
-        """Return the layers that the map of the report shows below the route."""
-        return (
             with_help(
                 QgsProcessingParameterFeatureSource(
                     self.ASSESSMENT, tr("Expected success"), types=[SOURCE_POLYGON], optional=True
@@ -181,6 +154,10 @@ class AssessRoute(AssessAlgorithm):
                 "Orthophoto, map tiles or overview of the database. It is drawn below everything else in the report.",
                 advanced=True,
             ),
+            *route_flights.parameters(),
+            QgsProcessingOutputNumber(self.LONGEST_GAP, tr("Longest gap")),
+            QgsProcessingOutputNumber(self.LONGEST_GAP_SECONDS, tr("Longest gap in seconds")),
+            *route_flights.outputs(),
         )
 
     def read_layers(self, values: Values) -> None:

@@ -69,7 +69,27 @@ class BuildDatabase(SemRefAlgorithm):
                 "Classes that are landmarks: names or values separated by “;”, for example building;bare_land;water. "
                 "If not set, the classes with the role “reference” in the class table of the map are used."
             ),
-            *self._windows(),
+            with_help(
+                QgsProcessingParameterNumber(self.WINDOW_SIZE, tr("Window size (m)"), DOUBLE, 1280.0, minValue=0.001),
+                "Edge length of a window on the ground, about the footprint width of an image.",
+            ),
+            with_help(
+                QgsProcessingParameterNumber(self.STRIDE, tr("Stride (m)"), DOUBLE, 350.0, minValue=0.001),
+                "Distance between neighboring windows. It must not be larger than the window size.",
+            ),
+            with_help(
+                QgsProcessingParameterString(self.LEVELS, tr("Levels"), defaultValue="1", optional=True),
+                "Multipliers of window size and stride, separated by “;”. For example, 1;2 adds windows of twice "
+                "the size for flights at twice the height.",
+                advanced=True,
+            ),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.REFERENCES_PER_VECTOR, tr("Landmarks per vector"), INTEGER, 10, minValue=3, maxValue=1000
+                ),
+                "Number of landmarks in a vector: those nearest to the center of the window.",
+                advanced=True,
+            ),
             with_help(
                 QgsProcessingParameterNumber(self.MINIMUM_AREA, tr("Minimum area (m²)"), DOUBLE, 100.0, minValue=0.0),
                 "Regions smaller than this area are not used as landmarks.",
@@ -99,32 +119,6 @@ class BuildDatabase(SemRefAlgorithm):
             QgsProcessingOutputNumber(self.WINDOW_COUNT, tr("Number of windows")),
             QgsProcessingOutputNumber(self.REFERENCE_COUNT, tr("Number of landmarks")),
             scheduler(),
-        )
-
-    def _windows(self) -> tuple[Declared, ...]:
-        """Return the parameters of windows and vectors."""
-        return (
-            with_help(
-                QgsProcessingParameterNumber(self.WINDOW_SIZE, tr("Window size (m)"), DOUBLE, 1280.0, minValue=0.001),
-                "Edge length of a window on the ground, about the footprint width of an image.",
-            ),
-            with_help(
-                QgsProcessingParameterNumber(self.STRIDE, tr("Stride (m)"), DOUBLE, 350.0, minValue=0.001),
-                "Distance between neighboring windows. It must not be larger than the window size.",
-            ),
-            with_help(
-                QgsProcessingParameterString(self.LEVELS, tr("Levels"), defaultValue="1", optional=True),
-                "Multipliers of window size and stride, separated by “;”. For example, 1;2 adds windows of twice "
-                "the size for flights at twice the height.",
-                advanced=True,
-            ),
-            with_help(
-                QgsProcessingParameterNumber(
-                    self.REFERENCES_PER_VECTOR, tr("Landmarks per vector"), INTEGER, 10, minValue=3, maxValue=1000
-                ),
-                "Number of landmarks in a vector: those nearest to the center of the window.",
-                advanced=True,
-            ),
         )
 
     def check(self, values: Values) -> None:

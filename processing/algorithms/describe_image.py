@@ -71,28 +71,6 @@ class DescribeImage(SemRefAlgorithm):
             parameters.database(
                 "Database with the settings to use. The settings below are then ignored.", optional=True
             ),
-            *self._without_database(),
-            with_help(
-                QgsProcessingParameterFeatureSink(self.REFERENCES, tr("Landmarks"), type=SOURCE_POINT),
-                "Points with class, area and pixel position. Without a georeference the coordinates are pixels (y "
-                "up, negative).",
-            ),
-            with_help(
-                QgsProcessingParameterFileDestination(
-                    self.VECTOR,
-                    tr("Topology vector"),
-                    fileFilter=tr("JSON files (*.json)"),
-                    optional=True,
-                    createByDefault=False,
-                ),
-                "Distance ratios, angle differences, class ranks, and the classes that were used.",
-            ),
-            QgsProcessingOutputNumber(self.REFERENCE_COUNT, tr("Number of landmarks")),
-        )
-
-    def _without_database(self) -> tuple[Declared, ...]:
-        """Return the settings that a database replaces."""
-        return (
             parameters.class_table(
                 "Classes of the image, if no database is selected. If not set, the class table of the label image "
                 "is used."
@@ -113,6 +91,22 @@ class DescribeImage(SemRefAlgorithm):
                 "Number of landmarks in the vector, if no database is selected: those nearest to the center.",
                 advanced=True,
             ),
+            with_help(
+                QgsProcessingParameterFeatureSink(self.REFERENCES, tr("Landmarks"), type=SOURCE_POINT),
+                "Points with class, area and pixel position. Without a georeference the coordinates are pixels (y "
+                "up, negative).",
+            ),
+            with_help(
+                QgsProcessingParameterFileDestination(
+                    self.VECTOR,
+                    tr("Topology vector"),
+                    fileFilter=tr("JSON files (*.json)"),
+                    optional=True,
+                    createByDefault=False,
+                ),
+                "Distance ratios, angle differences, class ranks, and the classes that were used.",
+            ),
+            QgsProcessingOutputNumber(self.REFERENCE_COUNT, tr("Number of landmarks")),
         )
 
     def read_layers(self, values: Values) -> None:

@@ -110,9 +110,34 @@ class EvaluateLocalization(SemRefAlgorithm):
                 "Methods to compare on the same images. The output numbers and the noise table use the first "
                 "selected method in the order Automatic, Constellation, Map correlation, Published method.",
             ),
-            *self._numbers(),
+            with_help(
+                QgsProcessingParameterNumber(self.TRIALS, tr("Trials"), INTEGER, 200, minValue=1, maxValue=1_000_000),
+                "Number of images. The report needs about 1.5 times as many additional images for noise and "
+                "offset, and 66 for its tables.",
+            ),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.MIRRORED, tr("Mirrored images (%)"), DOUBLE, 25.0, minValue=0.0, maxValue=90.0
+                ),
+                "Share of trials that show a mirrored part of the map. Such an image has no correct position, so "
+                "each computed position is false.",
+            ),
             *self._range_parameters(),
-            *self._judging(),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.MINIMUM_REFERENCES, tr("Minimum landmarks in the window"), INTEGER, 3, minValue=0
+                ),
+                "Trials are placed around windows with at least this number of landmarks. 20 excludes open country.",
+            ),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.RIGHT_WITHIN, tr("Right within (m)"), DOUBLE, optional=True, minValue=0.0
+                ),
+                "Largest error of a position that counts as right. If not set, 2 % of the footprint width. A "
+                "position of “Published method” is right if it names the nearest window.",
+                advanced=True,
+            ),
+            parameters.seed(),
             parameters.network(),
             parameters.comparison(),
             scheduler(),
@@ -130,23 +155,6 @@ class EvaluateLocalization(SemRefAlgorithm):
             QgsProcessingOutputNumber(self.SUCCESS_RATE, tr("Success rate")),
             QgsProcessingOutputNumber(self.MEDIAN_ERROR, tr("Median error")),
             QgsProcessingOutputNumber(self.FALSE_ACCEPT_RATE, tr("False positions")),
-        )
-
-    def _numbers(self) -> tuple[Declared, ...]:
-        """Return the numbers of trials."""
-        return (
-            with_help(
-                QgsProcessingParameterNumber(self.TRIALS, tr("Trials"), INTEGER, 200, minValue=1, maxValue=1_000_000),
-                "Number of images. The report needs about 1.5 times as many additional images for noise and "
-                "offset, and 66 for its tables.",
-            ),
-            with_help(
-                QgsProcessingParameterNumber(
-                    self.MIRRORED, tr("Mirrored images (%)"), DOUBLE, 25.0, minValue=0.0, maxValue=90.0
-                ),
-                "Share of trials that show a mirrored part of the map. Such an image has no correct position, so "
-                "each computed position is false.",
-            ),
         )
 
     def _range_parameters(self) -> list[Declared]:
@@ -175,26 +183,6 @@ class EvaluateLocalization(SemRefAlgorithm):
             )
             for key, title, text in ranges
         ]
-
-    def _judging(self) -> tuple[Declared, ...]:
-        """Return where trials are, and which positions are right."""
-        return (
-            with_help(
-                QgsProcessingParameterNumber(
-                    self.MINIMUM_REFERENCES, tr("Minimum landmarks in the window"), INTEGER, 3, minValue=0
-                ),
-                "Trials are placed around windows with at least this number of landmarks. 20 excludes open country.",
-            ),
-            with_help(
-                QgsProcessingParameterNumber(
-                    self.RIGHT_WITHIN, tr("Right within (m)"), DOUBLE, optional=True, minValue=0.0
-                ),
-                "Largest error of a position that counts as right. If not set, 2 % of the footprint width. A "
-                "position of “Published method” is right if it names the nearest window.",
-                advanced=True,
-            ),
-            parameters.seed(),
-        )
 
     def check(self, values: Values) -> None:
         self._ranges(values)

@@ -70,18 +70,6 @@ class ExportOnboard(SemRefAlgorithm):
                 "The overview is the reduced label map that map correlation searches. Without it the file is "
                 "several times smaller.",
             ),
-            *self._file_parameters(),
-            with_help(
-                QgsProcessingParameterFileDestination(
-                    self.OUTPUT, tr("Onboard file"), fileFilter=tr("Onboard files (*.npz)")
-                ),
-                "Zip file of NumPy arrays. The documentation describes the format for other programming languages.",
-            ),
-            QgsProcessingOutputNumber(self.BYTES, tr("Size in bytes")),
-        )
-
-    def _file_parameters(self) -> tuple[Declared, ...]:
-        return (
             with_help(
                 QgsProcessingParameterNumber(self.PRECISION, tr("Precision (m)"), DOUBLE, optional=True, minValue=1e-6),
                 "Maximum rounding error of the x and y of a landmark. If not set, 0.01 pixels of the label map.",
@@ -96,6 +84,13 @@ class ExportOnboard(SemRefAlgorithm):
                 "others. Keep this file secret: anyone who has it can sign.",
                 advanced=True,
             ),
+            with_help(
+                QgsProcessingParameterFileDestination(
+                    self.OUTPUT, tr("Onboard file"), fileFilter=tr("Onboard files (*.npz)")
+                ),
+                "Zip file of NumPy arrays. The documentation describes the format for other programming languages.",
+            ),
+            QgsProcessingOutputNumber(self.BYTES, tr("Size in bytes")),
         )
 
     def read_layers(self, values: Values) -> None:

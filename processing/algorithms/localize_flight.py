@@ -74,28 +74,6 @@ class LocalizeFlight(LocalizeAlgorithm):
                 advanced=True,
             ),
             self.speed_parameter(),
-            *self._output_parameters(),
-            self.risk_parameter(
-                "A track is accepted if the probability that it is wrong is not larger than this value, for "
-                "example 0.0001 (1 in 10,000). A smaller value needs more images."
-            ),
-            self.sun_parameter(),
-            with_help(
-                QgsProcessingParameterFile(
-                    self.LOG,
-                    tr("Flight log"),
-                    fileFilter=tr("Flight logs (*.bin *.ulg *.tlog *.srt *.SRT *.txt)"),
-                    optional=True,
-                ),
-                "Autopilot log (ArduPilot .bin, PX4 .ulg, .tlog), DJI subtitles (.SRT) or geo.txt. SemRef uses "
-                "heading, height and attitude where the camera table and the photos lack them, and motion where "
-                "the images and the odometry table lack it. Positions in the log are not used.",
-                advanced=True,
-            ),
-        )
-
-    def _output_parameters(self) -> tuple[Declared, ...]:
-        return (
             with_help(
                 QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Positions of the flight"), type=SOURCE_POINT),
                 "One row for each image, in flight order. In addition to the columns of “Localize images” it has "
@@ -114,6 +92,23 @@ class LocalizeFlight(LocalizeAlgorithm):
             QgsProcessingOutputNumber(self.FIX_COUNT, tr("Number of images with a position")),
             QgsProcessingOutputNumber(self.TRACK_COUNT, tr("Number of tracks")),
             *pace_results(),
+            self.risk_parameter(
+                "A track is accepted if the probability that it is wrong is not larger than this value, for "
+                "example 0.0001 (1 in 10,000). A smaller value needs more images."
+            ),
+            self.sun_parameter(),
+            with_help(
+                QgsProcessingParameterFile(
+                    self.LOG,
+                    tr("Flight log"),
+                    fileFilter=tr("Flight logs (*.bin *.ulg *.tlog *.srt *.SRT *.txt)"),
+                    optional=True,
+                ),
+                "Autopilot log (ArduPilot .bin, PX4 .ulg, .tlog), DJI subtitles (.SRT) or geo.txt. SemRef uses "
+                "heading, height and attitude where the camera table and the photos lack them, and motion where "
+                "the images and the odometry table lack it. Positions in the log are not used.",
+                advanced=True,
+            ),
         )
 
     def check(self, values: Values) -> None:

@@ -61,21 +61,28 @@ class LocalizeImages(LocalizeAlgorithm):
             *priors.parameters(),
             self.camera_parameter(),
             self.speed_parameter(),
-            *self._output_parameters(),
+            with_help(
+                QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Positions"), type=SOURCE_POINT),
+                "One row for each image with status, position, error probability, 95 % radius and, without a "
+                "position, the reason.",
+            ),
+            self.footprints_parameter(
+                "One polygon for each position: the footprint of the image or, for “Published method”, the "
+                "matched window."
+            ),
+            with_help(
+                QgsProcessingParameterFeatureSink(
+                    self.ALTERNATIVES, tr("Possible places"), type=SOURCE_POLYGON, optional=True, createByDefault=False
+                ),
+                "Footprints of all places that fit an ambiguous image. The best place has rank 1.",
+            ),
+            *self.shown_parameters(),
+            QgsProcessingOutputNumber(self.FIX_COUNT, tr("Number of positions")),
             self.risk_parameter(
                 "A position is accepted if the probability that it is wrong is not larger than this value, for "
                 "example 0.0001 (1 in 10,000). A smaller value gives fewer positions. Above it, up to 0.2, the "
                 "result is a likely position. “Published method” does not use it."
             ),
-            *self._layer_parameters(),
-            self.sun_parameter(),
-            scheduler(),
-            *pace_results(),
-        )
-
-    def _layer_parameters(self) -> tuple[Declared, ...]:
-        """Return the layer that is localized instead of images, or in addition to them."""
-        return (
             with_help(
                 QgsProcessingParameterRasterLayer(self.LAYER, tr("Layer to test"), optional=True),
                 "A raster layer or map tiles. Its extent is localized like an image, at the resolution of the "
@@ -96,27 +103,9 @@ class LocalizeImages(LocalizeAlgorithm):
                 "extent, the extent of the polygons is used.",
                 advanced=True,
             ),
-        )
-
-    def _output_parameters(self) -> tuple[Declared, ...]:
-        return (
-            with_help(
-                QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Positions"), type=SOURCE_POINT),
-                "One row for each image with status, position, error probability, 95 % radius and, without a "
-                "position, the reason.",
-            ),
-            self.footprints_parameter(
-                "One polygon for each position: the footprint of the image or, for “Published method”, the "
-                "matched window."
-            ),
-            with_help(
-                QgsProcessingParameterFeatureSink(
-                    self.ALTERNATIVES, tr("Possible places"), type=SOURCE_POLYGON, optional=True, createByDefault=False
-                ),
-                "Footprints of all places that fit an ambiguous image. The best place has rank 1.",
-            ),
-            *self.shown_parameters(),
-            QgsProcessingOutputNumber(self.FIX_COUNT, tr("Number of positions")),
+            self.sun_parameter(),
+            scheduler(),
+            *pace_results(),
         )
 
     def check(self, values: Values) -> None:

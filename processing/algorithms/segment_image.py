@@ -76,27 +76,6 @@ class SegmentImage(SemRefAlgorithm):
             parameters.model(
                 "Segmentation model (ONNX) with class names in its metadata. Models for Deepness can be used."
             ),
-            *self._tile_parameters(),
-            parameters.class_table(
-                "Class values and colors for the classes of the model, matched by name. For a model without class "
-                "names, the table needs one row for each output of the network, in order of value.",
-                advanced=True,
-            ),
-            parameters.extent(),
-            with_help(
-                QgsProcessingParameterRasterDestination(self.OUTPUT, tr("Label map")),
-                "8-bit GeoTIFF with the classes of the model. Pixels without data are 0.",
-            ),
-            *self._polygon_parameters(),
-            parameters.mask(),
-            *self._certainty_parameters(),
-            *pace_results(),
-            QgsProcessingOutputNumber(self.CERTAINTY, tr("Mean confidence of the labels (%)")),
-            scheduler(),
-        )
-
-    def _tile_parameters(self) -> tuple[Declared, ...]:
-        return (
             with_help(
                 QgsProcessingParameterNumber(
                     self.OVERLAP, tr("Tile overlap (%)"), DOUBLE, optional=True, minValue=0, maxValue=75
@@ -109,10 +88,16 @@ class SegmentImage(SemRefAlgorithm):
                 "Pixel size that the network was trained on. If not set, the value in the metadata of the model "
                 "is used. Images without a georeference are not resampled."
             ),
-        )
-
-    def _polygon_parameters(self) -> tuple[Declared, ...]:
-        return (
+            parameters.class_table(
+                "Class values and colors for the classes of the model, matched by name. For a model without class "
+                "names, the table needs one row for each output of the network, in order of value.",
+                advanced=True,
+            ),
+            parameters.extent(),
+            with_help(
+                QgsProcessingParameterRasterDestination(self.OUTPUT, tr("Label map")),
+                "8-bit GeoTIFF with the classes of the model. Pixels without data are 0.",
+            ),
             with_help(
                 QgsProcessingParameterFeatureSink(
                     self.POLYGONS, tr("Polygons"), type=SOURCE_POLYGON, optional=True, createByDefault=False
@@ -143,10 +128,7 @@ class SegmentImage(SemRefAlgorithm):
                 "pixels. 0 keeps the edges of the pixels.",
                 advanced=True,
             ),
-        )
-
-    def _certainty_parameters(self) -> tuple[Declared, ...]:
-        return (
+            parameters.mask(),
             with_help(
                 QgsProcessingParameterRasterDestination(
                     self.CONFIDENCE, tr("Confidence"), optional=True, createByDefault=False
@@ -161,6 +143,9 @@ class SegmentImage(SemRefAlgorithm):
                 "GeoTIFF with one band for each class of the model: its probability in percent; 255 where there "
                 "is no label.",
             ),
+            *pace_results(),
+            QgsProcessingOutputNumber(self.CERTAINTY, tr("Mean confidence of the labels (%)")),
+            scheduler(),
         )
 
     def check(self, values: Values) -> None:

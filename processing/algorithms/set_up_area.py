@@ -29,6 +29,7 @@ from qgis.core import (
 
 from ...core.errors import ModelError, ParameterError
 from ...core.labels.class_table import OTHER
+from ...core.localization import SHOWN_RISK
 from ...storage.atomic_output import make_folder
 from ..base import parameters
 from ..base.algorithm import LOCALIZATION, Declared, SemRefAlgorithm, check_canceled
@@ -40,7 +41,7 @@ from ..base.shipped_models import MODELS
 from ..base.values import Values
 from ..compat import DOUBLE, SOURCE_FILE, SOURCE_LINE, SOURCE_POLYGON
 from ..layers.guess_fields import BUILDING
-from ..layers.results_file import TABLES, table_output
+from ..layers.results_file import LABELS_FOLDER, TABLES, table_outputs
 from ..translation import tr
 from .assess_database import AssessDatabase
 from .build_database import BuildDatabase
@@ -59,14 +60,9 @@ LAND_COVER_FILE, LABEL_MAP_FILE = "land_cover.gpkg", "label_map.tif"
 DATABASE_FILE, MODEL_FILE, TRAINING_FILE = "reference_database.gpkg", "model.onnx", "training.html"
 EXPECTED_FILE, ASSESSMENT_FILE = "expected_success.gpkg", "assessment.html"
 POSITIONS_FILE, REPORT_FILE = "positions.gpkg", "report.html"
-LABELS_FOLDER = "labels"
-"""Folder of the photos' label images; the dock looks for this name beside results."""
 
-_OUTPUTS = dict(zip(("OUTPUT", "FOOTPRINTS", "ALTERNATIVES", "MATCHES"), TABLES))
-
-RISK, SCALES = 0.01, (0.5, 2.0)
-"""Maximum error probability of the positions, and scales to search where the ground width of a photo is typical."""
-
+SCALES = 0.5, 2.0
+"""Scales to search where the ground width of a photo is typical."""
 
 SIMULATED, MOST_SIMULATED, SQUARES = 100, 500, 2000
 """Simulated images of the quick assessment on ground with landmarks, on all ground, and the largest number of squares:
@@ -344,7 +340,7 @@ class SetUpArea(SemRefAlgorithm):
                 "DATABASE": build["DATABASE"],
                 "IMAGES": list(area.photos.files),
                 "MODEL": str(folder / MODEL_FILE) if trains else self._model(values),
-                "RISK": RISK,
+                "RISK": SHOWN_RISK,
                 "LABELS": str(folder / LABELS_FOLDER),
                 **_tables(str(folder / POSITIONS_FILE)),
             }
@@ -402,7 +398,7 @@ def _tables(path: str) -> dict[str, str]:
     if "'" in path:
         # QGIS cannot write tables to such a path. The only layer gets the file's name, which is that of the table.
         return {"OUTPUT": path}
-    return {key: table_output(path, table) for key, table in _OUTPUTS.items()}
+    return table_outputs(path)
 
 
 def _simulated(area: AreaSetup) -> int:

@@ -97,20 +97,6 @@ class TrainModel(AnnotationAlgorithm):
                 "unknown.",
                 optional=True,
             ),
-            *self._choices(),
-            *self._details(),
-            with_help(
-                QgsProcessingParameterFileDestination(self.OUTPUT, tr("Model"), fileFilter=tr("ONNX models (*.onnx)")),
-                "ONNX file. During training a folder beside it contains the state that a canceled run needs to "
-                "continue.",
-            ),
-            parameters.report("Page with the IoU of each class, confusion matrix, learning curves and examples."),
-            QgsProcessingOutputNumber(self.MEAN_IOU, tr("Mean IoU")),
-            parameters.mask(),
-        )
-
-    def _choices(self) -> tuple[Declared, ...]:
-        return (
             with_help(
                 QgsProcessingParameterEnum(
                     self.UNLABELED,
@@ -144,24 +130,6 @@ class TrainModel(AnnotationAlgorithm):
                 advanced=False,
             ),
             parameters.extent(),
-        )
-
-    def _details(self) -> tuple[Declared, ...]:
-        return (
-            *self._learning_parameters(),
-            parameters.validation_fraction(advanced=True),
-            with_help(
-                QgsProcessingParameterBoolean(self.RESUME, tr("Continue a canceled run"), defaultValue=True),
-                "A canceled run with the same output and settings is continued. Otherwise training starts from "
-                "the beginning.",
-                advanced=True,
-            ),
-            parameters.python_of_training(),
-            parameters.seed(default=1671),
-        )
-
-    def _learning_parameters(self) -> tuple[Declared, ...]:
-        return (
             with_help(
                 QgsProcessingParameterNumber(self.EPOCHS, tr("Epochs"), INTEGER, 200, minValue=1),
                 "Maximum number of passes over the training tiles. The time limit may end training earlier.",
@@ -184,6 +152,23 @@ class TrainModel(AnnotationAlgorithm):
                 "learned nothing before.",
                 advanced=True,
             ),
+            parameters.validation_fraction(advanced=True),
+            with_help(
+                QgsProcessingParameterBoolean(self.RESUME, tr("Continue a canceled run"), defaultValue=True),
+                "A canceled run with the same output and settings is continued. Otherwise training starts from "
+                "the beginning.",
+                advanced=True,
+            ),
+            parameters.python_of_training(),
+            parameters.seed(default=1671),
+            with_help(
+                QgsProcessingParameterFileDestination(self.OUTPUT, tr("Model"), fileFilter=tr("ONNX models (*.onnx)")),
+                "ONNX file. During training a folder beside it contains the state that a canceled run needs to "
+                "continue.",
+            ),
+            parameters.report("Page with the IoU of each class, confusion matrix, learning curves and examples."),
+            QgsProcessingOutputNumber(self.MEAN_IOU, tr("Mean IoU")),
+            parameters.mask(),
         )
 
     # --- before any work ---

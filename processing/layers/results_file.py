@@ -8,14 +8,26 @@ from ...core.errors import ParameterError
 from ...storage.atomic_output import written_beside
 from ...storage.vector_files import copy_database, leave_wal
 
-TABLES = ("positions", "footprints", "possible_places", "matches", "track")
+OUTPUTS = {
+    "OUTPUT": "positions",
+    "FOOTPRINTS": "footprints",
+    "ALTERNATIVES": "possible_places",
+    "MATCHES": "matches",
+    "TRACK": "track",
+}
+"""Tables by the outputs of the algorithms: images have no track, a flight has no possible places."""
+
+TABLES = tuple(OUTPUTS.values())
+
+LABELS_FOLDER = "labels"
+"""Folder of the photos' label images beside the file."""
 
 
-def table_output(file: str, table: str) -> str:
-    """Return a table of a results file as an algorithm's output. ``table``: one of TABLES."""
-    if table not in TABLES:
-        raise ValueError(table)
-    return f"ogr:dbname='{file}' table=\"{table}\" (geom)"
+def table_outputs(file: str, is_flight: bool = False) -> dict[str, str]:
+    """Return the outputs of an algorithm that write to tables of a results file."""
+    left_out = "ALTERNATIVES" if is_flight else "TRACK"
+    tables = {key: table for key, table in OUTPUTS.items() if key != left_out}
+    return {key: f"ogr:dbname='{file}' table=\"{table}\" (geom)" for key, table in tables.items()}
 
 
 def save_results(file: str, path: str) -> None:

@@ -136,7 +136,7 @@ def test_a_likely_position_is_amber_and_counted_apart(dock, iface, area, tab, mo
     # Between the error probabilities of both images, whatever the calibration is.
     risks = [1 - finding.confidence for finding in tab._findings]
     assert risks[0] > 10 * risks[1]
-    monkeypatch.setattr(localization_run, "RISK", float(np.sqrt(np.prod(risks))))
+    monkeypatch.setattr(localization_run, "SHOWN_RISK", float(np.sqrt(np.prod(risks))))
     localize(dock, area.database, [])
     assert [status for _, status in results_of(dock)] == ["Likely position", "Position"]
     assert tab.state.text() == "1 of 2 images have a position. Likely positions: 1."

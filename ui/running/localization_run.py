@@ -5,19 +5,14 @@ from __future__ import annotations
 from qgis.core import QgsProcessingContext, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject
 
-from ...processing.layers.results_file import TABLES, open_results, table_output
+from ...core.localization import SHOWN_RISK
+from ...processing.layers.results_file import open_results, table_outputs
 from ...processing.messages.numbers import LocalTemplate
 from ...processing.translation import tr
 from .algorithm_run import AlgorithmRun
 from .run_history import RunRecord, begin_run
 
 ALGORITHM, FLIGHT_ALGORITHM = "semref:localizeimages", "semref:localizeflight"
-
-RISK = 0.01
-"""Maximum error probability in the dock, where a person looks at each result. The algorithms have a lower default."""
-
-_KEYS = "OUTPUT", "FOOTPRINTS", "ALTERNATIVES", "MATCHES", "TRACK"
-"""Outputs, in the order of TABLES."""
 
 
 class LocalizationRun(AlgorithmRun):
@@ -41,9 +36,8 @@ class LocalizationRun(AlgorithmRun):
             is_flight: Whether the images are one flight.
         """
         run = self.record = begin_run(database, settings.get("MODEL", ""), len(images))
-        left_out = "ALTERNATIVES" if is_flight else "TRACK"
-        outputs = {key: table_output(run.file, table) for key, table in zip(_KEYS, TABLES) if key != left_out}
-        parameters = {"DATABASE": database, "IMAGES": images, "METHOD": method, "RISK": RISK, **settings, **outputs}
+        parameters = {"DATABASE": database, "IMAGES": images, "METHOD": method, "RISK": SHOWN_RISK}
+        parameters |= {**settings, **table_outputs(run.file, is_flight)}
         if settings.get("MODEL"):
             parameters["LABELS"] = run.labels
         if is_flight:

@@ -11,7 +11,9 @@ from typing import NamedTuple
 
 from qgis.core import QgsApplication, QgsProcessingUtils
 
-_RESULTS, _LABELS, _ABOUT = "results.gpkg", "labels", "run.json"
+from ...processing.layers.results_file import LABELS_FOLDER
+
+_RESULTS, _ABOUT = "results.gpkg", "run.json"
 _MOST_KEPT = 20
 """Number of runs. A run of hundreds of photos takes some ten megabytes."""
 
@@ -32,7 +34,7 @@ class RunRecord(NamedTuple):
     @property
     def labels(self) -> str:
         """Folder for the label images of photos."""
-        return os.path.join(self.folder, _LABELS)
+        return os.path.join(self.folder, LABELS_FOLDER)
 
     @property
     def title(self) -> str:
@@ -89,7 +91,7 @@ def _read_record(folder: Path) -> RunRecord | None:
 
 def labels_of(file: str) -> str:
     """Return the folder of label images next to results; empty without one."""
-    folder = os.path.join(os.path.dirname(file), _LABELS)
+    folder = os.path.join(os.path.dirname(file), LABELS_FOLDER)
     return folder if file and os.path.isdir(folder) else ""
 
 
