@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from qgis.core import QgsProject, QgsSettings
 
+from ..core.localization import Method
 from ..core.named_files import is_elsewhere, named_file
 from ..processing.inspection.models import resolve_model
 
@@ -18,9 +19,6 @@ Prior = tuple[float, float, float, float, str]
 
 _LISTED_IMAGES = 1000
 """Limit that keeps project files small."""
-
-_METHODS = 4
-"""Number of options of METHOD."""
 
 _FARTHEST = 1e9
 """Largest coordinate that is accepted, in units of the CRS."""
@@ -72,7 +70,7 @@ def read_state(project: QgsProject) -> DockState | None:
     return DockState(
         _local(project, database),
         resolve_model(path_of("/model")),
-        method if 0 <= method < _METHODS else 0,
+        method if 0 <= method < len(Method) else 0,
         [path for path in (_local(project, one) for one in project.readListEntry(SCOPE, "/images")[0]) if path],
         path_of("/results"),
         _prior_of(project.readListEntry(SCOPE, "/prior")[0]),

@@ -112,8 +112,9 @@ def test_every_column_has_its_title_and_map_tips_and_labels_no_error(qgis_app, s
     for part in [*parts, layer.displayExpression()]:
         parsed = QgsExpression(part)
         assert not parsed.hasParserError(), (part, parsed.parserErrorString())
-    titles = [layer.attributeAlias(index) for index in range(len(layer.fields()))]
-    assert all(titles) and len(set(titles)) == len(titles)
+    titles = {field.name(): layer.attributeAlias(n) for n, field in enumerate(layer.fields())}
+    assert [name for name, title in titles.items() if not title] == [], "add their titles to columns.qml"
+    assert len(set(titles.values())) == len(titles)
 
 
 def test_texts_of_styles_are_in_the_user_s_language(qgis_app, monkeypatch):

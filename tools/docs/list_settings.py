@@ -56,7 +56,11 @@ def rows_of(settings: type) -> list[list[str]]:
     rows = []
     for node in ast.parse(source).body[0].body:
         if isinstance(node, ast.AnnAssign):
-            text = _linked(entries[node.target.id].replace("``", "`").replace("|", "\\|"))
+            entry = entries.get(node.target.id, "")
+            if not _IN_BRACKETS.search(entry):
+                form = "NAME: Meaning [what it was set on; trials]."
+                raise ValueError(f"{settings.__name__}.{node.target.id} needs an entry in the docstring: {form}")
+            text = _linked(entry.replace("``", "`").replace("|", "\\|"))
             *data, trials = _IN_BRACKETS.search(text)[1].split("; ")
             if trials not in COMMANDS or not data:
                 data, trials = [*data, trials], trials if trials in COMMANDS else "–"
