@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
+    QgsProcessing,
     QgsProcessingFeedback,
     QgsProcessingMultiStepFeedback,
     QgsProcessingOutputFile,
@@ -22,6 +23,7 @@ from qgis.core import (
     QgsProcessingParameterMultipleLayers,
     QgsProcessingParameterNumber,
     QgsProcessingParameterRasterLayer,
+    QgsProcessingUtils,
     QgsRasterLayer,
     QgsReferencedRectangle,
     QgsVectorLayer,
@@ -261,11 +263,15 @@ class SetUpArea(SemRefAlgorithm):
         for warning in area.warnings:
             feedback.pushWarning(warning)
         folder = Path(values.file(self.FOLDER)).absolute()
+        if values.file(self.FOLDER) == QgsProcessing.TEMPORARY_OUTPUT:
+            folder = Path(QgsProcessingUtils.generateTempFilename("area"))
         make_folder(folder)
         steps = self._steps(values, area, folder)
         record = Record(folder, self._inputs(values, area))
         for step in steps:
             record.require_free(step)
+            if not record.has(step):
+                step.require_possible(values.context)
         record.require_own(REPORT_FILE)
         progress = QgsProcessingMultiStepFeedback(len(steps), feedback)
         for number, step in enumerate(steps):

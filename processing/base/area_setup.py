@@ -163,23 +163,26 @@ def read_photos(
 
     Raises:
         ParameterError: The ground width is unknown.
-        SemRefError: A folder has no images.
+        SemRefError: A folder has no images, or no photo can be read.
     """
     files = image_files(list(paths))
     shapes: dict[str, tuple[int, int]] = {}
     sizes: dict[str, float | None] = {}
-    places = []
+    places, faults = [], []
     for path in files:
         check_canceled(feedback)
         try:
             raster = open_raster(path)
-        except SemRefError:
+        except SemRefError as error:
             # Localizing reports it as the reason of this photo.
+            faults.append(error)
             continue
         shapes[path] = raster.RasterYSize, raster.RasterXSize
         sizes[path] = _pixel_size_m(path, shapes[path])
         place = photo_lon_lat(path)
         places += [] if place is None else [place]
+    if faults and not shapes:
+        raise faults[0]
     known = [size * shapes[path][1] for path, size in sizes.items() if size]
     is_assumed = width_m is None and not known
     if is_assumed and not (imagery_pixel_m and shapes):

@@ -16,6 +16,7 @@ from ...core.errors import ParameterError
 from ...storage.atomic_output import written_beside
 from ..translation import tr
 from .algorithm import Canceled, SemRefAlgorithm
+from .destinations import require_outputs_apart
 
 RECORD = "semref_setup.json"
 """File of the folder that records which inputs each file was made from."""
@@ -41,6 +42,10 @@ class Step:
     values: dict[str, Any]
     files: tuple[str, ...]
     text: str
+
+    def require_possible(self, context: QgsProcessingContext) -> None:
+        """Raise ParameterError for an output that would be refused when the step starts."""
+        require_outputs_apart(self.algorithm().create(), self.values, context, {})
 
     def run(self, values: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> None:
         """Run the algorithm; ``values`` replace or add parameters.
