@@ -34,6 +34,8 @@ _LAYER_NAME = re.compile(r"layername=([^|]*)", re.IGNORECASE)
 _LAYER_OF_FILE = re.compile(r"\|(layername|layerid|table)=", re.IGNORECASE)
 _READ_AS_PROVIDER = re.compile(r".{3,}?:")
 """QGIS reads the text before a colon in the path of a layer as the name of a data provider; “C:” is too short."""
+_ESCAPE = re.compile(r"%[0-9a-fA-F]{2}")
+"""GDAL opens a GeoPackage by an address, in which “%20” is a space."""
 _SPECIAL = "`~!@#$%^&*()+-={}|[]\\:\";'<>?,./"
 """Characters with which GDAL lets no layer of a GeoPackage begin; QGIS names the layer after the file."""
 _TABLE = re.compile(r"""table=(?:"([^"]*)"|'([^']*)'|(\S+))""")
@@ -179,8 +181,10 @@ def _require_possible(definition: QgsProcessingParameterDefinition, wanted: Dest
     """Refuse a path that QGIS would refuse when the layer is written, after all the work."""
     path = os.path.abspath(wanted.path)
     is_database = path.lower().endswith(".gpkg")
-    found = ""
-    if "|" in path and (is_layer or is_database):
+    found, escape = "", _ESCAPE.search(path) if is_database else None
+    if escape:
+        found = escape.group()
+    elif "|" in path and (is_layer or is_database):
         found = "|"
     elif is_layer and not wanted.is_table:
         name = os.path.basename(path)

@@ -380,6 +380,7 @@ def test_a_layer_of_a_file_as_output_is_refused_with_the_reason(run_algorithm, g
         ("localize", "(1).gpkg", "("),
         ("localize", "a|b.gpkg", "|"),
         ("build", "a|b.gpkg", "|"),
+        ("build", "a%20b.gpkg", "%20"),
     ],
 )
 def test_a_path_that_qgis_cannot_write_is_refused_before_the_work(run_algorithm, given, writer, name, character):
