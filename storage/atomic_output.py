@@ -85,10 +85,11 @@ class Batch:
         return self
 
     def __exit__(self, _kind: object, error: BaseException | None, _trace: object) -> None:
-        full = self._full_target() if isinstance(error, UnwritableError) else None
+        is_unwritten = isinstance(error, UnwritableError) or getattr(error, "errno", None) == errno.ENOSPC
+        full = self._full_target() if is_unwritten else None
         self.close()
         if full is not None:
-            # GDAL's message is technical, and names the file in the workplace.
+            # GDAL's message is technical, and names the file in the workplace; Python's may name no file.
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(full)) from None
 
     def _full_target(self) -> Path | None:

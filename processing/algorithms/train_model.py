@@ -216,15 +216,13 @@ class TrainModel(AnnotationAlgorithm):
         text = tr("{python}: torch {version} on {device}")
         feedback.pushInfo(text.format(python=python, version=ready["torch"], device=ready["device"]))
         with outputs.file(self.OUTPUT) as temporary:
-            self._run = run = TrainingRun(values.target(self.OUTPUT), values.switch(self.RESUME))
+            self._training = run = TrainingRun(values.target(self.OUTPUT), values.switch(self.RESUME))
             try:
                 report = self._train(values, python, temporary, run, began, feedback)
             except Canceled:
                 if run.can_go_on:
                     raise CanceledKeeping(run.folder) from None
                 raise
-            finally:
-                run.close()
         if outputs.wants(self.REPORT):
             outputs.text(self.REPORT, report.html())
         return {self.MEAN_IOU: report.result["mean_iou"]}
@@ -232,10 +230,16 @@ class TrainModel(AnnotationAlgorithm):
     def processAlgorithm(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
-        results = super().processAlgorithm(parameters, context, feedback)
-        # Remove the run only when the model is in its place: if it cannot be moved there, the training is not lost.
-        self._run.clear()
-        return results
+        self._training: TrainingRun | None = None
+        try:
+            results = super().processAlgorithm(parameters, context, feedback)
+            # Remove the run only when the model is in its place: if it cannot be moved there, the training is not lost.
+            self._training.clear()
+            return results
+        finally:
+            # Not before: a full disk is recognized while it is full.
+            if self._training is not None:
+                self._training.close()
 
     def _count_classes(self, values: Values, feedback: QgsProcessingFeedback) -> None:
         """Make ground without a polygon class “other” in a layer with a single class, as in “Rasterize land-cover

@@ -32,7 +32,7 @@ def training_events(python: str, arguments: list[str], feedback: QgsProcessingFe
     """Run the training and yield its events; a cancel ends it and all its processes at once.
 
     Raises:
-        TrainingError: It cannot be started, reports an error, or ends without a message.
+        TrainingError: It cannot be started, reports an error, or ends without a message although it has ``arguments``.
     """
     process = QProcess()
     environment = python_environment()
@@ -55,7 +55,10 @@ def training_events(python: str, arguments: list[str], feedback: QgsProcessingFe
     finally:
         reports.end()
     if process.exitStatus() == QProcess.ExitStatus.CrashExit or process.exitCode() != 0:
-        raise ended_silently(python, reports.reason or process.errorString())
+        reason = reports.reason or process.errorString()
+        if arguments:
+            raise ended_silently(python, reason)
+        feedback.pushDebugInfo(reason)
 
 
 def ended_silently(python: str, reason: object) -> TrainingError:

@@ -190,12 +190,16 @@ def test_a_second_training_of_the_same_model_does_not_touch_the_first(train, tmp
 
 
 @pytest.mark.slow
-def test_a_canceled_run_of_other_settings_is_not_gone_on_with(train, tmp_path):
+def test_a_canceled_run_of_other_settings_or_with_an_unreadable_job_is_not_gone_on_with(train, tmp_path):
     interrupt(train)
     with pytest.raises(QgsProcessingException, match="turn off “Continue"):
         train(NETWORK=1)
+    (folder,) = folders(tmp_path)
+    (folder / "job.json").write_text("{")
+    with pytest.raises(QgsProcessingException, match="job.json.*turn off “Continue"):
+        train()
     train(NETWORK=1, RESUME=False)
-    assert (tmp_path / "model.onnx").exists()
+    assert (tmp_path / "model.onnx").exists() and folders(tmp_path) == []
 
 
 def test_a_cancel_before_the_first_epoch_leaves_nothing(train, tmp_path):
@@ -231,9 +235,17 @@ def test_a_python_without_torch_is_refused_before_anything_is_cut(train, tmp_pat
     lacking = f'tell("failed", template="{template}", values={values}, text=""); sys.exit(1)'
     with pytest.raises(QgsProcessingException, match="here lacks the Python package torch"):
         train(ready=lacking)
-    with pytest.raises(QgsProcessingException, match="not a Python with torch"):
-        train(ready="print('hello')")
+    for other in ("print('hello')", "sys.exit(2)"):
+        with pytest.raises(QgsProcessingException, match="not a Python with torch"):
+            train(ready=other)
     assert folders(tmp_path) == []
+
+
+def test_a_disk_that_is_full_of_tiles_is_reported_as_full(train, small_disk):
+    disk = small_disk(20)
+    with pytest.raises(QgsProcessingException, match="The disk is full: .*model.onnx cannot be written"):
+        train(OUTPUT=str(disk / "model.onnx"))
+    assert not list(disk.iterdir())
 
 
 @pytest.mark.parametrize(
@@ -340,17 +352,6 @@ def test_a_training_is_not_lost_where_its_model_can_t_be_moved_to_its_place(trai
     (folder,) = folders(tmp_path)
     assert (folder / "last.pt").exists()
     train()
-    assert folders(tmp_path) == []
-
-
-@pytest.mark.slow
-def test_a_run_with_an_unreadable_job_is_not_continued(train, tmp_path):
-    interrupt(train)
-    (folder,) = folders(tmp_path)
-    (folder / "job.json").write_text("{")
-    with pytest.raises(QgsProcessingException, match="job.json.*turn off “Continue"):
-        train()
-    train(RESUME=False)
     assert folders(tmp_path) == []
 
 
