@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -19,6 +20,7 @@ from qgis.core import (
     QgsProcessingParameterNumber,
     QgsProcessingParameterRasterLayer,
     QgsRectangle,
+    QgsWkbTypes,
 )
 
 from ...core.errors import ParameterError
@@ -28,7 +30,16 @@ from ..base.assessing import AssessAlgorithm, setting_rows
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.values import Values
-from ..compat import DOUBLE, INTEGER, POINT, SOURCE_LINE, SOURCE_POINT, SOURCE_POLYGON
+from ..compat import (
+    DOUBLE,
+    INTEGER,
+    POINT,
+    POINT_GEOMETRY,
+    POLYGON_GEOMETRY,
+    SOURCE_LINE,
+    SOURCE_POINT,
+    SOURCE_POLYGON,
+)
 from ..messages.numbers import shown
 from ..messages.sentences import worded
 from ..translation import tr
@@ -172,14 +183,15 @@ class AssessRoute(AssessAlgorithm):
         if is_waypoint_file(value):
             self._route = read_route(value)
             return
-        try:
+        source = None
+        with suppress(ParameterError):
             source = values.source(self.ROUTE)
-        except ParameterError as error:
+        if source is None or QgsWkbTypes.geometryType(source.wkbType()) in (POINT_GEOMETRY, POLYGON_GEOMETRY):
             raise ParameterError(
                 "The route {value} is not a line layer and not a GPX, KML, .plan or .waypoints file. Select one of "
                 "these.",
-                value=value,
-            ) from error
+                value=value if source is None else source.sourceName(),
+            )
         self._route = route_of_source(source)
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, float]:

@@ -13,6 +13,7 @@ from qgis.core import (
     QgsCoordinateTransformContext,
     QgsPointXY,
     QgsProcessingContext,
+    QgsProcessingException,
     QgsProcessingFeatureSourceDefinition,
 )
 from qgis.PyQt.QtGui import QImage
@@ -232,7 +233,7 @@ def test_a_stretch_beside_landmarks_is_hinted_there(assess, tmp_path, feedback):
     assert all(row["shift"] in (-300, -150) and row["shift_success"] > 0.6 for row in rows)
 
 
-def test_a_waypoint_file_passes_the_check_of_parameters_and_other_text_does_not(qgis_app, database, tmp_path):
+def test_a_waypoint_file_passes_the_check_of_parameters_and_other_text_does_not(run_algorithm, database, tmp_path):
     path = tmp_path / "mission.plan"
     path.write_text(simple_plan(TURNS), encoding="utf-8")
     algorithm = QgsApplication.processingRegistry().createAlgorithmById(ASSESS)
@@ -242,6 +243,9 @@ def test_a_waypoint_file_passes_the_check_of_parameters_and_other_text_does_not(
     wrapped = QgsProcessingFeatureSourceDefinition(str(path), False)
     assert algorithm.checkParameterValues({**given, "ROUTE": wrapped}, context)[0]
     assert not algorithm.checkParameterValues({**given, "ROUTE": "no layer"}, context)[0]
+    places = write_layer(tmp_path / "places.gpkg", [("POINT (1 2)", "a")])
+    with pytest.raises(QgsProcessingException, match="The route places is not a line layer"):
+        run_algorithm(ASSESS, {**given, "ROUTE": str(places)})
 
 
 @pytest.mark.slow
