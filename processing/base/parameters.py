@@ -47,6 +47,10 @@ def with_help(
         widget: A class of ``ui/fields/dialog_widgets.py`` that shows it in dialogs; QGIS's own widget if empty.
     """
     parameter.setHelp(tr(text))
+    kinds = parameter.fileFilter() if isinstance(parameter, QgsProcessingParameterFile) else ""
+    if kinds and "(*)" not in kinds:
+        # QGIS refuses other names, even “.CSV”, without a reason. The readers look at the content.
+        parameter.setFileFilter(f"{kinds};;{tr('All files (*)')}")
     if advanced:
         parameter.setFlags(parameter.flags() | QgsProcessingParameterDefinition.FlagAdvanced)
     if widget:

@@ -34,7 +34,7 @@ def flight(tmp_path_factory):
         image = cut(MAP, MapFrame.at((WEST, NORTH), 1.0), view)
         write_raster(folder / f"image{number}.png", image if number - 5 != BLANK else image * 0, transform=None)
     times = [f"image{n}.png,2025-05-09T10:00:{2 * n:02d}" for n in range(5, 5 + COUNT)]
-    write_text(folder.parent / "times.csv", "\n".join(["image,time", *times]))
+    write_text(folder.parent / "TIMES.CSV", "\n".join(["image,time", *times]))
     write_text(folder.parent / "motion.csv", odometry())
     return folder
 
@@ -69,7 +69,7 @@ def localize(run_algorithm, build_area, flight, tmp_path_factory):
 @pytest.fixture(scope="module")
 def found(localize, flight):
     """Return (rows, results) of the flight with the times of its images."""
-    return localize(ATTITUDE=str(flight.parent / "times.csv"))
+    return localize(ATTITUDE=str(flight.parent / "TIMES.CSV"))
 
 
 def test_the_flight_is_placed_on_one_track_with_its_image_without_content(found):
@@ -143,7 +143,7 @@ def geo(names: Sequence[str], turned: float = 0.0) -> str:
 @pytest.mark.slow
 def test_headings_of_a_log_narrow_the_search(localize, flight, tmp_path):
     names = [f"image{n}.png" for n in range(5, 5 + COUNT)]
-    _, right = localize(LOG=str(write_text(tmp_path / "geo.txt", geo(names))))
+    _, right = localize(LOG=str(write_text(tmp_path / "GEO.TXT", geo(names))))
     assert right["FIX_COUNT"] >= COUNT - 3
     _, wrong = localize(LOG=str(write_text(tmp_path / "turned.txt", geo(names, 90))))
     assert wrong["FIX_COUNT"] == 0

@@ -25,7 +25,7 @@ def test_where_no_database_is_named_the_sentence_has_no_hole_in_it(qgis_app, pat
 @pytest.mark.parametrize("algorithm", [LOCALIZE, DESCRIBE])
 def test_a_missing_database_is_named(refused, tmp_path, algorithm):
     assert "/nowhere/area.gpkg" in refused(algorithm, DATABASE="/nowhere/area.gpkg")
-    assert "DATABASE" in refused(algorithm, DATABASE=str(tmp_path))
+    assert f"There is no database {tmp_path};" in refused(algorithm, DATABASE=str(tmp_path))
 
 
 @pytest.mark.parametrize("content", [b"", b"hello", b"SQLite format 3\x00", b"SQLite format 3\x00" + bytes(200)])
