@@ -71,6 +71,7 @@ CACHE_BYTES = 16 << 30  # A database of 10⁷ landmarks and 10⁵ km² needs 5 G
 SQUARES = 100_000  # Of an assessment; more take hours and show no more detail.
 ROUTE_POINTS = 20_000  # Of a route; more take hours.
 FLOWN_IMAGES = 20_000  # Of all simulated flights together; more take days.
+FOOTPRINT_M = 100_000.0  # Width of the ground in an image; no aircraft flies high enough to see more.
 SIMULATED_EDGE_PX = 2000  # Of a simulated image; a larger footprint gets larger pixels.
 THREADS = 256  # More than any onboard computer has; each thread costs memory.
 RISK = 0.5  # A position with a higher error probability is more likely wrong than right.

@@ -4656,8 +4656,8 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Die Bildfläche ist zu klein, um die ganze Karte zu durchsuchen. Legen Sie eine Position als Vorwissen fest.</translation>
   </message>
   <message>
-   <source>The footprint width is {footprint:g} m; it must be more than 0 m.</source>
-   <translation>Die Breite der Bildfläche ist {footprint:g} m; sie muss größer als 0 m sein.</translation>
+   <source>The footprint width is {footprint:g} m; it must be more than 0 m and at most {most:g} m.</source>
+   <translation>Die Breite der Bildfläche ist {footprint:g} m; sie muss größer als 0 m und höchstens {most:g} m sein.</translation>
   </message>
   <message>
    <source>The geometry of feature {id} is invalid: {reason}.</source>

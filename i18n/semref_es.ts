@@ -4656,8 +4656,8 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>La huella es demasiado pequeña para buscar en todo el mapa. Indique una posición previa.</translation>
   </message>
   <message>
-   <source>The footprint width is {footprint:g} m; it must be more than 0 m.</source>
-   <translation>El ancho de la huella es de {footprint:g} m; debe ser mayor que 0 m.</translation>
+   <source>The footprint width is {footprint:g} m; it must be more than 0 m and at most {most:g} m.</source>
+   <translation>El ancho de la huella es de {footprint:g} m; debe ser mayor que 0 m y como máximo {most:g} m.</translation>
   </message>
   <message>
    <source>The geometry of feature {id} is invalid: {reason}.</source>

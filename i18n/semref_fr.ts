@@ -4656,8 +4656,8 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>L’emprise au sol est trop petite pour chercher sur toute la carte. Indiquez une position a priori.</translation>
   </message>
   <message>
-   <source>The footprint width is {footprint:g} m; it must be more than 0 m.</source>
-   <translation>La largeur de l’emprise au sol est de {footprint:g} m ; elle doit être supérieure à 0 m.</translation>
+   <source>The footprint width is {footprint:g} m; it must be more than 0 m and at most {most:g} m.</source>
+   <translation>La largeur de l’emprise au sol est de {footprint:g} m ; elle doit être supérieure à 0 m et au plus de {most:g} m.</translation>
   </message>
   <message>
    <source>The geometry of feature {id} is invalid: {reason}.</source>

@@ -4656,8 +4656,8 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>覆盖范围太小，无法搜索整幅地图。请设置先验位置。</translation>
   </message>
   <message>
-   <source>The footprint width is {footprint:g} m; it must be more than 0 m.</source>
-   <translation>覆盖范围宽度为 {footprint:g} m；必须大于 0 m。</translation>
+   <source>The footprint width is {footprint:g} m; it must be more than 0 m and at most {most:g} m.</source>
+   <translation>覆盖范围宽度为 {footprint:g} m；必须大于 0 m，且不超过 {most:g} m。</translation>
   </message>
   <message>
    <source>The geometry of feature {id} is invalid: {reason}.</source>

@@ -59,9 +59,11 @@ class ImageSimulator:
             ParameterError: The footprint is invalid.
             DatabaseError: The database has no landmarks.
         """
-        if not 0 < footprint < math.inf:
+        if not 0 < footprint <= limits.FOOTPRINT_M:
             raise ParameterError(
-                "The footprint width is {footprint:g} m; it must be more than 0 m.", footprint=footprint
+                "The footprint width is {footprint:g} m; it must be more than 0 m and at most {most:g} m.",
+                footprint=footprint,
+                most=limits.FOOTPRINT_M,
             )
         if not len(database.references):
             raise DatabaseError(
@@ -164,7 +166,7 @@ class ImageSimulator:
 
     def _coarse_view(self, view: View, pixel: float) -> View:
         """Return the same ground in pixels about as coarse as the overview's."""
-        size = max(round(self.footprint / pixel), 1)
+        size = min(max(round(self.footprint / pixel), 1), limits.SIMULATED_EDGE_PX)
         return replace(view, pixel_size=self.footprint / size, width_px=size, height_px=size)
 
     def _as_seen(self, chosen: np.ndarray, centers: np.ndarray | None = None) -> Landmarks:

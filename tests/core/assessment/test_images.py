@@ -49,7 +49,7 @@ def test_the_noise_is_what_is_asked_for(assessed_database, localizer):
     assert share == pytest.approx(0.5 + 0.35, abs=0.08)
 
 
-@pytest.mark.parametrize("footprint", [0.0, -5.0, float("nan"), float("inf")])
+@pytest.mark.parametrize("footprint", [0.0, -5.0, 1e6, float("nan"), float("inf")])
 def test_an_invalid_footprint_is_refused(assessed_database, localizer, footprint):
     with pytest.raises(ParameterError, match="The footprint width is"):
         ImageSimulator(localizer, assessed_database, footprint)
