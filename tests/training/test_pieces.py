@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from semref.core.errors import TrainingError
-from semref.training import augment, class_bias, metrics, tiles
+from semref.training import augment, class_bias, metrics, temperature, tiles
 
 IGNORED = tiles.IGNORED
 
@@ -192,3 +192,33 @@ def test_unlabeled_ground_follows_the_setting_of_its_folder(tmp_path):
     pairs = [tiles.TilePair(tmp_path / "image.png", tmp_path / "labels.png", (1, 2, 3), None, one) for one in (None, 2)]
     reader = tiles.TileReader(pairs, [0, 7], False)
     assert [reader(n)[1][0].tolist() for n in (0, 1)] == [[IGNORED, 1, IGNORED], [2, 1, IGNORED]]
+
+
+class Tiles:
+    """Tiles with scores as their image, and labels drawn from the softmax at a temperature."""
+
+    def __init__(self, true_temperature, count=3, edge=96):
+        rng = np.random.default_rng(5)
+        self.scores = rng.normal(0, 4, (count, 3, edge, edge))
+        odds = np.exp(self.scores / true_temperature)
+        limits = np.cumsum(odds / odds.sum(axis=1, keepdims=True), axis=1)
+        self.labels = (rng.random((count, 1, edge, edge)) > limits).sum(axis=1).astype(np.uint8)
+
+    def __len__(self):
+        return len(self.scores)
+
+    def __call__(self, index):
+        return index, self.labels[index]
+
+
+@pytest.mark.parametrize("true_temperature", [0.7, 1.0, 2.5])
+def test_the_temperature_that_made_the_labels_is_found(true_temperature):
+    tiles = Tiles(true_temperature)
+    found = temperature.fit_temperature(lambda index: tiles.scores[index], tiles)
+    assert found == pytest.approx(true_temperature, rel=0.1)
+
+
+def test_pixels_without_a_label_have_no_effect():
+    tiles = Tiles(1.0, 1)
+    tiles.labels[:] = 255
+    assert temperature.fit_temperature(lambda index: tiles.scores[index], tiles) is None
