@@ -13,11 +13,7 @@ class Code(WorkerPlugin):
     """Makes SemRef's rooms importable in a worker, under a name with the hash of their content."""
 
     def __init__(self, package: str, archive: bytes) -> None:
-        """Store the code to send.
-
-        Args:
-            archive: A zip file with one folder of that name.
-        """
+        """Store the code to send; ``archive``: a zip file with one folder of that name."""
         self.name = package
         self.archive = archive
 

@@ -34,11 +34,7 @@ class GdalImage:
     """
 
     def __init__(self, path: str, size_wh: tuple[int, int] | None = None) -> None:
-        """Open the image.
-
-        Args:
-            size_wh: (width, height) to reduce it to by averaging; None for its own size.
-        """
+        """Open the image; ``size_wh``: (width, height) to reduce it to by averaging; None for its own size."""
         self._path = path
         try:
             self._file = open_raster(path)

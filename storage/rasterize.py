@@ -135,11 +135,7 @@ class BurnLayer:
             self._layer.CreateFeature(feature)
 
     def rasterize(self, frame: MapFrame, kind: int) -> np.ndarray:
-        """Return (H, W) polygon values, 0 outside all polygons.
-
-        Args:
-            kind: GDAL's data type of the values.
-        """
+        """Return (H, W) polygon values, 0 outside all polygons; ``kind``: GDAL's data type of the values."""
         height, width = frame.shape_hw
         strip = gdal.GetDriverByName("MEM").Create("", width, height, 1, kind)
         strip.SetGeoTransform(frame.geotransform)

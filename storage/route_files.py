@@ -33,11 +33,7 @@ def is_waypoint_file(value: object) -> bool:
 
 
 def read_waypoint_file(path: str) -> list[np.ndarray]:
-    """Return lines, each (n, 2) longitude, latitude in degrees.
-
-    Raises:
-        ParameterError: The file can't be read.
-    """
+    """Return lines, each (n, 2) longitude, latitude in degrees. Raises ParameterError: the file can't be read."""
     if not os.path.isfile(path):
         raise ParameterError("There is no file {path}; choose another route.", path=path)
     if os.path.getsize(path) > limits.ROUTE_BYTES:

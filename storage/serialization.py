@@ -33,11 +33,7 @@ def to_bytes(value: object) -> bytes:
 
 
 def from_bytes(content: bytes) -> Any:  # noqa: ANN401 -- as it was
-    """Return the value that ``to_bytes`` serialized.
-
-    Raises:
-        ValueError: The content is invalid.
-    """
+    """Return the value that ``to_bytes`` serialized. Raises ValueError: the content is invalid."""
     end = content.find(b"\n")
     return _restore(json.loads(content[:end]), memoryview(content)[end + 1 :])
 

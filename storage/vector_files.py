@@ -47,11 +47,7 @@ def copy_whole(source: sqlite3.Connection, target: sqlite3.Connection) -> None:
 
 
 def copy_database(path: str, target: str) -> None:
-    """Copy a GeoPackage with all committed changes.
-
-    Raises:
-        ParameterError: It can't be read.
-    """
+    """Copy a GeoPackage with all committed changes. Raises ParameterError: it can't be read."""
     try:
         closing = contextlib.closing
         with closing(sqlite3.connect(path, timeout=5)) as source, closing(sqlite3.connect(target)) as copy:

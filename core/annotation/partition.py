@@ -85,11 +85,7 @@ class Regions:
 
 
 def partition_polygons(polygons: np.ndarray) -> PlanarPartition:
-    """Cut polygons into their common faces.
-
-    Args:
-        polygons: (N,) valid shapely polygons, meters.
-    """
+    """Cut polygons into their common faces. ``polygons``: (N,) valid shapely polygons, meters."""
     faces = shapely.get_parts(shapely.polygonize(shapely.get_parts(_node(shapely.boundary(polygons)))))
     points = shapely.STRtree(shapely.point_on_surface(faces))
     # Query points with polygons, not the reverse: shapely prepares the geometries that it queries with.

@@ -133,11 +133,7 @@ class FlownRoutes:
         self._source = ArrayLabels(cast(np.ndarray, database.overview))
 
     def fly(self, points: RoutePoints) -> Steps[FlownRoute]:
-        """Fly along the lines of a route.
-
-        Raises:
-            ParameterError: There are too many images.
-        """
+        """Fly along the lines of a route. Raises ParameterError: there are too many images."""
         flights, count = self._plan.flights, len(points)
         if flights * count > limits.FLOWN_IMAGES:
             raise ParameterError(

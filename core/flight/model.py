@@ -51,11 +51,7 @@ class FlightImage:
     leveling: Leveling | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
-        """Check the labels.
-
-        Raises:
-            ParameterError: The array is not a label image.
-        """
+        """Check the labels. Raises ParameterError: the array is not a label image."""
         if self.labels_hw.ndim != 2 or not self.labels_hw.size:
             raise ParameterError("{name} is not a label image: it has no pixels or several bands.", name=self.name)
 

@@ -86,11 +86,7 @@ class FlightTracker:
     """
 
     def __init__(self, localizer: Localizer, settings: FlightSettings = FLIGHT) -> None:
-        """Begin a flight.
-
-        Args:
-            localizer: Of a database with its overview.
-        """
+        """Begin a flight; ``localizer``: of a database with its overview."""
         self.localizer, self.settings = localizer, settings
         self.track, self.looked = 0, Looked()
         self._number = -1

@@ -17,11 +17,7 @@ STEPS, SMALLEST_STEP = 60, 1e-12
 
 
 def ellipse_of(covariance: np.ndarray) -> Ellipse:
-    """Return the 95 % ellipse of a position.
-
-    Args:
-        covariance: (2, 2), map units².
-    """
+    """Return the 95 % ellipse of a position; ``covariance``: (2, 2), map units²."""
     values, axes = np.linalg.eigh(covariance)
     minor, major = CIRCLE_95 * np.sqrt(np.maximum(values, 0))
     direction = 90 - np.degrees(np.arctan2(axes[1, 1], axes[0, 1]))

@@ -19,22 +19,14 @@ class BlockHasher:
     """Hashes the rows of a map as they arrive, from top to bottom: ``add`` them all, then read ``hashes``."""
 
     def __init__(self, width: int) -> None:
-        """Start with the first row.
-
-        Args:
-            width: Of the map, pixels.
-        """
+        """Start with the first row; ``width``: of the map, pixels."""
         self._columns = range(0, width, HASHED_BLOCK)
         self._row = 0
         self._open: list[_BlockDigest] = []
         self._done: list[str] = []
 
     def add(self, labels_hw: np.ndarray) -> None:
-        """Add the next rows of the map.
-
-        Args:
-            labels_hw: (h, W) uint8 labels, any number of rows.
-        """
+        """Add the next rows of the map; ``labels_hw``: (h, W) uint8 labels, any number of rows."""
         first = 0
         while first < len(labels_hw):
             if self._row % HASHED_BLOCK == 0:

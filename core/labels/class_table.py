@@ -230,11 +230,7 @@ class ClassTable:
         return ClassTable(tuple(replace(c, role=REFERENCE if c.value in chosen else BACKGROUND) for c in self.classes))
 
     def require_references(self) -> ClassTable:
-        """Return the table itself.
-
-        Raises:
-            ClassTableError: It has no reference class.
-        """
+        """Return the table itself. Raises ClassTableError: it has no reference class."""
         if not self.references:
             raise ClassTableError(
                 "No class is a reference class. Choose at least one of {classes}, or give it the role “reference” in "

@@ -26,11 +26,7 @@ class ArrayLabels:
     """A label map in memory."""
 
     def __init__(self, labels_hw: np.ndarray) -> None:
-        """Wrap the labels without a copy.
-
-        Args:
-            labels_hw: (H, W) uint8 labels.
-        """
+        """Wrap the labels without a copy; ``labels_hw``: (H, W) uint8 labels."""
         self._labels_hw = labels_hw
 
     @property

@@ -132,9 +132,5 @@ class StateFile:
         )
 
     def code(self, data: bytes) -> bytes:
-        """Return the code that authenticates the bytes of a state.
-
-        Args:
-            data: The ``.npz``.
-        """
+        """Return the code that authenticates the bytes of a state; ``data``: the ``.npz``."""
         return hmac.new(self.key, _PURPOSE + data, hashlib.sha256).digest()

@@ -68,11 +68,7 @@ class Workers:
     """The workers of SCHEDULER: a ``core.database.tasks.Runner``."""
 
     def __init__(self, process: QProcess, folder: str, feedback: QgsProcessingFeedback) -> None:
-        """Prepare to send tasks.
-
-        Args:
-            feedback: Shows the reports of the process.
-        """
+        """Prepare to send tasks; ``feedback``: shows the reports of the process."""
         self.reports = EventProcess(process)
         self._process, self._folder, self._feedback = process, folder, feedback
         self._events = self.reports.read(feedback)

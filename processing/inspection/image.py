@@ -56,11 +56,7 @@ class ImageInspector:
         self._network: tuple[tuple, PhotoLabelReader | None] = ((), None)
 
     def inspect(self, query: ImageQuery, database: ReferenceDatabase) -> InspectedImage:
-        """Read an image and describe it.
-
-        Raises:
-            SemRefError: The image or the model cannot be used.
-        """
+        """Read an image and describe it. Raises SemRefError: the image or the model cannot be used."""
         from ...core.landmarks.landmarks import extract_landmarks
         from ...core.localizer.localizer import describe_image
 
