@@ -85,12 +85,7 @@ def photo_features(photo: np.ndarray, has_data_hw: np.ndarray | None = None, wid
     Raises:
         ImageError: The array is not a photo of 8 bits.
     """
-    if photo.dtype != np.uint8 or photo.ndim not in (2, 3) or not photo.size or photo.shape[2:] not in ((), (3,)):
-        raise ImageError(
-            "This is not a photo or label image of 8 bits: its pixels are {shape} of {kind}.",
-            shape=photo.shape,
-            kind=photo.dtype,
-        )
+    _require_8_bits(photo, photo.ndim in (2, 3) and photo.shape[2:] in ((), (3,)))
     gray = cv2.cvtColor(photo, cv2.COLOR_RGB2GRAY) if photo.ndim == 3 else photo
     return _features(gray.astype(np.uint8, copy=False), has_data_hw, width)
 
@@ -114,22 +109,9 @@ def features_of(
     return photo_features(pixels_hw3, has_data_hw, level_hw.shape[1])
 
 
-def label_features(labels_hw: np.ndarray, width: int | None = None) -> Features:
-    """Return the features of a label image, from its boundaries.
-
-    Args:
-        labels_hw: (H, W) uint8, 0 = unknown.
-        width: As in ``photo_features``.
-
-    Raises:
-        ImageError: The array is not a label image.
-    """
-    if labels_hw.dtype != np.uint8 or labels_hw.ndim != 2 or not labels_hw.size:
-        raise ImageError(
-            "This is not a photo or label image of 8 bits: its pixels are {shape} of {kind}.",
-            shape=labels_hw.shape,
-            kind=labels_hw.dtype,
-        )
+def label_features(labels_hw: np.ndarray) -> Features:
+    """Return the features of a label image, (H, W) uint8 with 0 = unknown, from its boundaries. Raises ImageError."""
+    _require_8_bits(labels_hw, labels_hw.ndim == 2)
     shades = (25 + 205 * (np.arange(256) * _GOLDEN % 1)).astype(np.uint8)
     is_boundary = np.zeros(labels_hw.shape, bool)
     is_boundary[:, 1:] |= labels_hw[:, 1:] != labels_hw[:, :-1]
@@ -139,7 +121,16 @@ def label_features(labels_hw: np.ndarray, width: int | None = None) -> Features:
     near = 1 - np.minimum(distances, reach) / reach
     drawn = cv2.GaussianBlur((0.5 * shades[labels_hw] + 127 * near).astype(np.uint8), (0, 0), LABEL_BLUR_PX)
     is_known = labels_hw > 0
-    return _features(drawn, None if is_known.all() else is_known, width)
+    return _features(drawn, None if is_known.all() else is_known, None)
+
+
+def _require_8_bits(image: np.ndarray, has_shape: bool) -> None:
+    if image.dtype != np.uint8 or not image.size or not has_shape:
+        raise ImageError(
+            "This is not a photo or label image of 8 bits: its pixels are {shape} of {kind}.",
+            shape=image.shape,
+            kind=image.dtype,
+        )
 
 
 def _features(gray_hw: np.ndarray, is_known_hw: np.ndarray | None, width: int | None) -> Features:

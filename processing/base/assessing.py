@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
 from itertools import islice
 from typing import TYPE_CHECKING, Callable
 
@@ -16,7 +15,6 @@ from qgis.core import (
     QgsProcessingParameterNumber,
 )
 
-from ...core.errors import DatabaseError
 from ...core.localization import Method
 from ..compat import DOUBLE
 from ..messages.numbers import shown
@@ -25,6 +23,7 @@ from ..reports.network_noise import read_network
 from ..translation import tr
 from . import parameters
 from .algorithm import SemRefAlgorithm, cancelable, check_canceled
+from .localizing import with_overview
 from .parameters import with_help
 from .scheduler import Workers, with_progress
 from .values import Values
@@ -149,27 +148,18 @@ class AssessAlgorithm(SemRefAlgorithm):
         self, values: Values, feedback: QgsProcessingFeedback
     ) -> tuple[ReferenceDatabase, QgsCoordinateReferenceSystem]:
         """Return (database with bounds and, if there is one, its overview; its CRS)."""
-        from ...storage.database.connection import DatabaseChangedError
-        from ...storage.database.reader import read_database, read_overview
+        from ...storage.database.reader import read_database
         from ..layers.reference_systems import database_crs
 
         feedback.setProgressText(tr("Reading the database"))
         path = values.file(self.DATABASE)
         database = cancelable(read_database, path, False, True, feedback=feedback)
         crs = database_crs(database)
-        try:
-            overview = cancelable(read_overview, path, database.parameters, feedback=feedback)
-            database = replace(database, overview=overview)
-        except DatabaseChangedError:
-            raise
-        except DatabaseError:
-            # The landmarks can be assessed without the overview.
-            warning = tr(
-                "The database has no overview. Only the constellation is assessed, and the extent is used as the "
-                "border of the ground."
-            )
-            feedback.pushWarning(warning)
-        return database, crs
+        warning = tr(
+            "The database has no overview. Only the constellation is assessed, and the extent is used as the border "
+            "of the ground."
+        )
+        return with_overview(database, path, warning, feedback), crs
 
     def assessment(
         self,

@@ -169,7 +169,8 @@ class LocalizeAlgorithm(SemRefAlgorithm):
         feedback.setProgressText(tr("Reading the database"))
         path = values.file(self.DATABASE)
         database = cancelable(read_database, path, method == Method.MAP_CORRELATION, feedback=feedback)
-        return _with_overview(database, path, feedback) if method == Method.AUTOMATIC else database
+        warning = tr("“Automatic” uses only the constellation of landmarks, not map correlation: {reason}")
+        return with_overview(database, path, warning, feedback) if method == Method.AUTOMATIC else database
 
     def read_images(
         self, values: Values, method: Method, feedback: QgsProcessingFeedback, needed: bool = True
@@ -219,8 +220,10 @@ def require_images(paths: Sequence[str]) -> None:
         raise ParameterError("“Images” is empty. Select at least one image or a folder with images.")
 
 
-def _with_overview(database: ReferenceDatabase, path: str, feedback: QgsProcessingFeedback) -> ReferenceDatabase:
-    """Return the database with its overview. Without an overview, the method Automatic uses the constellation only."""
+def with_overview(
+    database: ReferenceDatabase, path: str, warning: str, feedback: QgsProcessingFeedback
+) -> ReferenceDatabase:
+    """Return the database with its overview; without one, log a warning, which may contain {reason}."""
     from ...storage.database.connection import DatabaseChangedError
     from ...storage.database.reader import read_overview
 
@@ -229,10 +232,7 @@ def _with_overview(database: ReferenceDatabase, path: str, feedback: QgsProcessi
     except DatabaseChangedError:
         raise
     except DatabaseError as error:
-        warning = tr("“Automatic” uses only the constellation of landmarks, not map correlation: {reason}").format(
-            reason=worded(error)
-        )
-        feedback.pushWarning(warning)
+        feedback.pushWarning(warning.format(reason=worded(error)))
         return database
 
 
