@@ -33,6 +33,9 @@ class ErrorSettings:
             two dates; covariance].
         map_factors: Displacements that are tried, multiples of the map's stated accuracy, evenly spaced in their
             logarithm [maps of two dates; covariance].
+        tilted_exponent: Power of the displacement by which its prior is larger for a tilted pose: its four additional
+            numbers follow the displacement, and landmarks were matched because they agree with it. One for each number
+            [reasoning; maps of two dates].
         own_factors: Noises of single landmarks that are tried, multiples of the noise that the median residual shows
             [reasoning].
         own_spread: Prior standard deviation of the logarithm of these noises [by hand; covariance].
@@ -54,6 +57,7 @@ class ErrorSettings:
 
     map_kernels: tuple[tuple[float, float], ...] = ((60.0, 0.15), (300.0, 0.2), (3000.0, 0.65))
     map_factors: tuple[float, ...] = (0.03, 0.06, 0.13, 0.28, 0.6, 1.3, 2.8, 6.0)
+    tilted_exponent: float = 4.0
     own_factors: tuple[float, ...] = (0.35, 0.5, 0.7, 1.0, 1.4, 2.0)
     own_spread: float = 1.0
     views: tuple[tuple[float, float, float], ...] = ((0.0001, 0.0001, 0.7), (0.01, 0.1, 0.15), (0.02, 1.0, 0.15))

@@ -195,6 +195,7 @@ class _System:
 
     def __init__(self, matched: MatchedPoints, pose: Pose, errors: SharedErrors) -> None:
         self._settings = settings = errors.settings
+        self._is_level = pose.is_level
         self._half = half = matched.diagonal / 2
         self._scale = scale = abs(pose.turn) * half
         image = matched.image / half
@@ -248,6 +249,9 @@ class _System:
         # The map's deviation: nearly even in its logarithm up to the stated one, because most neighborhoods hardly
         # change between two dates; above it, half Cauchy. The landmarks' own: log normal.
         prior = 0.25 * np.log(shared) - 0.625 * np.log1p(shared**2) - 0.5 * (np.log(own) / settings.own_spread) ** 2
+        if not self._is_level:
+            # Matches that agree with a bent pose hide a part of the map's displacement.
+            prior += settings.tilted_exponent * np.log(shared)
         return own, shared * map_accuracy / self._scale, prior, np.array(settings.views)
 
     def solved(self, variances: tuple) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
