@@ -13,11 +13,11 @@ from .evaluation import MAP, MIRRORED, NOISE_LEVELS, ROTATION, SCALING, WindowQu
 from .rates import Rate, RateAt
 from .summary import (
     HELD_SHARES,
-    RoadSummary,
+    AccuracySummary,
+    accuracy_summaries,
     noise_rates,
     of_method,
     reliability,
-    road_summaries,
     success_by_landmarks,
     success_by_offset,
     summarize,
@@ -138,15 +138,16 @@ def _method(trials: Sequence[Trial], method: str) -> dict[str, Any]:
     values = {name: _rate(value) if isinstance(value, Rate) else value for name, value in vars(summary).items()}
     values["success_by_offset"] = [_rate_at(one) for one in success_by_offset(trials, method)]
     values["success_by_landmarks"] = [_rate_at(one) for one in success_by_landmarks(of_method(trials, method, MAP))]
-    values["roads"] = [_road(one) for one in road_summaries(of_method(trials, method, MAP, MIRRORED))]
+    values["roads"] = [_accuracy(one) for one in accuracy_summaries(of_method(trials, method, MAP, MIRRORED))]
     values["reliability"] = [_rate_at(one) for one in reliability(trials, method)]
     return values
 
 
-def _road(one: RoadSummary) -> dict[str, Any]:
-    held = {f"held_{100 * share:.0f}": _rate(rate) for share, rate in zip(HELD_SHARES, one.held)}
-    values = {name: getattr(one, name) for name in ("told", "calibration_error", "median_radius", "median_error")}
-    return {"road": one.road.key, "right": _rate(one.right), **values, **held}
+def _accuracy(one: AccuracySummary) -> dict[str, Any]:
+    """Return a summary under the keys of the file format, in which a method is a “road”."""
+    values = {name: getattr(one, name) for name in ("calibration_error", "median_radius", "median_error")}
+    held = {f"held_{100 * share:.0f}": _rate(rate) for share, rate in zip(HELD_SHARES, one.contained)}
+    return {"road": one.method.key, "right": _rate(one.right), "told": one.confidence, **values, **held}
 
 
 def _rate(rate: Rate) -> dict[str, Any]:

@@ -92,43 +92,43 @@ def held_shares(trials: Sequence[Trial]) -> tuple[Rate, ...]:
 
 
 @dataclass(frozen=True)
-class RoadSummary:
-    """Stated accuracy of the fixes of one method against the ground truth. None if unknown.
+class AccuracySummary:
+    """Stated accuracy of the fixes that one method found, against the ground truth. None if unknown.
 
     Attributes:
         right: Fixes at the right place, of all fixes.
-        told: Mean confidence.
+        confidence: Mean of the fixes.
         calibration_error: Mean difference of confidence and rate of right fixes, over bins.
-        held: Right fixes within their 50, 95 and 99 % ellipses.
+        contained: Right fixes within their 50, 95 and 99 % ellipses.
         median_radius: Stated 95 % radius of right fixes, m.
         median_error: Of right fixes, m.
     """
 
-    road: Method
+    method: Method
     right: Rate
-    told: float | None
+    confidence: float | None
     calibration_error: float | None
-    held: tuple[Rate, ...]
+    contained: tuple[Rate, ...]
     median_radius: float | None
     median_error: float | None
 
 
-def road_summaries(trials: Sequence[Trial]) -> list[RoadSummary]:
+def accuracy_summaries(trials: Sequence[Trial]) -> list[AccuracySummary]:
     """Return a summary for each method that gave fixes, whatever method was requested; mirrored images count."""
-    by_road: dict[Method, list[Trial]] = {}
+    by_method: dict[Method, list[Trial]] = {}
     for trial in trials:
         if trial.is_fix:
-            by_road.setdefault(trial.result.method, []).append(trial)
-    return [_road(road, by_road[road]) for road in Method if road in by_road]
+            by_method.setdefault(trial.result.method, []).append(trial)
+    return [_accuracy(method, by_method[method]) for method in Method if method in by_method]
 
 
-def _road(road: Method, fixes: Sequence[Trial]) -> RoadSummary:
+def _accuracy(method: Method, fixes: Sequence[Trial]) -> AccuracySummary:
     right = [t for t in fixes if t.is_right]
     confidences = [t.result.confidence or 0.0 for t in fixes]
     bins = binned(confidences, [t.is_right for t in fixes], CONFIDENCE_BINS)
     apart = sum(abs(one.at - one.rate.successes / one.rate.trials) * one.rate.trials for one in bins)
-    return RoadSummary(
-        road,
+    return AccuracySummary(
+        method,
         rate_of(t.is_right for t in fixes),
         sum(confidences) / len(confidences),
         apart / len(fixes),

@@ -15,10 +15,10 @@ from ...core.database.model import ReferenceDatabase
 from ...core.evaluation.rates import rate_of
 from ...core.evaluation.summary import (
     IN_VIEW_BINS,
-    RoadSummary,
+    AccuracySummary,
+    accuracy_summaries,
     brier_score,
     calibration,
-    road_summaries,
     success_by_landmarks,
 )
 from ...core.evaluation.trial import Trial
@@ -74,7 +74,7 @@ class AssessmentReport:
             page.section(tr("Results by footprint width"), self._footprints(), self._landmarks_table()),
             page.section(tr("Reasons for failures"), self._reasons()),
             page.section(tr("Landmarks"), self._landmarks()),
-            parts.road_section(self._roads()),
+            parts.accuracy_section(self._accuracy()),
             page.section(tr("Validation of expected success"), *trust(self.results)),
             parts.settings_section(self.settings),
         )
@@ -165,8 +165,8 @@ class AssessmentReport:
             [tr("Footprint"), tr("Reason"), tr("Share of the map")], rows, [2]
         )
 
-    def _roads(self) -> dict[str, list[RoadSummary]]:
-        return {r.title(): road_summaries([*r.trials, *r.correlated.values()]) for r in self.results}
+    def _accuracy(self) -> dict[str, list[AccuracySummary]]:
+        return {r.title(): accuracy_summaries([*r.trials, *r.correlated.values()]) for r in self.results}
 
     def _landmarks(self) -> str:
         references = self.database.references

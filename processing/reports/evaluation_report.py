@@ -10,13 +10,13 @@ import numpy as np
 from ...core.evaluation.evaluation import MAP, MIRRORED, NOISE_LEVELS, ROTATION, SCALING
 from ...core.evaluation.rates import Rate
 from ...core.evaluation.summary import (
+    AccuracySummary,
     MethodSummary,
-    RoadSummary,
+    accuracy_summaries,
     error_curve,
     noise_rates,
     of_method,
     reliability,
-    road_summaries,
     success_by_landmarks,
     success_by_offset,
     summarize,
@@ -91,7 +91,7 @@ class EvaluationReport:
             page.section(
                 tr("Reliability of the confidence"), page.columns(self._reliability_chart(), self._statuses(summaries))
             ),
-            parts.road_section(self._roads()),
+            parts.accuracy_section(self._accuracy()),
             page.section(
                 tr("Scale (Table 4 of He & Wu 2025)"),
                 page.paragraph(
@@ -183,10 +183,10 @@ class EvaluationReport:
         )
         return page.figure(chart, caption)
 
-    def _roads(self) -> dict[str, list[RoadSummary]]:
+    def _accuracy(self) -> dict[str, list[AccuracySummary]]:
         """Return summaries by method, including positions of mirrored images, which are always wrong."""
         tried = {title: of_method(self.trials, method, MAP, MIRRORED) for method, title in self.methods.items()}
-        return {title: road_summaries(trials) for title, trials in tried.items()}
+        return {title: accuracy_summaries(trials) for title, trials in tried.items()}
 
     def _statuses(self, summaries: Sequence[MethodSummary]) -> str:
         found = [status for status in Status if any(status.key in s.statuses for s in summaries)]

@@ -14,7 +14,7 @@ from ..translation import tr
 from . import page
 
 if TYPE_CHECKING:
-    from ...core.evaluation.summary import RoadSummary
+    from ...core.evaluation.summary import AccuracySummary
     from ...core.labels.comparison import LabelComparison
 
 
@@ -28,21 +28,21 @@ def settings_section(settings: Sequence[tuple[str, str]]) -> str:
     return page.section(tr("Settings"), page.table([tr("Setting"), tr("Value")], settings))
 
 
-def road_section(summaries: Mapping[str, Sequence[RoadSummary]]) -> str:
+def accuracy_section(summaries: Mapping[str, Sequence[AccuracySummary]]) -> str:
     """Return the comparison of stated radii and confidences with the truth; keys name sets of positions."""
     title = tr("Accuracy of radius and confidence")
-    roads = [one for found in summaries.values() for one in found]
-    if not roads:
+    listed = [one for found in summaries.values() for one in found]
+    if not listed:
         return page.section(title, page.paragraph(tr("No image has a position.")))
     of = {id(one): f"{name}: " if len(summaries) > 1 else "" for name, found in summaries.items() for one in found}
     columns = [
-        (tr("Position by"), lambda one: of[id(one)] + worded(one.road.title)),
+        (tr("Position by"), lambda one: of[id(one)] + worded(one.method.title)),
         (tr("Correct positions"), lambda one: page.rate_text(one.right)),
-        (tr("Mean confidence"), lambda one: page.percent(one.told, 2)),
+        (tr("Mean confidence"), lambda one: page.percent(one.confidence, 2)),
         (tr("Calibration error"), lambda one: page.percent(one.calibration_error, 2)),
-        (tr("In the 50 % ellipse"), lambda one: page.rate_text(one.held[0])),
-        (tr("In the 95 % ellipse"), lambda one: page.rate_text(one.held[1])),
-        (tr("In the 99 % ellipse"), lambda one: page.rate_text(one.held[2])),
+        (tr("In the 50 % ellipse"), lambda one: page.rate_text(one.contained[0])),
+        (tr("In the 95 % ellipse"), lambda one: page.rate_text(one.contained[1])),
+        (tr("In the 99 % ellipse"), lambda one: page.rate_text(one.contained[2])),
         (tr("Median 95 % radius"), lambda one: page.number(one.median_radius, "m")),
         (tr("Median error"), lambda one: page.number(one.median_error, "m")),
     ]
@@ -51,7 +51,7 @@ def road_section(summaries: Mapping[str, Sequence[RoadSummary]]) -> str:
         "in ten intervals of the confidence. Ellipses: share of correct positions with the true position inside the "
         "ellipse, which should be 50, 95 and 99 %."
     )
-    return page.section(title, page.records(roads, columns, range(1, len(columns))), page.paragraph(text))
+    return page.section(title, page.records(listed, columns, range(1, len(columns))), page.paragraph(text))
 
 
 def landmarks_table(rates: Mapping[str, Sequence[RateAt]], title: str, caption: str) -> str:

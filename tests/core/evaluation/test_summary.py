@@ -9,6 +9,7 @@ from semref.core.evaluation.as_json import FIELDS, evaluation_json, values_of
 from semref.core.evaluation.evaluation import MAP, MIRRORED, NOISE, NOISE_LEVELS, OFFSET, OFFSETS, SCALING, WindowQuery
 from semref.core.evaluation.rates import Rate, binned, rate_of, wilson
 from semref.core.evaluation.summary import (
+    accuracy_summaries,
     brier_score,
     calibration,
     covered,
@@ -17,7 +18,6 @@ from semref.core.evaluation.summary import (
     noise_rates,
     percentile,
     reliability,
-    road_summaries,
     success_by_landmarks,
     success_by_offset,
     summarize,
@@ -74,7 +74,7 @@ def test_likely_positions_change_no_rate_or_error_of_fixes():
     assert summarize(mirrored, Method.CONSTELLATION).false_accepts == Rate(0, 1)
     every = fixes + likely + mirrored
     assert error_curve(every, Method.CONSTELLATION)[0].tolist() == [1, 2, 30, 900]
-    assert road_summaries(every) == road_summaries(fixes)
+    assert accuracy_summaries(every) == accuracy_summaries(fixes)
     assert sum(one.rate.trials for one in reliability(every, Method.CONSTELLATION)) == 4
 
 
@@ -131,11 +131,11 @@ def test_methods_of_automatic_are_counted_by_the_method_of_the_fix():
         replace(one, result=replace(one.result, method=Method.MAP_CORRELATION, confidence=0.6))
         for one in (trial(ratio=2.0), trial(right=False))
     ]
-    first, second = road_summaries([*areas, *stars, trial(status="no_match")])
-    assert (first.road, second.road) == (Method.CONSTELLATION, Method.MAP_CORRELATION)
-    assert first.right == Rate(3, 4) and first.told == pytest.approx(0.95)
+    first, second = accuracy_summaries([*areas, *stars, trial(status="no_match")])
+    assert (first.method, second.method) == (Method.CONSTELLATION, Method.MAP_CORRELATION)
+    assert first.right == Rate(3, 4) and first.confidence == pytest.approx(0.95)
     assert first.calibration_error == pytest.approx(0.2) and second.calibration_error == pytest.approx(0.1)
-    assert [rate.successes for rate in first.held] == [1, 3, 3] and second.held[1] == Rate(0, 1)
+    assert [rate.successes for rate in first.contained] == [1, 3, 3] and second.contained[1] == Rate(0, 1)
 
 
 FOUND = Localization(Status.FIX, Method.CONSTELLATION, 9, best=Place((103.0, 204.0), 30.0, 1.0), confidence=0.999)
