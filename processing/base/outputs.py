@@ -196,18 +196,24 @@ class Outputs:
         """Return the copy of a database that gets the layers of this run."""
         if path not in self._copies:
             self._copies[path] = self._batch.file(path, tables=None)
-            if os.path.exists(path):
-                require_closed(path)
-                before = content_digest(path)
+            before = _digest(path)
+            if before:
                 copy_database(path, self._copies[path])
-                self.require(lambda: _require_unchanged(path, before))
+            self.require(lambda: _require_unchanged(path, before))
         return self._copies[path]
 
 
-def _require_unchanged(path: str, before: bytes) -> None:
-    """Raises ParameterError if others have written to a database since it was copied."""
+def _digest(path: str) -> bytes:
+    """Return the digest of a database; empty without one. Raises ParameterError if others are writing to it."""
+    if not os.path.exists(path):
+        return b""
     require_closed(path)
-    if content_digest(path) != before:
+    return content_digest(path)
+
+
+def _require_unchanged(path: str, before: bytes) -> None:
+    """Raises ParameterError if others have made, written to or removed a database since it was copied."""
+    if _digest(path) != before:
         raise ParameterError(
             "{path} was changed by another program during the run. Run the algorithm again.", path=path
         )

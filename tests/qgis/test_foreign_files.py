@@ -548,15 +548,23 @@ def test_a_result_that_is_on_the_map_is_replaced(run_algorithm, given, tmp_path,
     project.removeAllMapLayers()
 
 
-def test_what_others_wrote_meanwhile_into_a_geopackage_that_gets_a_layer_is_not_lost(run_algorithm, given, monkeypatch):
-    shared = given / "shared.gpkg"
-    gdal.VectorTranslate(str(shared), str(annotation(given)), format="GPKG", layerName="roads")
+@pytest.mark.parametrize("is_new", [False, True])
+def test_what_others_wrote_meanwhile_into_a_geopackage_that_gets_a_layer_is_not_lost(
+    run_algorithm, given, monkeypatch, is_new
+):
+    theirs, shared = given / "theirs.gpkg", given / "shared.gpkg"
+    gdal.VectorTranslate(str(theirs), str(annotation(given)), format="GPKG", layerName="roads")
+    shutil.copy(theirs, shared)
     output = f"ogr:dbname='{shared}' table=\"fixes\" (geom)"
     localize(run_algorithm, given, output)
     assert {("fixes",), ("roads",)} <= set(reads(shared, "SELECT table_name FROM gpkg_contents"))
     commit = Batch.commit
+    if is_new:
+        shared.unlink()
 
     def late(self, *checks):
+        if is_new:
+            shutil.copy(theirs, shared)
         with closing(sqlite3.connect(shared)) as connection, connection:
             connection.execute("UPDATE gpkg_contents SET description = 'mine' WHERE table_name = 'roads'")
         commit(self, *checks)
