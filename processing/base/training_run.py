@@ -13,18 +13,19 @@ from dataclasses import replace
 from pathlib import Path
 
 from qgis.core import QgsSettings
+from qgis.PyQt.QtCore import QLockFile
 
 from ...core.errors import ParameterError
 from ...training.job import CHECKPOINT, JOB, Job, read_job
 from ..translation import tr
 from .algorithm import Canceled
 
-_RUNNING: set[Path] = set()
-"""Models that are being trained now."""
-
 _SETTING = "semref/trainings/"
 _PROOF = "made_by_semref"
 """File in the folder with the secret."""
+
+_LOCK = "running.lock"
+"""File in the folder while a QGIS trains; Qt ignores that of a process that has ended."""
 
 
 class CanceledKeeping(Canceled):
@@ -56,26 +57,32 @@ class TrainingRun:
             resume: Whether an earlier run is continued; otherwise it is removed.
 
         Raises:
-            ParameterError: Another training of this model runs in this QGIS.
+            ParameterError: Another training of this model runs in this or another QGIS.
             OSError: The folder cannot be made.
         """
-        self._model = path = Path(model).absolute()
-        if path in _RUNNING:
-            raise ParameterError(
-                "Another training of {path} is running. Wait for it, cancel it, or select another output file.",
-                path=path,
-            )
+        path = Path(model).absolute()
         self._setting = _SETTING + hashlib.sha256(os.fsencode(path)).hexdigest()
         self._prefix = f"{path.stem}.training-"
         name, _, self._secret = QgsSettings().value(self._setting, "", type=str).rpartition(" ")
         self.folder = path.parent / name
+        if self._is_ours and not self._take_lock():
+            raise ParameterError(
+                "Another training of {path} is running. Wait for it, cancel it, or select another output file.",
+                path=path,
+            )
         if not (self._is_ours and resume and self.can_go_on):
             self.clear()
             self.folder = Path(tempfile.mkdtemp(prefix=self._prefix, dir=path.parent))
             self._secret = secrets.token_hex()
             (self.folder / _PROOF).write_text(self._secret, encoding="ascii")
             QgsSettings().setValue(self._setting, f"{self.folder.name} {self._secret}")
-        _RUNNING.add(path)
+            self._take_lock()
+
+    def _take_lock(self) -> bool:
+        """Return whether no other training uses the folder."""
+        self._lock = QLockFile(str(self.folder / _LOCK))
+        self._lock.setStaleLockTime(0)
+        return self._lock.tryLock(0) or self._lock.error() != QLockFile.LockError.LockFailedError
 
     @property
     def _is_ours(self) -> bool:
@@ -143,12 +150,13 @@ class TrainingRun:
     def clear(self) -> None:
         """Remove the folder, if SemRef made it."""
         if self._is_ours:
+            self._lock.unlock()
             # Files in use stay, so that a finished model is not lost.
             shutil.rmtree(self.folder, ignore_errors=True)
             QgsSettings().remove(self._setting)
 
     def close(self) -> None:
         """Remove the folder unless the training can be continued."""
-        _RUNNING.discard(self._model)
+        self._lock.unlock()
         if not self.can_go_on:
             self.clear()
