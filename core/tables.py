@@ -146,13 +146,23 @@ class Columns:
         return Row({name: cell.strip() for name, cell in zip(self.names, cells)}, place)
 
 
+def too_long(path: str) -> ParameterError:
+    """Return the error of a file with too long a line."""
+    return ParameterError(
+        "{path} has a line of more than {most} characters. Choose another file.",
+        path=path,
+        most=limits.LINE_CHARACTERS,
+    )
+
+
+def not_utf8(path: str) -> ParameterError:
+    """Return the error of a table in another encoding."""
+    return ParameterError("{path} is not text in UTF-8. Save it as CSV in UTF-8.", path=path)
+
+
 def _require_length(path: str, line: str) -> None:
     if len(line) > limits.LINE_CHARACTERS:
-        raise ParameterError(
-            "{path} has a line of more than {most} characters. Choose another file.",
-            path=path,
-            most=limits.LINE_CHARACTERS,
-        )
+        raise too_long(path)
 
 
 Check = Callable[[Columns], None]
@@ -168,7 +178,7 @@ def rows_of(path: str, check: Check) -> Iterator[Row]:
     try:
         text = bytes_of(path, limits.TABLE_BYTES).decode("utf-8-sig")
     except UnicodeDecodeError:
-        raise ParameterError("{path} is not text in UTF-8. Save it as CSV in UTF-8.", path=path) from None
+        raise not_utf8(path) from None
     yield from rows_of_text(text, path, check)
 
 

@@ -4468,10 +4468,6 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Das Gebiet ist eingerichtet.</translation>
   </message>
   <message>
-   <source>The area or route does not fit its CRS {crs}. Correct the CRS of the layer.</source>
-   <translation>Gebiet oder Route passen nicht zu ihrem KBS {crs}. Korrigieren Sie das KBS des Layers.</translation>
-  </message>
-  <message>
    <source>The area or route is empty or outside the database’s map. Choose another layer, or for lines and points a larger distance than {distance:g} m.</source>
    <translation>Das Gebiet oder die Route ist leer oder liegt außerhalb der Karte der Datenbank. Wählen Sie einen anderen Layer oder bei Linien und Punkten einen größeren Abstand als {distance:g} m.</translation>
   </message>
@@ -4900,10 +4896,6 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Maske und Bild überlappen sich nicht. Wählen Sie eine andere Maske oder lassen Sie „Maske“ leer.</translation>
   </message>
   <message>
-   <source>The mask does not fit its CRS {crs}. Correct the CRS of the layer.</source>
-   <translation>Die Maske passt nicht zu ihrem KBS {crs}. Korrigieren Sie das KBS des Layers.</translation>
-  </message>
-  <message>
    <source>The match ({score:.2f}) is not significantly better than for the mirrored image ({mirror:.2f}): error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
    <translation>Der Treffer ({score:.2f}) ist nicht signifikant besser als beim gespiegelten Bild ({mirror:.2f}): Irrtumswahrscheinlichkeit {risk:.2g}; höchstens {allowed:.2g} ist erlaubt.</translation>
   </message>
@@ -5082,10 +5074,6 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
   <message>
    <source>The result of “Check land-cover layer” or “Compare label maps”</source>
    <translation>Das Ergebnis von „Landbedeckungslayer prüfen“ oder „Klassenkarten vergleichen“</translation>
-  </message>
-  <message>
-   <source>The route does not fit its CRS {crs}. Correct the CRS of the layer.</source>
-   <translation>Die Route passt nicht zu ihrem KBS {crs}. Korrigieren Sie das KBS des Layers.</translation>
   </message>
   <message>
    <source>The route has no line with a length. Draw a line through at least two points.</source>
@@ -6620,10 +6608,6 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>{path} enthält keines der Bilder, zum Beispiel {image}. Die Spalte image muss Dateinamen enthalten.</translation>
   </message>
   <message>
-   <source>{path} does not exist. Select a model file (.onnx).</source>
-   <translation>{path} gibt es nicht. Wählen Sie eine Modelldatei (.onnx).</translation>
-  </message>
-  <message>
    <source>{path} does not exist; choose a model file (.onnx).</source>
    <translation>{path} gibt es nicht; wählen Sie eine Modelldatei (.onnx).</translation>
   </message>
@@ -6918,10 +6902,6 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>{path} is not a waypoint list: its first line is not “QGC WPL 110”.</source>
    <translation>{path} ist keine Wegpunktliste: Die erste Zeile ist nicht „QGC WPL 110“.</translation>
-  </message>
-  <message>
-   <source>{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.</source>
-   <translation>{path} ist kein ONNX-Modell oder ist beschädigt oder unvollständig; kopieren oder exportieren Sie es noch einmal.</translation>
   </message>
   <message>
    <source>{path} is not an ONNX model, or it is damaged or incomplete; copy or export it again.</source>
@@ -7358,6 +7338,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>“{layer}” can’t be drawn: {reason}.</source>
    <translation>„{layer}“ kann nicht gezeichnet werden: {reason}.</translation>
+  </message>
+  <message>
+   <source>“{layer}” does not fit its CRS {crs}. Correct the CRS of the layer.</source>
+   <translation>„{layer}“ passt nicht zu seinem KBS {crs}. Korrigieren Sie das KBS des Layers.</translation>
   </message>
   <message>
    <source>“{layer}” does not overlap the map of {name}. Select the land-cover layer and the places of this database.</source>

@@ -4468,10 +4468,6 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>La zona está preparada.</translation>
   </message>
   <message>
-   <source>The area or route does not fit its CRS {crs}. Correct the CRS of the layer.</source>
-   <translation>La zona o ruta no encaja con su SRC {crs}. Corrija el SRC de la capa.</translation>
-  </message>
-  <message>
    <source>The area or route is empty or outside the database’s map. Choose another layer, or for lines and points a larger distance than {distance:g} m.</source>
    <translation>La zona o ruta está vacía o fuera del mapa de la base de datos. Elija otra capa o, para líneas y puntos, una distancia mayor que {distance:g} m.</translation>
   </message>
@@ -4900,10 +4896,6 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>La máscara y la imagen no se solapan. Seleccione otra máscara o deje “Máscara” vacío.</translation>
   </message>
   <message>
-   <source>The mask does not fit its CRS {crs}. Correct the CRS of the layer.</source>
-   <translation>La máscara no encaja con su SRC {crs}. Corrija el SRC de la capa.</translation>
-  </message>
-  <message>
    <source>The match ({score:.2f}) is not significantly better than for the mirrored image ({mirror:.2f}): error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
    <translation>La coincidencia ({score:.2f}) no es significativamente mejor que la de la imagen reflejada ({mirror:.2f}): probabilidad de error {risk:.2g}; se permite {allowed:.2g} como máximo.</translation>
   </message>
@@ -5082,10 +5074,6 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
   <message>
    <source>The result of “Check land-cover layer” or “Compare label maps”</source>
    <translation>El resultado de “Comprobar capa de cobertura del suelo” o “Comparar mapas de etiquetas”</translation>
-  </message>
-  <message>
-   <source>The route does not fit its CRS {crs}. Correct the CRS of the layer.</source>
-   <translation>La ruta no encaja con su SRC {crs}. Corrija el SRC de la capa.</translation>
   </message>
   <message>
    <source>The route has no line with a length. Draw a line through at least two points.</source>
@@ -6620,10 +6608,6 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>{path} no contiene ninguna de las imágenes, por ejemplo {image}. Su columna image debe contener nombres de archivo.</translation>
   </message>
   <message>
-   <source>{path} does not exist. Select a model file (.onnx).</source>
-   <translation>{path} no existe. Seleccione un archivo de modelo (.onnx).</translation>
-  </message>
-  <message>
    <source>{path} does not exist; choose a model file (.onnx).</source>
    <translation>{path} no existe; elija un archivo de modelo (.onnx).</translation>
   </message>
@@ -6918,10 +6902,6 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>{path} is not a waypoint list: its first line is not “QGC WPL 110”.</source>
    <translation>{path} no es una lista de puntos de ruta: su primera línea no es “QGC WPL 110”.</translation>
-  </message>
-  <message>
-   <source>{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.</source>
-   <translation>{path} no es un modelo ONNX, o está dañado o cortado; cópielo o expórtelo de nuevo.</translation>
   </message>
   <message>
    <source>{path} is not an ONNX model, or it is damaged or incomplete; copy or export it again.</source>
@@ -7358,6 +7338,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>“{layer}” can’t be drawn: {reason}.</source>
    <translation>“{layer}” no se puede dibujar: {reason}.</translation>
+  </message>
+  <message>
+   <source>“{layer}” does not fit its CRS {crs}. Correct the CRS of the layer.</source>
+   <translation>“{layer}” no encaja con su SRC {crs}. Corrija el SRC de la capa.</translation>
   </message>
   <message>
    <source>“{layer}” does not overlap the map of {name}. Select the land-cover layer and the places of this database.</source>

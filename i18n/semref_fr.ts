@@ -4468,10 +4468,6 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>La zone est prête.</translation>
   </message>
   <message>
-   <source>The area or route does not fit its CRS {crs}. Correct the CRS of the layer.</source>
-   <translation>La zone ou l’itinéraire ne convient pas à son SCR {crs}. Corrigez le SCR de la couche.</translation>
-  </message>
-  <message>
    <source>The area or route is empty or outside the database’s map. Choose another layer, or for lines and points a larger distance than {distance:g} m.</source>
    <translation>La zone ou l’itinéraire est vide ou se trouve hors de la carte de la base de données. Choisissez une autre couche ou, pour les lignes et les points, une distance supérieure à {distance:g} m.</translation>
   </message>
@@ -4900,10 +4896,6 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>Le masque et l’image ne se recouvrent pas. Sélectionnez un autre masque, ou laissez « Masque » vide.</translation>
   </message>
   <message>
-   <source>The mask does not fit its CRS {crs}. Correct the CRS of the layer.</source>
-   <translation>Le masque ne convient pas à son SCR {crs}. Corrigez le SCR de la couche.</translation>
-  </message>
-  <message>
    <source>The match ({score:.2f}) is not significantly better than for the mirrored image ({mirror:.2f}): error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
    <translation>La correspondance ({score:.2f}) n’est pas significativement meilleure que celle de l’image en miroir ({mirror:.2f}) : probabilité d’erreur {risk:.2g} ; le maximum admis est de {allowed:.2g}.</translation>
   </message>
@@ -5082,10 +5074,6 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   <message>
    <source>The result of “Check land-cover layer” or “Compare label maps”</source>
    <translation>Le résultat de « Vérifier une couche d’occupation du sol » ou de « Comparer des cartes d’étiquettes »</translation>
-  </message>
-  <message>
-   <source>The route does not fit its CRS {crs}. Correct the CRS of the layer.</source>
-   <translation>L’itinéraire ne convient pas à son SCR {crs}. Corrigez le SCR de la couche.</translation>
   </message>
   <message>
    <source>The route has no line with a length. Draw a line through at least two points.</source>
@@ -6620,10 +6608,6 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>{path} ne contient aucune des images, par exemple {image}. Sa colonne image doit contenir des noms de fichiers.</translation>
   </message>
   <message>
-   <source>{path} does not exist. Select a model file (.onnx).</source>
-   <translation>{path} n’existe pas. Sélectionnez un fichier de modèle (.onnx).</translation>
-  </message>
-  <message>
    <source>{path} does not exist; choose a model file (.onnx).</source>
    <translation>{path} n’existe pas ; choisissez un fichier de modèle (.onnx).</translation>
   </message>
@@ -6918,10 +6902,6 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>{path} is not a waypoint list: its first line is not “QGC WPL 110”.</source>
    <translation>{path} n’est pas une liste de points de passage : sa première ligne n’est pas « QGC WPL 110 ».</translation>
-  </message>
-  <message>
-   <source>{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.</source>
-   <translation>{path} n’est pas un modèle ONNX, ou il est endommagé ou tronqué ; copiez-le ou exportez-le de nouveau.</translation>
   </message>
   <message>
    <source>{path} is not an ONNX model, or it is damaged or incomplete; copy or export it again.</source>
@@ -7358,6 +7338,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>“{layer}” can’t be drawn: {reason}.</source>
    <translation>« {layer} » ne peut pas être dessinée : {reason}.</translation>
+  </message>
+  <message>
+   <source>“{layer}” does not fit its CRS {crs}. Correct the CRS of the layer.</source>
+   <translation>« {layer} » ne convient pas à son SCR {crs}. Corrigez le SCR de la couche.</translation>
   </message>
   <message>
    <source>“{layer}” does not overlap the map of {name}. Select the land-cover layer and the places of this database.</source>

@@ -4468,10 +4468,6 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>区域已设置完成。</translation>
   </message>
   <message>
-   <source>The area or route does not fit its CRS {crs}. Correct the CRS of the layer.</source>
-   <translation>区域或航线与其坐标参照系 {crs} 不符。请更正图层的坐标参照系。</translation>
-  </message>
-  <message>
    <source>The area or route is empty or outside the database’s map. Choose another layer, or for lines and points a larger distance than {distance:g} m.</source>
    <translation>区域或航线为空，或位于数据库的地图之外。请选择其他图层；对于线和点，也可使用大于 {distance:g} m 的距离。</translation>
   </message>
@@ -4900,10 +4896,6 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>掩膜与影像不重叠。请选择其他掩膜，或将“掩膜”留空。</translation>
   </message>
   <message>
-   <source>The mask does not fit its CRS {crs}. Correct the CRS of the layer.</source>
-   <translation>掩膜与其坐标参照系 {crs} 不符。请更正图层的坐标参照系。</translation>
-  </message>
-  <message>
    <source>The match ({score:.2f}) is not significantly better than for the mirrored image ({mirror:.2f}): error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
    <translation>匹配度（{score:.2f}）并不明显优于镜像影像（{mirror:.2f}）：错误概率 {risk:.2g}；最多允许 {allowed:.2g}。</translation>
   </message>
@@ -5082,10 +5074,6 @@ Use a label map of another date than that of the database, with a map displaceme
   <message>
    <source>The result of “Check land-cover layer” or “Compare label maps”</source>
    <translation>“检查土地覆盖图层”或“比较标签图”的结果</translation>
-  </message>
-  <message>
-   <source>The route does not fit its CRS {crs}. Correct the CRS of the layer.</source>
-   <translation>航线与其坐标参照系 {crs} 不符。请更正图层的坐标参照系。</translation>
   </message>
   <message>
    <source>The route has no line with a length. Draw a line through at least two points.</source>
@@ -6620,10 +6608,6 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>{path} 不含任何一幅影像，例如 {image}。其 image 列必须包含文件名。</translation>
   </message>
   <message>
-   <source>{path} does not exist. Select a model file (.onnx).</source>
-   <translation>{path} 不存在。请选择模型文件 (.onnx)。</translation>
-  </message>
-  <message>
    <source>{path} does not exist; choose a model file (.onnx).</source>
    <translation>{path} 不存在；请选择模型文件 (.onnx)。</translation>
   </message>
@@ -6918,10 +6902,6 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>{path} is not a waypoint list: its first line is not “QGC WPL 110”.</source>
    <translation>{path} 不是航点列表：其首行不是“QGC WPL 110”。</translation>
-  </message>
-  <message>
-   <source>{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.</source>
-   <translation>{path} 不是 ONNX 模型，或已损坏、不完整；请重新复制或导出。</translation>
   </message>
   <message>
    <source>{path} is not an ONNX model, or it is damaged or incomplete; copy or export it again.</source>
@@ -7358,6 +7338,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>“{layer}” can’t be drawn: {reason}.</source>
    <translation>“{layer}”无法绘制：{reason}。</translation>
+  </message>
+  <message>
+   <source>“{layer}” does not fit its CRS {crs}. Correct the CRS of the layer.</source>
+   <translation>“{layer}”与其坐标参照系 {crs} 不符。请更正图层的坐标参照系。</translation>
   </message>
   <message>
    <source>“{layer}” does not overlap the map of {name}. Select the land-cover layer and the places of this database.</source>

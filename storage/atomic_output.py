@@ -24,6 +24,7 @@ from .replaceable import (
     require_replaceable,
     stranger_beside,
 )
+from .vector_files import no_place
 
 FULL_BYTES = 100_000
 """A disk with less space is full: other files may still fit."""
@@ -198,7 +199,7 @@ class Batch:
                 name=final.name,
             ) from None
         except OSError as error:
-            raise _no_place(final, error) from None
+            raise no_place(final, reason_of(error)) from None
         self._staged.append(_Staged(final, Path(workplace), require_free))
         return self._staged[-1]
 
@@ -224,13 +225,7 @@ def make_folder(folder: Path) -> None:
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise _no_place(folder, error) from None
-
-
-def _no_place(path: Path, error: OSError) -> ParameterError:
-    return ParameterError(
-        "{path} can't be written: {reason}; choose another place.", path=path, reason=reason_of(error)
-    )
+        raise no_place(folder, reason_of(error)) from None
 
 
 def require_empty(folder: Path) -> None:

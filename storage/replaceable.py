@@ -10,7 +10,7 @@ from collections.abc import Collection
 from pathlib import Path
 
 from ..core.errors import ParameterError, reason_of
-from .vector_files import WAIT_S
+from .vector_files import WAIT_S, no_place
 
 _SQLITE, _TIFF, _ZIP, _MARKUP, _JSON, _PDF, _SHAPEFILE, _FLATGEOBUF = range(1, 9)
 _FOREIGN = -1
@@ -106,9 +106,7 @@ def require_replaceable(path: str, suffix: str = "", tables: Collection[str] | N
         _require_no_orphans(final)
         return
     except OSError as error:
-        raise ParameterError(
-            "{path} can't be written: {reason}; choose another place.", path=final, reason=reason_of(error)
-        ) from None
+        raise no_place(final, reason_of(error)) from None
     if not head:
         return
     wanted = _KINDS.get((suffix or final.suffix).lower())

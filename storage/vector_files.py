@@ -6,6 +6,7 @@ import contextlib
 import hashlib
 import sqlite3
 import time
+from pathlib import Path
 
 from osgeo import gdal
 
@@ -46,6 +47,11 @@ def copy_whole(source: sqlite3.Connection, target: sqlite3.Connection) -> None:
         raise unwritten_database(error) from None
 
 
+def no_place(path: str | Path, reason: str) -> ParameterError:
+    """Return the error of a file or folder that can't be made."""
+    return ParameterError("{path} can't be written: {reason}; choose another place.", path=path, reason=reason)
+
+
 def copy_database(path: str, target: str) -> None:
     """Copy a GeoPackage with all committed changes. Raises ParameterError: it can't be read."""
     try:
@@ -53,9 +59,7 @@ def copy_database(path: str, target: str) -> None:
         with closing(sqlite3.connect(path, timeout=5)) as source, closing(sqlite3.connect(target)) as copy:
             copy_whole(source, copy)
     except sqlite3.Error as error:
-        raise ParameterError(
-            "{path} can't be written: {reason}; choose another place.", path=path, reason=str(error)
-        ) from None
+        raise no_place(path, str(error)) from None
 
 
 def content_digest(path: str) -> bytes:

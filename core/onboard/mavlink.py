@@ -17,10 +17,10 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import ParameterError, reason_of
+from ..errors import ParameterError
 from ..geometry.lon_lat import LonLatPolynomial, local_axes, meters_from
 from ..localization import Status
-from .sinks import LOOPBACK, Sink
+from .sinks import LOOPBACK, Sink, not_written
 
 MESSAGES = ("odometry", "vision", "external")
 """Messages of a position: ODOMETRY, VISION_POSITION_ESTIMATE, MAV_CMD_EXTERNAL_POSITION_ESTIMATE."""
@@ -267,9 +267,7 @@ def _open_line(where: str) -> Any:  # noqa: ANN401 - a socket, or a serial line 
             ) from None
         return Serial(name, number, write_timeout=1)
     except (OSError, ValueError) as error:
-        raise ParameterError(
-            "{where} can't be written: {reason}. Choose another output.", where=where, reason=reason_of(error)
-        ) from None
+        raise not_written(where, error) from None
 
 
 def _dialect() -> Any:  # noqa: ANN401 - a module without types

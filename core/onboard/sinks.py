@@ -61,6 +61,13 @@ class _StandardOutput(Sink):
         print(line.encode(encoding, "backslashreplace").decode(encoding), end="", flush=True)
 
 
+def not_written(where: str, error: OSError | ValueError) -> ParameterError:
+    """Return the error of an output that can't be written."""
+    return ParameterError(
+        "{where} can't be written: {reason}. Choose another output.", where=where, reason=reason_of(error)
+    )
+
+
 class _File(Sink):
     def __init__(self, where: str) -> None:
         super().__init__(where)
@@ -68,9 +75,7 @@ class _File(Sink):
             # Without a buffer: a line that a full disk refused must not be written later, out of order.
             self._file = open(where, "ab", buffering=0)  # noqa: SIM115  closed by close
         except (OSError, ValueError) as error:
-            raise ParameterError(
-                "{where} can't be written: {reason}. Choose another output.", where=where, reason=reason_of(error)
-            ) from None
+            raise not_written(where, error) from None
         self._before = b"\n" if _ends_within_a_line(where) else b""
 
     def _take(self, line: str) -> None:

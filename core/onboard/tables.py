@@ -16,7 +16,7 @@ from .. import limits
 from ..errors import ParameterError, reason_of
 from ..flight.motion import Link
 from ..flight.odometry import OdometryRow, check_odometry, link_over, step_of
-from ..tables import Check, Columns, Row, image_of
+from ..tables import Check, Columns, Row, image_of, not_utf8, too_long
 from .log import log_event
 
 ROW_WITHIN_S, LOOK_EVERY_S = 0.5, 0.05
@@ -183,16 +183,12 @@ class GrowingTable:
         if was_within or len(line) == limits.LINE_BYTES:
             # A line without end is reported once and not stored.
             if not was_within:
-                yield ParameterError(
-                    "{path} has a line of more than {most} characters. Choose another file.",
-                    path=self.path,
-                    most=limits.LINE_CHARACTERS,
-                )
+                yield too_long(self.path)
             return
         try:
             text = line.decode("utf-8-sig" if self._columns is None else "utf-8").strip("\r\n")
         except UnicodeDecodeError:
-            yield ParameterError("{path} is not text in UTF-8. Save it as CSV in UTF-8.", path=self.path)
+            yield not_utf8(self.path)
             return
         if not text.strip():
             return

@@ -17,7 +17,7 @@ from ..errors import ModelError
 from ..sentences import Sentence
 from ..values import read_json
 from .metadata import named_channels, read_settings
-from .onnx_file import header_of
+from .onnx_file import header_of, no_model_file, no_onnx_model
 
 KEY = "model_card"
 
@@ -83,15 +83,10 @@ def read_card(path: str) -> ModelCard:
     """Return the card of an ONNX file; ``fault`` states why it can't be used."""
     # Opening a pipe would block.
     if not os.path.isfile(path):
-        return ModelCard(path, Sentence("{path} does not exist; choose a model file (.onnx).", path=path))
+        return ModelCard(path, no_model_file(path))
     header = header_of(path)
     if header is None:
-        return ModelCard(
-            path,
-            Sentence(
-                "{path} is not an ONNX model, or it is damaged or incomplete; copy or export it again.", path=path
-            ),
-        )
+        return ModelCard(path, no_onnx_model(path))
     return card_of_texts(header.texts, path)
 
 

@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from ..named_files import named_file
+from ..sentences import Sentence
 
 _VARINT, _EIGHT_BYTES, _LENGTH, _FOUR_BYTES = 0, 1, 2, 5
 GRAPH = 7
@@ -41,6 +42,16 @@ class OnnxHeader:
         """Return the name of the first weight file that is missing in the folder of the model; empty otherwise."""
         folder = [os.path.dirname(os.path.abspath(path))]
         return next((name for name in self.weight_files if not os.path.isfile(named_file(name, folder))), "")
+
+
+def no_model_file(path: str) -> Sentence:
+    """Return why a path can't be a model: there is no file."""
+    return Sentence("{path} does not exist; choose a model file (.onnx).", path=path)
+
+
+def no_onnx_model(path: str) -> Sentence:
+    """Return why a file can't be a model: it has no header."""
+    return Sentence("{path} is not an ONNX model, or it is damaged or incomplete; copy or export it again.", path=path)
 
 
 def header_of(path: str) -> OnnxHeader | None:

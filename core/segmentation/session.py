@@ -14,7 +14,7 @@ import cv2
 from ..errors import ModelError
 from ..sentences import Sentence
 from .devices import CPU, CUDA, DIRECTML
-from .onnx_file import header_of
+from .onnx_file import header_of, no_model_file, no_onnx_model
 
 if TYPE_CHECKING:
     from onnxruntime import InferenceSession
@@ -64,7 +64,7 @@ def open_session(path: str, threads: int, provider: str) -> InferenceSession:
     """
     onnxruntime = _onnxruntime()
     if not os.path.isfile(path):
-        raise ModelError("{path} does not exist; choose a model file (.onnx).", path=path)
+        raise ModelError(no_model_file(path))
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = threads
     # A thread that spins while it waits slows down reading and blending.
@@ -112,9 +112,7 @@ def _why_not_opened(path: str, error: BaseException, version: str) -> Sentence:
     """Return why onnxruntime refused a file, from the file's content, because messages change with releases."""
     header = header_of(path)
     if header is None:
-        return Sentence(
-            "{path} is not an ONNX model, or it is damaged or incomplete; copy or export it again.", path=path
-        )
+        return no_onnx_model(path)
     missing = header.missing_weights(path)
     if missing:
         return Sentence(

@@ -191,6 +191,7 @@ class AddModel(SemRefAlgorithm):
     def _export(self, values: Values, facts: NetworkFacts, folder: str, feedback: QgsProcessingFeedback) -> str:
         """Return the path of a checkpoint's network as an ONNX file in a folder. Raises SemRefError."""
         from ...core.segmentation.network_facts import require_facts
+        from ...core.segmentation.onnx_file import no_model_file
         from ...training.job import CHECKPOINT_JOB
         from ..base.training_process import run_training
         from ..packages.training_environment import training_python
@@ -198,7 +199,7 @@ class AddModel(SemRefAlgorithm):
         require_facts(facts)
         path, target = values.file(self.INPUT), os.path.join(folder, "network.onnx")
         if not os.path.isfile(path):
-            raise ModelError("{path} does not exist; choose a model file (.onnx).", path=path)
+            raise ModelError(no_model_file(path))
         python = training_python(values.file(self.PYTHON))
         job = {
             "checkpoint": os.path.abspath(path),

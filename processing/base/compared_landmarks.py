@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,7 +18,7 @@ from ...core.landmarks.compared import LandmarkErrors, piece_errors
 from ...core.landmarks.displacement import displacement_of
 from ...core.segmentation.class_bias import KEY, class_bias_text, read_class_bias
 from ...core.segmentation.metadata import named_channels
-from ...core.segmentation.onnx_file import read_header, with_metadata
+from ...core.segmentation.onnx_file import no_model_file, no_onnx_model, read_header, with_metadata
 from ..compat import is_metric
 from ..reports.comparison_report import MAP_UNIT, METER, PIXEL, MeasuredErrors, MeasuredShifts, ShiftRow
 from ..translation import tr
@@ -147,12 +149,12 @@ def model_with_biases(path: str, shifts: MeasuredShifts, sun_deg: float | None) 
             "The CRS of the maps has no meters, so the class offset in meters is unknown. Select maps in a projected "
             "CRS with meters, or leave “Model with class offset” empty."
         )
-    data = _content(path)
+    if not os.path.isfile(path):
+        raise ModelError(no_model_file(path))
+    data = Path(path).read_bytes()
     header = read_header(data)
     if header is None:
-        raise ModelError(
-            "{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.", path=path
-        )
+        raise ModelError(no_onnx_model(path))
     if header.weight_files:
         raise ModelError(
             "The weights of {path} are in another file, so it cannot be copied with its class offset. Export it as "
@@ -173,14 +175,6 @@ def model_with_biases(path: str, shifts: MeasuredShifts, sun_deg: float | None) 
         bias = ClassBias(0, *row.along, spread=row.spread)
         biases[row.name.casefold()] = replace(bias, sun_deg=sun_deg)
     return with_metadata(data, KEY, class_bias_text(biases))
-
-
-def _content(path: str) -> bytes:
-    try:
-        with open(path, "rb") as file:
-            return file.read()
-    except OSError:
-        raise ModelError("{path} does not exist. Select a model file (.onnx).", path=path) from None
 
 
 def _row(shift: ClassShift, name: str, transform: tuple, has_ground: bool) -> ShiftRow:

@@ -144,21 +144,19 @@ class Workers:
             elif event["event"] == "failed":
                 raise SemRefError(failure(event))
             elif event["event"] == "broke":
-                raise SemRefError(
-                    "The process of the workers ended ({reason}). Run the algorithm again.",
-                    reason=event["reason"].rstrip("."),
-                )
+                raise _ended(event["reason"].rstrip("."))
             else:
                 return event
-        raise SemRefError(
-            "The process of the workers ended ({reason}). Run the algorithm again.",
-            reason=self.reports.reason or self._process.errorString(),
-        )
+        raise _ended(self.reports.reason or self._process.errorString())
 
     def close(self) -> None:
         """End the process, which cleans up; this takes less than a second."""
         self._events.close()
         self.reports.end(_ASKED_TO_END_MS)
+
+
+def _ended(reason: str) -> SemRefError:
+    return SemRefError("The process of the workers ended ({reason}). Run the algorithm again.", reason=reason)
 
 
 @contextmanager

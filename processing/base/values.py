@@ -92,9 +92,7 @@ class Values:
         """
         given = self.raw(key)
         if isinstance(given, str) and given and not _NUMBER.fullmatch(given.strip()):
-            raise ParameterError(
-                "“{key}” is {number}, which is not a number. Enter a number.", key=self.title(key), number=given
-            )
+            raise _not_a_number(self.title(key), given)
         return _finite(self._read("Double", key), self.title(key))
 
     def optional_number(self, key: str, default: float | None = None) -> float | None:
@@ -273,7 +271,9 @@ class Values:
 
 def _finite(number: float, title: str) -> float:
     if not math.isfinite(number):
-        raise ParameterError(
-            "“{key}” is {number}, which is not a number. Enter a number.", key=title, number=str(number)
-        )
+        raise _not_a_number(title, str(number))
     return number
+
+
+def _not_a_number(title: str, given: str) -> ParameterError:
+    return ParameterError("“{key}” is {number}, which is not a number. Enter a number.", key=title, number=given)

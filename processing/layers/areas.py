@@ -19,9 +19,8 @@ from qgis.core import (
 from qgis.PyQt.QtGui import QTransform
 
 from ...core.errors import ParameterError
-from ...core.sentences import Sentence
 from ...storage.rasterize import AreaMask
-from .reference_systems import describe_crs
+from .reference_systems import misplaced
 
 _SEGMENTS = 12
 """Segments of a quarter circle where a corridor turns."""
@@ -29,10 +28,11 @@ _SEGMENTS = 12
 
 @dataclass(frozen=True)
 class DrawnArea:
-    """Geometries of a layer and their CRS."""
+    """Geometries of a layer, their CRS, and the name of the layer."""
 
     geometries: tuple[QgsGeometry, ...]
     crs: QgsCoordinateReferenceSystem
+    name: str
 
     @property
     def extent(self) -> QgsRectangle:
@@ -56,7 +56,7 @@ def drawn_area(source: QgsProcessingFeatureSource | None) -> DrawnArea | None:
     if source is None:
         return None
     geometries = (feature.geometry() for feature in source.getFeatures())
-    return DrawnArea(tuple(g for g in geometries if not g.isNull()), source.sourceCrs())
+    return DrawnArea(tuple(g for g in geometries if not g.isNull()), source.sourceCrs(), source.sourceName())
 
 
 def area_rings(
@@ -76,18 +76,7 @@ def area_rings(
         ParameterError: No ring remains.
     """
     # Repair first: a buffer of a self-crossing outline would be wrong.
-    moved = [
-        part.buffer(distance, _SEGMENTS)
-        for part in _reproject(
-            area,
-            crs,
-            transform_context,
-            Sentence(
-                "The area or route does not fit its CRS {crs}. Correct the CRS of the layer.",
-                crs=describe_crs(area.crs),
-            ),
-        )
-    ]
+    moved = [part.buffer(distance, _SEGMENTS) for part in _reproject(area, crs, transform_context)]
     whole = QgsGeometry.unaryUnion(moved).intersection(QgsGeometry.fromRect(QgsRectangle(*extent)))
     rings = [ring for polygon in _polygons(whole) for ring in polygon]
     if not rings:
@@ -104,7 +93,7 @@ def area_extent(
 ) -> QgsRectangle:
     """Return the extent of an area in another CRS. Raises ParameterError."""
     box = QgsRectangle()
-    for geometry in _reproject(area, crs, context, _mask_refusal(area)):
+    for geometry in _reproject(area, crs, context):
         box.combineExtentWith(geometry.boundingBox())
     return box
 
@@ -133,7 +122,7 @@ def area_mask(
     height, width = shape_hw
     image = QgsRectangle(0, -height, width, 0)
     polygons = []
-    for geometry in _reproject(area, crs, context, _mask_refusal(area)):
+    for geometry in _reproject(area, crs, context):
         geometry.transform(upwards)
         parts = (part for part in geometry.asGeometryCollection() if part.area() > 0)
         polygons += [part.asWkb().data() for part in parts if part.boundingBox().intersects(image)]
@@ -142,14 +131,10 @@ def area_mask(
     return AreaMask(polygons)
 
 
-def _mask_refusal(area: DrawnArea) -> Sentence:
-    return Sentence("The mask does not fit its CRS {crs}. Correct the CRS of the layer.", crs=describe_crs(area.crs))
-
-
 def _reproject(
-    area: DrawnArea, crs: QgsCoordinateReferenceSystem, context: QgsCoordinateTransformContext, refusal: Sentence
+    area: DrawnArea, crs: QgsCoordinateReferenceSystem, context: QgsCoordinateTransformContext
 ) -> list[QgsGeometry]:
-    """Return an area's geometries in another CRS, valid and without arcs. Raises ParameterError with ``refusal``."""
+    """Return an area's geometries in another CRS, valid and without arcs. Raises ParameterError."""
     to_map = QgsCoordinateTransform(area.crs, crs, context)
     moved = []
     for given in area.geometries:
@@ -158,7 +143,7 @@ def _reproject(
         try:
             geometry.transform(to_map)
         except QgsCsException:
-            raise ParameterError(refusal) from None
+            raise misplaced(area.name, area.crs) from None
         moved.append(geometry.makeValid())
     return moved
 

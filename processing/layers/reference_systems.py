@@ -45,6 +45,13 @@ def transformed_point(transform: QgsCoordinateTransform, point: QgsPointXY) -> Q
         return None
 
 
+def misplaced(layer: str, crs: QgsCoordinateReferenceSystem) -> ParameterError:
+    """Return the error of a layer with coordinates that its CRS does not have; ``layer``: its name."""
+    return ParameterError(
+        "“{layer}” does not fit its CRS {crs}. Correct the CRS of the layer.", layer=layer, crs=describe_crs(crs)
+    )
+
+
 def database_crs(database: ReferenceDatabase) -> QgsCoordinateReferenceSystem:
     """Return the CRS of a database. Raises DatabaseError if it can't be read."""
     crs = QgsCoordinateReferenceSystem.fromWkt(database.parameters.crs)

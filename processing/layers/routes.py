@@ -19,7 +19,7 @@ from qgis.core import (
 from ...core.errors import ParameterError
 from ...storage.route_files import read_waypoint_file
 from ..compat import LINE_GEOMETRY
-from .reference_systems import WGS84, describe_crs
+from .reference_systems import WGS84, misplaced
 
 
 @dataclass(frozen=True)
@@ -68,9 +68,7 @@ def lines_in(
             points = [transform.transform(QgsPointXY(x, y)) for x, y in line.tolist()]
             moved.append(np.array([(point.x(), point.y()) for point in points]))
     if len(moved) < len(route.lines) or not all(np.isfinite(line).all() for line in moved):
-        raise ParameterError(
-            "The route does not fit its CRS {crs}. Correct the CRS of the layer.", crs=describe_crs(route.crs)
-        )
+        raise misplaced(route.name, route.crs)
     return moved
 
 

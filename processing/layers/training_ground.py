@@ -44,12 +44,16 @@ def require_common_ground(
         return
     moved = transformed_box(QgsCoordinateTransform(crs, image.crs(), context), extent)
     if moved.isEmpty() or not moved.intersects(image.extent()):
-        raise ParameterError(
-            "{image} and {labels} don't overlap. Choose an image and labels of the same place, and check "
-            "their CRS and the extent.",
-            image=image.name(),
-            labels=name,
-        )
+        raise _no_overlap(image.name(), name)
+
+
+def _no_overlap(image: str, labels: str) -> ParameterError:
+    return ParameterError(
+        "{image} and {labels} don't overlap. Choose an image and labels of the same place, and check their CRS and the "
+        "extent.",
+        image=image,
+        labels=labels,
+    )
 
 
 def require_two_classes(counts: Sequence[int] | np.ndarray, table: ClassTable) -> None:
@@ -133,12 +137,7 @@ class TrainingGround:
         for part in parts:
             shared = shared.intersect(part)
         if shared.isEmpty():
-            raise ParameterError(
-                "{image} and {labels} don't overlap. Choose an image and labels of the same place, and check "
-                "their CRS and the extent.",
-                image=self.name,
-                labels=self.labels,
-            )
+            raise _no_overlap(self.name, self.labels)
         return shared.xMinimum(), shared.yMinimum(), shared.xMaximum(), shared.yMaximum()
 
     def _parts(self) -> list[Placed]:
