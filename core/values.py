@@ -1,4 +1,4 @@
-"""Checks of values from files: type, finite, in range and of limited length."""
+"""Checks of values from files: type, finite, in range and of limited length. Columns of layers."""
 
 from __future__ import annotations
 
@@ -70,3 +70,12 @@ def shown(value: object) -> str:
         return "a number of too many digits"
     text = repr(value)
     return text if len(text) <= limits.NUMBER_DIGITS else text[: limits.NUMBER_DIGITS] + "…"
+
+
+def schema(text: str) -> tuple[tuple[str, str], ...]:
+    """Return (name, kind) of each column of a layer.
+
+    >>> schema("image text, x real")
+    (('image', 'text'), ('x', 'real'))
+    """
+    return tuple((name, kind) for name, kind in (one.split() for one in text.split(",")))

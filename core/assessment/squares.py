@@ -13,23 +13,14 @@ from ..database.model import Windows
 from ..errors import ParameterError
 from ..localization import Status
 from ..sentences import Sentence, english
+from ..values import schema
 from .assessment import WRONG, Estimates
 from .cells import Cells
 
-FIELDS = (
-    ("footprint", "real"),
-    ("success", "real"),
-    ("success_low", "real"),
-    ("success_high", "real"),
-    ("error", "real"),
-    ("objects", "real"),
-    ("classes", "integer"),
-    ("distinctiveness", "real"),
-    ("look_alikes", "real"),
-    ("wrong", "real"),
-    ("trials", "integer"),
-    ("verdict", "text"),
-    ("reason", "text"),
+FIELDS = schema(
+    "footprint real, success real, success_low real, success_high real, error real, objects real, "
+    "classes integer, distinctiveness real, look_alikes real, wrong real, trials integer, verdict text, "
+    "reason text"
 )
 """Columns of the squares as a layer, with their types."""
 

@@ -9,6 +9,7 @@ from typing import Any, Callable, cast
 
 from ..localizer.record import record
 from ..sentences import Sentence, english
+from ..values import schema
 from .evaluation import MAP, MIRRORED, NOISE_LEVELS, ROTATION, SCALING, WindowQuery
 from .rates import Rate, RateAt
 from .summary import (
@@ -26,43 +27,13 @@ from .trial import Trial
 
 FORMAT = "semref evaluation 1"
 
-FIELDS = (
-    ("trial", "integer"),
-    ("kind", "text"),
-    ("method", "text"),
-    ("status", "text"),
-    ("right", "integer"),
-    ("error", "real"),
-    ("heading_error", "real"),
-    ("scale_error", "real"),
-    ("confidence", "real"),
-    ("error_95", "real"),
-    ("true_x", "real"),
-    ("true_y", "real"),
-    ("x", "real"),
-    ("y", "real"),
-    ("window", "text"),
-    ("heading", "real"),
-    ("scale", "real"),
-    ("offset", "real"),
-    ("missed", "real"),
-    ("invented", "real"),
-    ("misnamed", "real"),
-    ("ragged", "real"),
-    ("landmarks", "integer"),
-    ("references", "integer"),
-    ("inliers", "integer"),
-    ("distance", "real"),
-    ("log_odds", "real"),
-    ("reason", "text"),
-    ("background", "real"),
-    ("displaced", "real"),
-    ("shifted", "real"),
-    ("leaning", "real"),
-    ("lens", "real"),
-    ("tilt", "real"),
-    ("road", "text"),
-    ("radius_ratio", "real"),
+FIELDS = schema(
+    "trial integer, kind text, method text, status text, right integer, error real, heading_error real, "
+    "scale_error real, confidence real, error_95 real, true_x real, true_y real, x real, y real, window text, "
+    "heading real, scale real, offset real, missed real, invented real, misnamed real, ragged real, "
+    "landmarks integer, references integer, inliers integer, distance real, log_odds real, reason text, "
+    "background real, displaced real, shifted real, leaning real, lens real, tilt real, road text, "
+    "radius_ratio real"
 )
 """Columns of the trials as a layer, with their types."""
 

@@ -24,6 +24,7 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError
+from ...core.values import schema
 from ..base import parameters, route_flights
 from ..base.algorithm import LOCALIZATION, Declared, cancelable, check_canceled
 from ..base.assessing import AssessAlgorithm, setting_rows
@@ -53,24 +54,11 @@ if TYPE_CHECKING:
     from ..reports.route_report import AssessedRoute
 
 FIELDS = (
-    ("route", "integer"),
-    ("along", "real"),
-    ("heading", "real"),
-    ("success", "real"),
-    ("success_low", "real"),
-    ("success_high", "real"),
-    ("error", "real"),
-    ("objects", "real"),
-    ("classes", "integer"),
-    ("look_alikes", "real"),
-    ("wrong", "real"),
-    ("trials", "integer"),
-    ("gap", "real"),
-    ("gap_seconds", "real"),
-    ("shift", "real"),
-    ("shift_success", "real"),
-    ("reason", "text"),
-    ("stretch", "text"),
+    *schema(
+        "route integer, along real, heading real, success real, success_low real, success_high real, error real, "
+        "objects real, classes integer, look_alikes real, wrong real, trials integer, gap real, gap_seconds real, "
+        "shift real, shift_success real, reason text, stretch text"
+    ),
     *route_flights.FIELDS,
 )
 

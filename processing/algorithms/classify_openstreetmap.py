@@ -22,6 +22,7 @@ from ...core import limits
 from ...core.errors import ParameterError
 from ...core.labels.class_table import class_table_from_names
 from ...core.labels.openstreetmap import Rule, Rules, tags_of
+from ...core.values import schema
 from ...storage.gdal_errors import gdal_failures
 from ..base.algorithm import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
 from ..base.outputs import FeatureSink, Outputs
@@ -38,7 +39,7 @@ RULES_PATH = Path(__file__).resolve().parents[2] / "resources" / "openstreetmap"
 POLYGONS_OF_OSM, LINES_OF_OSM = "multipolygons", "lines"
 """Layers with areas and with lines in GDAL's reader of OpenStreetMap extracts."""
 
-FIELDS = (("class", "text"), ("priority", "integer"), ("tag", "text"), ("osm_id", "text"), ("name", "text"))
+FIELDS = schema("class text, priority integer, tag text, osm_id text, name text")
 ID_COLUMNS = ("osm_id", "osm_way_id", "id", "full_id")
 CHECK_EVERY = 1000
 """Features between two checks for a cancel."""

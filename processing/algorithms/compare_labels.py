@@ -14,6 +14,7 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError
+from ...core.values import schema
 from ..base import parameters
 from ..base.algorithm import ANNOTATION, Declared, SemRefAlgorithm, check_canceled, follow
 from ..base.annotation import geometry_of
@@ -30,13 +31,9 @@ if TYPE_CHECKING:
     from ...storage.label_comparison import DisagreementMap, LabelMapPair
     from ..reports.comparison_report import MeasuredShifts
 
-FIELDS = (
-    ("rank", "integer"),
-    ("annotated_class", "text"),
-    ("predicted_class", "text"),
-    ("area", "real"),
-    ("annotated_value", "integer"),
-    ("predicted_value", "integer"),
+FIELDS = schema(
+    "rank integer, annotated_class text, predicted_class text, area real, annotated_value integer, "
+    "predicted_value integer"
 )
 
 

@@ -19,6 +19,7 @@ from qgis.core import (
 
 from ...core.errors import ParameterError
 from ...core.labels.class_table import ClassTable
+from ...core.values import schema
 from ..base import parameters
 from ..base.algorithm import LOCALIZATION, Declared, SemRefAlgorithm, check_canceled
 from ..base.outputs import Outputs
@@ -30,14 +31,8 @@ from ..translation import tr
 if TYPE_CHECKING:
     from ...core.localizer.localizer import DescribedImage
 
-FIELDS = (
-    ("class", "integer"),
-    ("class_name", "text"),
-    ("area", "real"),
-    ("touches_edge", "integer"),
-    ("column", "real"),
-    ("row", "real"),
-    ("center_distance", "real"),
+FIELDS = schema(
+    "class integer, class_name text, area real, touches_edge integer, column real, row real, center_distance real"
 )
 
 

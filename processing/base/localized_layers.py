@@ -12,84 +12,32 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContex
 from ...core.database.model import ReferenceDatabase
 from ...core.geometry.footprint import image_corners
 from ...core.localizer.record import record
+from ...core.values import schema
 from ..compat import LINE, POINT, POLYGON
 from ..layers.localized_image import ERROR, LocalizedImage, moment
 from ..layers.reference_systems import longitudes_latitudes
 from ..messages.sentences import worded
 from .outputs import Outputs
 
-FIELDS = (
-    ("image", "text"),
-    ("status", "text"),
-    ("x", "real"),
-    ("y", "real"),
-    ("longitude", "real"),
-    ("latitude", "real"),
-    ("heading", "real"),
-    ("pixel_size", "real"),
-    ("confidence", "real"),
-    ("distance", "real"),
-    ("inliers", "integer"),
-    ("references", "integer"),
-    ("log_odds", "real"),
-    ("error_95", "real"),
-    ("window", "text"),
-    ("method", "text"),
-    ("reason", "text"),
-    ("camera_x", "real"),
-    ("camera_y", "real"),
-    ("jump", "boolean"),
-    ("error_95_minor", "real"),
-    ("error_95_direction", "real"),
-    ("heading_deviation", "real"),
-    ("pixel_size_deviation", "real"),
-    ("search_capped", "boolean"),
-    ("sigma_east", "real"),
-    ("sigma_north", "real"),
-    ("correlation", "real"),
-    ("sigma_heading", "real"),
-    ("sigma_scale", "real"),
-    ("camera", "text"),
-    ("gps_distance", "real"),
+FIELDS = schema(
+    "image text, status text, x real, y real, longitude real, latitude real, heading real, pixel_size real, "
+    "confidence real, distance real, inliers integer, references integer, log_odds real, error_95 real, "
+    "window text, method text, reason text, camera_x real, camera_y real, jump boolean, error_95_minor real, "
+    "error_95_direction real, heading_deviation real, pixel_size_deviation real, search_capped boolean, "
+    "sigma_east real, sigma_north real, correlation real, sigma_heading real, sigma_scale real, camera text, "
+    "gps_distance real"
 )
-FOOTPRINT_FIELDS = (
-    ("image", "text"),
-    ("status", "text"),
-    ("confidence", "real"),
-    ("window", "text"),
-    ("method", "text"),
-)
-ALTERNATIVE_FIELDS = (("image", "text"), ("rank", "integer"), ("heading", "real"), ("pixel_size", "real"))
-MATCH_FIELDS = (
-    ("image", "text"),
-    ("number", "integer"),
-    ("class", "integer"),
-    ("class_name", "text"),
-    ("image_column", "real"),
-    ("image_row", "real"),
-    ("seen_x", "real"),
-    ("seen_y", "real"),
-    ("residual", "real"),
+FOOTPRINT_FIELDS = schema("image text, status text, confidence real, window text, method text")
+ALTERNATIVE_FIELDS = schema("image text, rank integer, heading real, pixel_size real")
+MATCH_FIELDS = schema(
+    "image text, number integer, class integer, class_name text, image_column real, image_row real, seen_x real, "
+    "seen_y real, residual real"
 )
 POSITION_FIELDS = (*FIELDS, ("time", "datetime"))
-FLIGHT_FIELDS = (
-    *FIELDS,
-    ("source", "text"),
-    ("track", "integer"),
-    ("outvoted", "boolean"),
-    ("number", "integer"),
-    ("time", "datetime"),
-)
-TRACK_FIELDS = (
-    ("track", "integer"),
-    ("images", "integer"),
-    ("own", "integer"),
-    ("first", "text"),
-    ("last", "text"),
-    ("length", "real"),
-    ("largest_error_95", "real"),
-    ("start", "datetime"),
-    ("end", "datetime"),
+FLIGHT_FIELDS = (*FIELDS, *schema("source text, track integer, outvoted boolean, number integer, time datetime"))
+TRACK_FIELDS = schema(
+    "track integer, images integer, own integer, first text, last text, length real, largest_error_95 real, "
+    "start datetime, end datetime"
 )
 
 

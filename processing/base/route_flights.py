@@ -13,6 +13,7 @@ from qgis.core import (
     QgsProcessingParameterNumber,
 )
 
+from ...core.values import schema
 from ..compat import DOUBLE, INTEGER
 from ..translation import tr
 from .algorithm import follow, interruptible
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
 
 FLIGHTS, IMAGE_DISTANCE, DRIFT = "FLIGHTS", "IMAGE_DISTANCE", "DRIFT"
 FIRST_POSITION, LARGEST_RADIUS = "FIRST_POSITION", "LARGEST_RADIUS"
-FIELDS = (("flight_placed", "real"), ("flight_radius", "real"), ("flight_lost", "real"))
+FIELDS = schema("flight_placed real, flight_radius real, flight_lost real")
 
 FLOWN_PERCENT, DONE_PERCENT = 70, 97
 """Progress in percent after single images are assessed, if flights follow, and after the flights."""

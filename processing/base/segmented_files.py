@@ -11,6 +11,7 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
 
 from ...core.errors import LabelMapError
 from ...core.labels.class_table import UNLABELED, ClassTable
+from ...core.values import schema
 from ..compat import POLYGON
 from ..translation import tr
 from .algorithm import check_canceled, follow, interruptible
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
     from ...core.segmentation.tiling import SegmentedRows
     from ...storage.pictures import PercentRaster
 
-FIELDS = (("class", "integer"), ("class_name", "text"), ("area", "real"))
+FIELDS = schema("class integer, class_name text, area real")
 
 TOLERANCE_PX = 1.5
 """Tolerance that straightens pixel edges: those of a slanting line are at most 0.71 pixels off it."""

@@ -4,17 +4,11 @@ from __future__ import annotations
 
 from ...core.annotation import findings as kinds
 from ...core.annotation.findings import Finding
+from ...core.values import schema
 from ..translation import tr
 from .numbers import LocalTemplate
 
-FIELDS = (
-    ("kind", "text"),
-    ("severity", "text"),
-    ("message", "text"),
-    ("feature_id", "long"),
-    ("other_id", "long"),
-    ("area", "real"),
-)
+FIELDS = schema("kind text, severity text, message text, feature_id long, other_id long, area real")
 """Columns of layers of findings."""
 
 
