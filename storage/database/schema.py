@@ -13,52 +13,33 @@ from osgeo import gdal, ogr, osr
 from ...core.database.model import MapLandmarks
 from ...core.database.parameters import BuildParameters
 from ...core.labels.class_table import ClassTable
+from ...core.values import schema
 from ..gdal_errors import unwritten_database
 
 WINDOWS, REFERENCES, BOUNDS, OVERVIEW = "windows", "references", "reference_bounds", "overview"
 CLASSES, PARAMETERS, STYLES = "classes", "parameters", "layer_styles"
 
-CLASS_COLUMNS = ("value", "name", "color", "role", "draw_order", "hsv_min", "hsv_max")
-
-_INTEGER, _REAL, _TEXT, _BLOB, _BOOLEAN, _MOMENT = "integer", "real", "text", "blob", "boolean", "datetime"
 _OGR_TYPES = {
-    _INTEGER: ogr.OFTInteger,
-    _REAL: ogr.OFTReal,
-    _TEXT: ogr.OFTString,
-    _BLOB: ogr.OFTBinary,
-    _BOOLEAN: ogr.OFTInteger,
-    _MOMENT: ogr.OFTDateTime,
+    "integer": ogr.OFTInteger,
+    "real": ogr.OFTReal,
+    "text": ogr.OFTString,
+    "blob": ogr.OFTBinary,
+    "boolean": ogr.OFTInteger,
+    "datetime": ogr.OFTDateTime,
 }
 
-WINDOW_FIELDS = (
-    ("name", _TEXT),
-    ("level", _INTEGER),
-    ("size", _REAL),
-    ("center_x", _REAL),
-    ("center_y", _REAL),
-    ("longitude", _REAL),
-    ("latitude", _REAL),
-    ("reference_count", _INTEGER),
-    ("vector", _BLOB),
-    ("distinctiveness", _REAL),
+WINDOW_FIELDS = schema(
+    "name text, level integer, size real, center_x real, center_y real, longitude real, latitude real, "
+    "reference_count integer, vector blob, distinctiveness real"
 )
-REFERENCE_FIELDS = (("class", _INTEGER), ("class_name", _TEXT), ("area", _REAL), ("touches_edge", _BOOLEAN))
-BOUNDS_FIELDS = (("first_column", _INTEGER), ("first_row", _INTEGER), ("end_column", _INTEGER), ("end_row", _INTEGER))
-CLASS_FIELDS = tuple((name, {"value": _INTEGER, "draw_order": _REAL}.get(name, _TEXT)) for name in CLASS_COLUMNS)
-PARAMETER_FIELDS = (("key", _TEXT), ("value", _TEXT))
-STYLE_FIELDS = (
-    ("f_table_catalog", _TEXT),
-    ("f_table_schema", _TEXT),
-    ("f_table_name", _TEXT),
-    ("f_geometry_column", _TEXT),
-    ("styleName", _TEXT),
-    ("styleQML", _TEXT),
-    ("styleSLD", _TEXT),
-    ("useAsDefault", _BOOLEAN),
-    ("description", _TEXT),
-    ("owner", _TEXT),
-    ("ui", _TEXT),
-    ("update_time", _MOMENT),
+REFERENCE_FIELDS = schema("class integer, class_name text, area real, touches_edge boolean")
+BOUNDS_FIELDS = schema("first_column integer, first_row integer, end_column integer, end_row integer")
+CLASS_FIELDS = schema("value integer, name text, color text, role text, draw_order real, hsv_min text, hsv_max text")
+CLASS_COLUMNS = tuple(name for name, _ in CLASS_FIELDS)
+PARAMETER_FIELDS = schema("key text, value text")
+STYLE_FIELDS = schema(
+    "f_table_catalog text, f_table_schema text, f_table_name text, f_geometry_column text, styleName text, "
+    "styleQML text, styleSLD text, useAsDefault boolean, description text, owner text, ui text, update_time datetime"
 )
 
 LAYERS = {
@@ -84,7 +65,7 @@ def create_layer(dataset: ogr.DataSource, name: str, srs: osr.SpatialReference |
         raise unwritten_database()
     for column, kind in columns:
         definition = ogr.FieldDefn(column, _OGR_TYPES[kind])
-        if kind == _BOOLEAN:
+        if kind == "boolean":
             definition.SetSubType(ogr.OFSTBoolean)
         layer.CreateField(definition)
     return layer
@@ -113,11 +94,11 @@ def write_feature(
     if fid is not None:
         feature.SetFID(fid)
     for index, ((_, kind), value) in enumerate(zip(fields, values)):
-        if value is None or (kind == _REAL and not math.isfinite(value)):
+        if value is None or (kind == "real" and not math.isfinite(value)):
             continue
-        if kind == _BLOB:
+        if kind == "blob":
             feature.SetFieldBinaryFromHexString(index, value.hex())
-        elif kind == _MOMENT:
+        elif kind == "datetime":
             now = np.datetime64("now").astype(object)
             feature.SetField(index, now.year, now.month, now.day, now.hour, now.minute, float(now.second), 100)
         else:
