@@ -256,16 +256,14 @@ class AssessAlgorithm(SemRefAlgorithm):
 def setting_rows(conditions: Conditions, threshold: float, correlation: bool, seed: int) -> list[tuple[str, str]]:
     """Return the settings in both reports: (title, value)."""
     noise = conditions.noise
-    shared = (100 * noise.background, noise.displaced, conditions.class_shift, 100 * noise.leaning)
-    numbers = (*shared, 100 * conditions.lens, conditions.tilt_deg)
+    of_labels = 100 * noise.missed, 100 * noise.spurious, 100 * noise.mislabeled, noise.jitter
+    shared = 100 * noise.background, noise.displaced, conditions.class_shift, 100 * noise.leaning
+    numbers = (*of_labels, *shared, 100 * conditions.lens, conditions.tilt_deg)
+    titles = (title for _, title, _ in (*parameters.noises(), *parameters.shared_errors()))
     method = Method.AUTOMATIC if correlation else Method.CONSTELLATION
     return [
         (tr("Method"), worded(method.title)),
-        (tr("Missed landmarks (%)"), shown(100 * noise.missed, "g")),
-        (tr("Spurious landmarks (%)"), shown(100 * noise.spurious, "g")),
-        (tr("Mislabeled landmarks (%)"), shown(100 * noise.mislabeled, "g")),
-        (tr("Boundary jitter (m)"), shown(noise.jitter, "g")),
-        *((title, shown(number, "g")) for (_, title, _), number in zip(parameters.shared_errors(), numbers)),
+        *((title, shown(number, "g")) for title, number in zip(titles, numbers)),
         (tr("Success threshold (%)"), shown(100 * threshold, "g")),
         (tr("Seed"), str(seed)),
     ]
