@@ -73,7 +73,7 @@ class AddModel(SemRefAlgorithm):
         return (
             with_help(
                 QgsProcessingParameterFile(
-                    self.INPUT, tr("Network"), fileFilter=tr("Networks") + " (*.onnx *.pt *.pth *.ckpt)"
+                    self.INPUT, "Network", fileFilter=tr("Networks") + " (*.onnx *.pt *.pth *.ckpt)"
                 ),
                 "ONNX file with input 1 × 3 × height × width and an output for each class, or a checkpoint with "
                 "the weights of such a network.",
@@ -81,7 +81,7 @@ class AddModel(SemRefAlgorithm):
             with_help(
                 QgsProcessingParameterEnum(
                     self.PRESET,
-                    tr("Preset"),
+                    "Preset",
                     options=(
                         tr("None"),
                         tr("FLAIR-INC RGB of IGN, 19 outputs"),
@@ -92,7 +92,7 @@ class AddModel(SemRefAlgorithm):
                 "Values for all fields that are not set. Without a preset, those in the metadata of the file.",
             ),
             with_help(
-                QgsProcessingParameterString(self.CLASSES, tr("Class of each output"), optional=True),
+                QgsProcessingParameterString(self.CLASSES, "Class of each output", optional=True),
                 "Names in the order of the outputs, separated by “;”. Outputs with the same name are merged. Leave "
                 "a name empty for an output that is not used, for example building;road;;road.",
             ),
@@ -100,52 +100,50 @@ class AddModel(SemRefAlgorithm):
             with_help(
                 QgsProcessingParameterEnum(
                     self.PIXEL_VALUES,
-                    tr("Pixel values"),
+                    "Pixel values",
                     options=(tr("from 0 to 1"), tr("from 0 to 255")),
                     defaultValue=FROM_0_TO_1,
                 ),
                 "Range of the pixel values before the mean is subtracted and the result is divided.",
             ),
             with_help(
-                QgsProcessingParameterString(self.MEAN, tr("Mean (R; G; B)"), optional=True),
+                QgsProcessingParameterString(self.MEAN, "Mean (R; G; B)", optional=True),
                 "Three numbers, separated by “;”. 0;0;0 if the network takes pixel values as they are.",
             ),
             with_help(
-                QgsProcessingParameterString(
-                    self.STANDARD_DEVIATION, tr("Standard deviation (R; G; B)"), optional=True
-                ),
+                QgsProcessingParameterString(self.STANDARD_DEVIATION, "Standard deviation (R; G; B)", optional=True),
                 "Three numbers, separated by “;”. 1;1;1 if the network takes pixel values as they are.",
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.THRESHOLD, tr("Threshold"), DOUBLE, optional=True, minValue=0, maxValue=1
+                    self.THRESHOLD, "Threshold", DOUBLE, optional=True, minValue=0, maxValue=1
                 ),
                 "Probability from which a pixel has the class, for networks with one output. If not set, 0.5.",
             ),
             with_help(
-                QgsProcessingParameterString(self.LICENSE, tr("License"), optional=True),
+                QgsProcessingParameterString(self.LICENSE, "License", optional=True),
                 "License of the network, as its maker states it. The model card shows it.",
             ),
             with_help(
-                QgsProcessingParameterString(self.NAME, tr("Name"), optional=True),
+                QgsProcessingParameterString(self.NAME, "Name", optional=True),
                 "Name for the list of models. If not set, the name of the file.",
             ),
             with_help(
-                QgsProcessingParameterString(self.ARCHITECTURE, tr("Architecture of the checkpoint"), "unet"),
+                QgsProcessingParameterString(self.ARCHITECTURE, "Architecture of the checkpoint", "unet"),
                 "Name in segmentation_models_pytorch, for example unet, fpn or deeplabv3. Not used for ONNX files.",
                 advanced=True,
             ),
             with_help(
-                QgsProcessingParameterString(self.ENCODER, tr("Encoder of the checkpoint"), "resnet34"),
+                QgsProcessingParameterString(self.ENCODER, "Encoder of the checkpoint", "resnet34"),
                 "Name in segmentation_models_pytorch, for example resnet34. Not used for ONNX files.",
                 advanced=True,
             ),
             parameters.python_of_training(),
             with_help(
-                QgsProcessingParameterFileDestination(self.OUTPUT, tr("Model"), fileFilter=tr("ONNX models (*.onnx)")),
+                QgsProcessingParameterFileDestination(self.OUTPUT, "Model", fileFilter=tr("ONNX models (*.onnx)")),
                 "Copy of the network with metadata. The file of the network is not changed.",
             ),
-            QgsProcessingOutputNumber(self.CLASS_COUNT, tr("Number of classes")),
+            QgsProcessingOutputNumber(self.CLASS_COUNT, "Number of classes"),
         )
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:

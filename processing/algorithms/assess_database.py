@@ -58,18 +58,18 @@ class AssessDatabase(AssessAlgorithm):
         return (
             parameters.database(),
             with_help(
-                QgsProcessingParameterString(self.FOOTPRINT, tr("Footprint widths (m)"), optional=True),
+                QgsProcessingParameterString(self.FOOTPRINT, "Footprint widths (m)", optional=True),
                 "Edge length of the ground that an image shows. Separate the values for several flight heights by "
                 "“;”. If not set, the window size of the database.",
             ),
             with_help(
-                QgsProcessingParameterNumber(self.SPACING, tr("Spacing (m)"), DOUBLE, optional=True, minValue=0.0),
+                QgsProcessingParameterNumber(self.SPACING, "Spacing (m)", DOUBLE, optional=True, minValue=0.0),
                 "Edge length of the squares. If not set, half the smallest footprint width.",
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.TRIALS, tr("Simulated images"), INTEGER, 1000, minValue=20, maxValue=100_000
+                    self.TRIALS, "Simulated images", INTEGER, 1000, minValue=20, maxValue=100_000
                 ),
                 "Number of simulated images for each footprint width, spread evenly over the ground. More images "
                 "give narrower intervals.",
@@ -78,14 +78,14 @@ class AssessDatabase(AssessAlgorithm):
             *self.noise_parameters(),
             scheduler(),
             with_help(
-                QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Expected success"), type=SOURCE_POLYGON),
+                QgsProcessingParameterFeatureSink(self.OUTPUT, "Expected success", type=SOURCE_POLYGON),
                 "Squares of ground. With several footprint widths there is one square for each; the map shows the "
                 "first one.",
             ),
             parameters.report(
                 "Page with a map, the success for each footprint width, the landmarks and the assumed errors."
             ),
-            QgsProcessingOutputNumber(self.LOCALIZABLE_FRACTION, tr("Localizable fraction")),
+            QgsProcessingOutputNumber(self.LOCALIZABLE_FRACTION, "Localizable fraction"),
         )
 
     def check(self, values: Values) -> None:

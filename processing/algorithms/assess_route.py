@@ -31,16 +31,7 @@ from ..base.assessing import AssessAlgorithm, setting_rows
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.values import Values
-from ..compat import (
-    DOUBLE,
-    INTEGER,
-    POINT,
-    POINT_GEOMETRY,
-    POLYGON_GEOMETRY,
-    SOURCE_LINE,
-    SOURCE_POINT,
-    SOURCE_POLYGON,
-)
+from ..compat import DOUBLE, INTEGER, POINT, POINT_GEOMETRY, POLYGON_GEOMETRY, SOURCE_LINE, SOURCE_POINT, SOURCE_POLYGON
 from ..messages.numbers import shown
 from ..messages.sentences import worded
 from ..translation import tr
@@ -103,33 +94,33 @@ class AssessRoute(AssessAlgorithm):
         return (
             parameters.database(),
             with_help(
-                RouteParameter(self.ROUTE, tr("Route"), types=[SOURCE_LINE]),
+                RouteParameter(self.ROUTE, "Route", types=[SOURCE_LINE]),
                 "Line layer, or path of a GPX, KML, .plan or .waypoints file. Each line is a separate route.",
             ),
             with_help(
-                QgsProcessingParameterNumber(self.SPACING, tr("Spacing (m)"), DOUBLE, optional=True, minValue=0.0),
+                QgsProcessingParameterNumber(self.SPACING, "Spacing (m)", DOUBLE, optional=True, minValue=0.0),
                 "Distance between the points. If not set, a quarter of the footprint width.",
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.FOOTPRINT, tr("Footprint width (m)"), DOUBLE, optional=True, minValue=0.0
+                    self.FOOTPRINT, "Footprint width (m)", DOUBLE, optional=True, minValue=0.0
                 ),
                 "Edge length of the ground that an image shows. If not set, the window size of the database.",
             ),
             with_help(
-                QgsProcessingParameterNumber(self.SPEED, tr("Speed (m/s)"), DOUBLE, optional=True, minValue=0.0),
+                QgsProcessingParameterNumber(self.SPEED, "Speed (m/s)", DOUBLE, optional=True, minValue=0.0),
                 "Ground speed, for example 20. It is used to give the length of gaps in seconds.",
             ),
             with_help(
-                QgsProcessingParameterNumber(self.SHIFT, tr("Maximum shift (m)"), DOUBLE, optional=True, minValue=0.0),
+                QgsProcessingParameterNumber(self.SHIFT, "Maximum shift (m)", DOUBLE, optional=True, minValue=0.0),
                 "Maximum distance by which gaps may be moved to the left or right. Half of it is tested, too. If not "
                 "set, the footprint width. 0 disables it.",
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.TRIALS, tr("Simulated images per point"), INTEGER, 10, minValue=1, maxValue=1000
+                    self.TRIALS, "Simulated images per point", INTEGER, 10, minValue=1, maxValue=1000
                 ),
                 "Number of simulated images at each point, for example 10. More images give narrower intervals. "
                 "Nearby points share their results.",
@@ -137,25 +128,25 @@ class AssessRoute(AssessAlgorithm):
             ),
             *self.noise_parameters(),
             with_help(
-                QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Points along the route"), type=SOURCE_POINT),
+                QgsProcessingParameterFeatureSink(self.OUTPUT, "Points along the route", type=SOURCE_POINT),
                 "Expected success at each point. The field “gap” is the length of the gap that contains the point.",
             ),
             parameters.report("Page with a map of the route, a profile of the expected success, and the gaps."),
             with_help(
                 QgsProcessingParameterFeatureSource(
-                    self.ASSESSMENT, tr("Expected success"), types=[SOURCE_POLYGON], optional=True
+                    self.ASSESSMENT, "Expected success", types=[SOURCE_POLYGON], optional=True
                 ),
                 "Squares of “Assess reference database”. They are drawn below the route in the report.",
                 advanced=True,
             ),
             with_help(
-                QgsProcessingParameterRasterLayer(self.BASE_MAP, tr("Base map"), optional=True),
+                QgsProcessingParameterRasterLayer(self.BASE_MAP, "Base map", optional=True),
                 "Orthophoto, map tiles or overview of the database. It is drawn below everything else in the report.",
                 advanced=True,
             ),
             *route_flights.parameters(),
-            QgsProcessingOutputNumber(self.LONGEST_GAP, tr("Longest gap")),
-            QgsProcessingOutputNumber(self.LONGEST_GAP_SECONDS, tr("Longest gap in seconds")),
+            QgsProcessingOutputNumber(self.LONGEST_GAP, "Longest gap"),
+            QgsProcessingOutputNumber(self.LONGEST_GAP_SECONDS, "Longest gap in seconds"),
             *route_flights.outputs(),
         )
 

@@ -70,45 +70,39 @@ class BuildDatabase(SemRefAlgorithm):
                 "If not set, the classes with the role “reference” in the class table of the map are used."
             ),
             with_help(
-                QgsProcessingParameterNumber(self.WINDOW_SIZE, tr("Window size (m)"), DOUBLE, 1280.0, minValue=0.001),
+                QgsProcessingParameterNumber(self.WINDOW_SIZE, "Window size (m)", DOUBLE, 1280.0, minValue=0.001),
                 "Edge length of a window on the ground, about the footprint width of an image.",
             ),
             with_help(
-                QgsProcessingParameterNumber(self.STRIDE, tr("Stride (m)"), DOUBLE, 350.0, minValue=0.001),
+                QgsProcessingParameterNumber(self.STRIDE, "Stride (m)", DOUBLE, 350.0, minValue=0.001),
                 "Distance between neighboring windows. It must not be larger than the window size.",
             ),
             with_help(
-                QgsProcessingParameterString(self.LEVELS, tr("Levels"), defaultValue="1", optional=True),
+                QgsProcessingParameterString(self.LEVELS, "Levels", defaultValue="1", optional=True),
                 "Multipliers of window size and stride, separated by “;”. For example, 1;2 adds windows of twice "
                 "the size for flights at twice the height.",
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.REFERENCES_PER_VECTOR, tr("Landmarks per vector"), INTEGER, 10, minValue=3, maxValue=1000
+                    self.REFERENCES_PER_VECTOR, "Landmarks per vector", INTEGER, 10, minValue=3, maxValue=1000
                 ),
                 "Number of landmarks in a vector: those nearest to the center of the window.",
                 advanced=True,
             ),
             with_help(
-                QgsProcessingParameterNumber(self.MINIMUM_AREA, tr("Minimum area (m²)"), DOUBLE, 100.0, minValue=0.0),
+                QgsProcessingParameterNumber(self.MINIMUM_AREA, "Minimum area (m²)", DOUBLE, 100.0, minValue=0.0),
                 "Regions smaller than this area are not used as landmarks.",
             ),
             with_help(
                 QgsProcessingParameterFileDestination(
-                    self.DATABASE, tr("Reference database"), fileFilter=tr("GeoPackage (*.gpkg)")
+                    self.DATABASE, "Reference database", fileFilter=tr("GeoPackage (*.gpkg)")
                 ),
                 "GeoPackage with the layers windows, references, overview, classes and parameters.",
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.MAP_ACCURACY,
-                    tr("Map accuracy (m)"),
-                    DOUBLE,
-                    1.2,
-                    optional=True,
-                    minValue=0.0,
-                    maxValue=10000.0,
+                    self.MAP_ACCURACY, "Map accuracy (m)", DOUBLE, 1.2, optional=True, minValue=0.0, maxValue=10000.0
                 ),
                 "Standard deviation of landmark positions on the map, along each axis. It increases the 95 % "
                 "radius, because neighboring landmarks are displaced together. The default of 1.2 m was measured "
@@ -116,8 +110,8 @@ class BuildDatabase(SemRefAlgorithm):
                 advanced=True,
             ),
             parameters.open_output(),
-            QgsProcessingOutputNumber(self.WINDOW_COUNT, tr("Number of windows")),
-            QgsProcessingOutputNumber(self.REFERENCE_COUNT, tr("Number of landmarks")),
+            QgsProcessingOutputNumber(self.WINDOW_COUNT, "Number of windows"),
+            QgsProcessingOutputNumber(self.REFERENCE_COUNT, "Number of landmarks"),
             scheduler(),
         )
 

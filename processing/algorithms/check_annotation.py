@@ -59,31 +59,29 @@ class CheckAnnotation(AnnotationAlgorithm):
             *parameters.annotation(),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.MINIMUM_AREA, tr("Minimum area (m²)"), DOUBLE, 100.0, optional=True, minValue=0.0
+                    self.MINIMUM_AREA, "Minimum area (m²)", DOUBLE, 100.0, optional=True, minValue=0.0
                 ),
                 "Landmarks smaller than this area are reported, because “Build reference database” does not use "
                 "them. A typical value is 100.",
             ),
             with_help(
-                QgsProcessingParameterNumber(
-                    self.PIXEL_SIZE, tr("Pixel size (m)"), DOUBLE, optional=True, minValue=0.001
-                ),
+                QgsProcessingParameterNumber(self.PIXEL_SIZE, "Pixel size (m)", DOUBLE, optional=True, minValue=0.001),
                 "Pixel size for “Rasterize land-cover layer”. Landmarks that are lost, merged or split at this "
                 "pixel size are reported too. If not set, this is not checked.",
             ),
             with_help(
-                QgsProcessingParameterNumber(self.MAXIMUM_GAP, tr("Maximum gap (m²)"), DOUBLE, 1.0, minValue=0.0),
+                QgsProcessingParameterNumber(self.MAXIMUM_GAP, "Maximum gap (m²)", DOUBLE, 1.0, minValue=0.0),
                 "Uncovered areas up to this size, enclosed by polygons, are reported as gaps. Thin areas are "
                 "reported at any size.",
                 advanced=True,
             ),
             with_help(
-                QgsProcessingParameterFeatureSink(self.ISSUES, tr("Issues"), type=SOURCE_POLYGON),
+                QgsProcessingParameterFeatureSink(self.ISSUES, "Issues", type=SOURCE_POLYGON),
                 "One feature for each finding, in the CRS of the label map.",
             ),
             parameters.report("Page with the findings by kind and class.", by_default=False),
-            QgsProcessingOutputNumber(self.ISSUE_COUNT, tr("Number of findings")),
-            QgsProcessingOutputNumber(self.ERROR_COUNT, tr("Number of errors")),
+            QgsProcessingOutputNumber(self.ISSUE_COUNT, "Number of findings"),
+            QgsProcessingOutputNumber(self.ERROR_COUNT, "Number of errors"),
         )
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:

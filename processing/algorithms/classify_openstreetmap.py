@@ -71,34 +71,34 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
     def parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
-                QgsProcessingParameterFeatureSource(self.INPUT, tr("OpenStreetMap polygons"), types=[SOURCE_POLYGON]),
+                QgsProcessingParameterFeatureSource(self.INPUT, "OpenStreetMap polygons", types=[SOURCE_POLYGON]),
                 "Layer with tags as columns, or an OpenStreetMap extract. Of an extract, the areas are used.",
             ),
             with_help(
                 QgsProcessingParameterFeatureSource(
-                    self.LINES, tr("OpenStreetMap lines"), types=[SOURCE_LINE], optional=True
+                    self.LINES, "OpenStreetMap lines", types=[SOURCE_LINE], optional=True
                 ),
                 "Layer of lines with tags as columns, or the extract. Roads and railways get the class road, "
                 "rivers and streams the class water. The tags width and lanes give the width, otherwise the rules. "
                 "Tunnels are left out.",
             ),
             with_help(
-                QgsProcessingParameterFile(self.RULES, tr("Rules"), fileFilter=tr("CSV files (*.csv)"), optional=True),
+                QgsProcessingParameterFile(self.RULES, "Rules", fileFilter=tr("CSV files (*.csv)"), optional=True),
                 "CSV file with the columns key, value, class, priority, and width (m) for lines. The value * matches "
                 "any value; an empty class excludes polygons and lines. If not set, the rules of SemRef are used.",
                 advanced=True,
             ),
             with_help(
-                QgsProcessingParameterString(self.OTHER_CLASS, tr("Class of other polygons"), optional=True),
+                QgsProcessingParameterString(self.OTHER_CLASS, "Class of other polygons", optional=True),
                 "Class of polygons that no rule matches, for example of building outlines without tags. If empty, "
                 "these polygons are left out.",
                 advanced=True,
             ),
             with_help(
-                QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Land cover"), type=SOURCE_POLYGON),
+                QgsProcessingParameterFeatureSink(self.OUTPUT, "Land cover", type=SOURCE_POLYGON),
                 "Polygons with a class, with the fields class, priority, tag, osm_id and name.",
             ),
-            QgsProcessingOutputNumber(self.FEATURE_COUNT, tr("Number of polygons with a class")),
+            QgsProcessingOutputNumber(self.FEATURE_COUNT, "Number of polygons with a class"),
         )
 
     def read_layers(self, values: Values) -> None:

@@ -63,22 +63,22 @@ class CompareLabels(SemRefAlgorithm):
     def parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
-                QgsProcessingParameterRasterLayer(self.REFERENCE, tr("Annotated label map")),
+                QgsProcessingParameterRasterLayer(self.REFERENCE, "Annotated label map"),
                 "Label map that is correct, for example from “Rasterize land-cover layer”.",
             ),
             with_help(
-                QgsProcessingParameterRasterLayer(self.PREDICTED, tr("Predicted label map")),
+                QgsProcessingParameterRasterLayer(self.PREDICTED, "Predicted label map"),
                 "Label map to check, for example from “Segment image”. It must have the CRS of the annotated map.",
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.MINIMUM_AREA, tr("Minimum area"), DOUBLE, 10.0, optional=True, minValue=0.0
+                    self.MINIMUM_AREA, "Minimum area", DOUBLE, 10.0, optional=True, minValue=0.0
                 ),
                 "Disagreements and landmarks smaller than this area are not counted, in square map units (square "
                 "pixels without a georeference).",
             ),
             with_help(
-                QgsProcessingParameterFeatureSink(self.DISAGREEMENTS, tr("Disagreements"), type=SOURCE_POLYGON),
+                QgsProcessingParameterFeatureSink(self.DISAGREEMENTS, "Disagreements", type=SOURCE_POLYGON),
                 "One polygon for each connected area where the same two classes are confused, ranked by area.",
             ),
             parameters.report(
@@ -98,7 +98,7 @@ class CompareLabels(SemRefAlgorithm):
             with_help(
                 QgsProcessingParameterFileDestination(
                     self.MODEL_OUTPUT,
-                    tr("Model with class offset"),
+                    "Model with class offset",
                     fileFilter=tr("ONNX models (*.onnx)"),
                     optional=True,
                     createByDefault=False,
@@ -106,9 +106,9 @@ class CompareLabels(SemRefAlgorithm):
                 "Copy of the model with the class offset, in meters, in its metadata.",
                 advanced=True,
             ),
-            QgsProcessingOutputNumber(self.MEAN_IOU, tr("Mean IoU")),
-            QgsProcessingOutputNumber(self.OVERALL_ACCURACY, tr("Overall accuracy")),
-            QgsProcessingOutputNumber(self.MAP_ACCURACY, tr("Map accuracy")),
+            QgsProcessingOutputNumber(self.MEAN_IOU, "Mean IoU"),
+            QgsProcessingOutputNumber(self.OVERALL_ACCURACY, "Overall accuracy"),
+            QgsProcessingOutputNumber(self.MAP_ACCURACY, "Map accuracy"),
         )
 
     def read_layers(self, values: Values) -> None:

@@ -41,7 +41,7 @@ class DecodeColorLabels(SemRefAlgorithm):
     def parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
-                QgsProcessingParameterRasterLayer(self.INPUT, tr("Color label image")),
+                QgsProcessingParameterRasterLayer(self.INPUT, "Color label image"),
                 "Image with at least three 8-bit bands (red, green, blue).",
             ),
             parameters.class_table(
@@ -51,15 +51,12 @@ class DecodeColorLabels(SemRefAlgorithm):
             ),
             with_help(
                 QgsProcessingParameterEnum(
-                    self.METHOD,
-                    tr("Method"),
-                    options=(tr("HSV ranges"), tr("Nearest color")),
-                    defaultValue=self.HSV_RANGES,
+                    self.METHOD, "Method", options=(tr("HSV ranges"), tr("Nearest color")), defaultValue=self.HSV_RANGES
                 ),
                 "“HSV ranges” is the published way. “Nearest color” also labels blended colors at edges.",
             ),
             with_help(
-                QgsProcessingParameterRasterDestination(self.OUTPUT, tr("Label map")),
+                QgsProcessingParameterRasterDestination(self.OUTPUT, "Label map"),
                 "8-bit GeoTIFF with the pixels of the image.",
             ),
         )

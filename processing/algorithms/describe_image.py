@@ -60,7 +60,7 @@ class DescribeImage(SemRefAlgorithm):
     def parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
-                QgsProcessingParameterRasterLayer(self.INPUT, tr("Label image")),
+                QgsProcessingParameterRasterLayer(self.INPUT, "Label image"),
                 "Single-band class values, or colors of the class table. A georeference is not needed.",
             ),
             parameters.database(
@@ -75,33 +75,33 @@ class DescribeImage(SemRefAlgorithm):
                 "set, the roles in the class table are used."
             ),
             with_help(
-                QgsProcessingParameterNumber(self.MINIMUM_AREA, tr("Minimum area"), DOUBLE, 100.0, minValue=0.0),
+                QgsProcessingParameterNumber(self.MINIMUM_AREA, "Minimum area", DOUBLE, 100.0, minValue=0.0),
                 "Smallest landmark, if no database is selected, in square map units (square pixels without a "
                 "georeference).",
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.REFERENCES_PER_VECTOR, tr("Landmarks per vector"), INTEGER, 10, minValue=3
+                    self.REFERENCES_PER_VECTOR, "Landmarks per vector", INTEGER, 10, minValue=3
                 ),
                 "Number of landmarks in the vector, if no database is selected: those nearest to the center.",
                 advanced=True,
             ),
             with_help(
-                QgsProcessingParameterFeatureSink(self.REFERENCES, tr("Landmarks"), type=SOURCE_POINT),
+                QgsProcessingParameterFeatureSink(self.REFERENCES, "Landmarks", type=SOURCE_POINT),
                 "Points with class, area and pixel position. Without a georeference the coordinates are pixels (y "
                 "up, negative).",
             ),
             with_help(
                 QgsProcessingParameterFileDestination(
                     self.VECTOR,
-                    tr("Topology vector"),
+                    "Topology vector",
                     fileFilter=tr("JSON files (*.json)"),
                     optional=True,
                     createByDefault=False,
                 ),
                 "Distance ratios, angle differences, class ranks, and the classes that were used.",
             ),
-            QgsProcessingOutputNumber(self.REFERENCE_COUNT, tr("Number of landmarks")),
+            QgsProcessingOutputNumber(self.REFERENCE_COUNT, "Number of landmarks"),
         )
 
     def read_layers(self, values: Values) -> None:

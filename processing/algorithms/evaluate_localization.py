@@ -102,7 +102,7 @@ class EvaluateLocalization(SemRefAlgorithm):
             with_help(
                 QgsProcessingParameterEnum(
                     self.METHODS,
-                    tr("Methods"),
+                    "Methods",
                     options=[worded(method.title) for method in Method],
                     allowMultiple=True,
                     defaultValue=[0, 1],
@@ -111,13 +111,13 @@ class EvaluateLocalization(SemRefAlgorithm):
                 "selected method in the order Automatic, Constellation, Map correlation, Published method.",
             ),
             with_help(
-                QgsProcessingParameterNumber(self.TRIALS, tr("Trials"), INTEGER, 200, minValue=1, maxValue=1_000_000),
+                QgsProcessingParameterNumber(self.TRIALS, "Trials", INTEGER, 200, minValue=1, maxValue=1_000_000),
                 "Number of images. The report needs about 1.5 times as many additional images for noise and "
                 "offset, and 66 for its tables.",
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.MIRRORED, tr("Mirrored images (%)"), DOUBLE, 25.0, minValue=0.0, maxValue=90.0
+                    self.MIRRORED, "Mirrored images (%)", DOUBLE, 25.0, minValue=0.0, maxValue=90.0
                 ),
                 "Share of trials that show a mirrored part of the map. Such an image has no correct position, so "
                 "each computed position is false.",
@@ -125,13 +125,13 @@ class EvaluateLocalization(SemRefAlgorithm):
             *self._range_parameters(),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.MINIMUM_REFERENCES, tr("Minimum landmarks in the window"), INTEGER, 3, minValue=0
+                    self.MINIMUM_REFERENCES, "Minimum landmarks in the window", INTEGER, 3, minValue=0
                 ),
                 "Trials are placed around windows with at least this number of landmarks. 20 excludes open country.",
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.RIGHT_WITHIN, tr("Right within (m)"), DOUBLE, optional=True, minValue=0.0
+                    self.RIGHT_WITHIN, "Right within (m)", DOUBLE, optional=True, minValue=0.0
                 ),
                 "Largest error of a position that counts as right. If not set, 2 % of the footprint width. A "
                 "position of “Published method” is right if it names the nearest window.",
@@ -142,19 +142,19 @@ class EvaluateLocalization(SemRefAlgorithm):
             parameters.comparison(),
             scheduler(),
             with_help(
-                QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Trials"), type=SOURCE_POINT),
+                QgsProcessingParameterFeatureSink(self.OUTPUT, "Trials", type=SOURCE_POINT),
                 "One point for each trial and method at the true position, with the computed position and its error.",
             ),
             parameters.report("Page with tables and charts."),
             with_help(
                 QgsProcessingParameterFileDestination(
-                    self.JSON, tr("Numbers"), fileFilter=tr("JSON files (*.json)"), optional=True, createByDefault=False
+                    self.JSON, "Numbers", fileFilter=tr("JSON files (*.json)"), optional=True, createByDefault=False
                 ),
                 "All numbers of the report, for scripts.",
             ),
-            QgsProcessingOutputNumber(self.SUCCESS_RATE, tr("Success rate")),
-            QgsProcessingOutputNumber(self.MEDIAN_ERROR, tr("Median error")),
-            QgsProcessingOutputNumber(self.FALSE_ACCEPT_RATE, tr("False positions")),
+            QgsProcessingOutputNumber(self.SUCCESS_RATE, "Success rate"),
+            QgsProcessingOutputNumber(self.MEDIAN_ERROR, "Median error"),
+            QgsProcessingOutputNumber(self.FALSE_ACCEPT_RATE, "False positions"),
         )
 
     def _range_parameters(self) -> list[Declared]:

@@ -56,29 +56,27 @@ class ExportOnboard(SemRefAlgorithm):
         return (
             parameters.database(),
             with_help(
-                QgsProcessingParameterFeatureSource(self.CLIP, tr("Area or route"), optional=True),
+                QgsProcessingParameterFeatureSource(self.CLIP, "Area or route", optional=True),
                 "Polygons or lines that limit the export. If not set, the whole map is exported.",
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.DISTANCE, tr("Distance around area or route (m)"), DOUBLE, 0.0, minValue=0.0
+                    self.DISTANCE, "Distance around area or route (m)", DOUBLE, 0.0, minValue=0.0
                 ),
                 "Half the width of the corridor along a route. Use at least the footprint width of the images.",
             ),
             with_help(
-                QgsProcessingParameterBoolean(self.OVERVIEW, tr("Include the overview"), defaultValue=True),
+                QgsProcessingParameterBoolean(self.OVERVIEW, "Include the overview", defaultValue=True),
                 "The overview is the reduced label map that map correlation searches. Without it the file is "
                 "several times smaller.",
             ),
             with_help(
-                QgsProcessingParameterNumber(self.PRECISION, tr("Precision (m)"), DOUBLE, optional=True, minValue=1e-6),
+                QgsProcessingParameterNumber(self.PRECISION, "Precision (m)", DOUBLE, optional=True, minValue=1e-6),
                 "Maximum rounding error of the x and y of a landmark. If not set, 0.01 pixels of the label map.",
                 advanced=True,
             ),
             with_help(
-                QgsProcessingParameterFile(
-                    self.KEY_FILE, tr("Key file"), fileFilter=tr("All files (*)"), optional=True
-                ),
+                QgsProcessingParameterFile(self.KEY_FILE, "Key file", fileFilter=tr("All files (*)"), optional=True),
                 "File with secret bytes, for example 32 random bytes, that signs the onboard file (HMAC-SHA256). "
                 "With “semref … --require-signature KEY” the aircraft rejects files that were changed or made by "
                 "others. Keep this file secret: anyone who has it can sign.",
@@ -86,11 +84,11 @@ class ExportOnboard(SemRefAlgorithm):
             ),
             with_help(
                 QgsProcessingParameterFileDestination(
-                    self.OUTPUT, tr("Onboard file"), fileFilter=tr("Onboard files (*.npz)")
+                    self.OUTPUT, "Onboard file", fileFilter=tr("Onboard files (*.npz)")
                 ),
                 "Zip file of NumPy arrays. The documentation describes the format for other programming languages.",
             ),
-            QgsProcessingOutputNumber(self.BYTES, tr("Size in bytes")),
+            QgsProcessingOutputNumber(self.BYTES, "Size in bytes"),
         )
 
     def read_layers(self, values: Values) -> None:

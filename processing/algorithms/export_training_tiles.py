@@ -45,18 +45,18 @@ class ExportTrainingTiles(SemRefAlgorithm):
     def parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
-                QgsProcessingParameterRasterLayer(self.IMAGE, tr("Image")),
+                QgsProcessingParameterRasterLayer(self.IMAGE, "Image"),
                 "Aerial image with 8 or 16 bits. SemRef’s networks use three bands; further bands are exported too.",
             ),
             parameters.label_map(
                 "Single-band raster of class values for the same ground; 0 where the class is unknown."
             ),
             with_help(
-                QgsProcessingParameterNumber(self.TILE_SIZE, tr("Tile size (pixels)"), INTEGER, 512, minValue=32),
+                QgsProcessingParameterNumber(self.TILE_SIZE, "Tile size (pixels)", INTEGER, 512, minValue=32),
                 "Edge length of a tile, for example 512. Multiples of 32 suit most networks.",
             ),
             with_help(
-                QgsProcessingParameterNumber(self.STRIDE, tr("Stride (pixels)"), INTEGER, 512, minValue=1),
+                QgsProcessingParameterNumber(self.STRIDE, "Stride (pixels)", INTEGER, 512, minValue=1),
                 "Distance between neighboring tiles. A stride smaller than the tile size makes tiles overlap.",
             ),
             parameters.validation_fraction(optional=True),
@@ -65,10 +65,10 @@ class ExportTrainingTiles(SemRefAlgorithm):
                 advanced=True,
             ),
             with_help(
-                QgsProcessingParameterFolderDestination(self.OUTPUT, tr("Folder for tiles")),
+                QgsProcessingParameterFolderDestination(self.OUTPUT, "Folder for tiles"),
                 "A new or empty folder. Files in an existing folder are not changed.",
             ),
-            QgsProcessingOutputNumber(self.TILE_COUNT, tr("Number of tiles")),
+            QgsProcessingOutputNumber(self.TILE_COUNT, "Number of tiles"),
         )
 
     def read_layers(self, values: Values) -> None:

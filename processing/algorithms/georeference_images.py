@@ -61,13 +61,13 @@ class GeoreferenceImages(SemRefAlgorithm):
     def parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
-                QgsProcessingParameterFeatureSource(self.POSITIONS, tr("Positions"), types=[SOURCE_POINT]),
+                QgsProcessingParameterFeatureSource(self.POSITIONS, "Positions", types=[SOURCE_POINT]),
                 "Positions layer of “Localize images”, with all its columns.",
             ),
             with_help(
                 QgsProcessingParameterEnum(
                     self.FORMAT,
-                    tr("Format"),
+                    "Format",
                     options=(tr("GeoTIFF"), tr("World file"), tr("Control points (.points)")),
                     defaultValue=GEOTIFF,
                 ),
@@ -77,26 +77,26 @@ class GeoreferenceImages(SemRefAlgorithm):
             ),
             with_help(
                 QgsProcessingParameterFeatureSource(
-                    self.FOOTPRINTS, tr("Footprints"), types=[SOURCE_POLYGON], optional=True
+                    self.FOOTPRINTS, "Footprints", types=[SOURCE_POLYGON], optional=True
                 ),
                 "Footprints layer of the same run. Needed for images that were taken with a tilted camera.",
             ),
             with_help(
-                QgsProcessingParameterFeatureSource(self.MATCHES, tr("Matches"), types=[SOURCE_POINT], optional=True),
+                QgsProcessingParameterFeatureSource(self.MATCHES, "Matches", types=[SOURCE_POINT], optional=True),
                 "Matches layer of the same run. The matching landmarks become control points with their "
                 "residuals. Without it, with fewer than four landmarks or with map correlation, the corners, "
                 "edges and center of the footprint become control points.",
             ),
             with_help(
-                QgsProcessingParameterMultipleLayers(self.IMAGES, tr("Images"), layerType=SOURCE_FILE, optional=True),
+                QgsProcessingParameterMultipleLayers(self.IMAGES, "Images", layerType=SOURCE_FILE, optional=True),
                 "The images or their folder. Needed if the images are not in the folder of the positions layer.",
                 advanced=True,
             ),
             with_help(
-                QgsProcessingParameterFolderDestination(self.OUTPUT, tr("Folder for georeferenced images")),
+                QgsProcessingParameterFolderDestination(self.OUTPUT, "Folder for georeferenced images"),
                 "A new or empty folder.",
             ),
-            QgsProcessingOutputNumber(self.IMAGE_COUNT, tr("Number of images")),
+            QgsProcessingOutputNumber(self.IMAGE_COUNT, "Number of images"),
         )
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:

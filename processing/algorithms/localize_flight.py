@@ -65,7 +65,7 @@ class LocalizeFlight(LocalizeAlgorithm):
             self.camera_parameter(),
             with_help(
                 QgsProcessingParameterFile(
-                    self.ODOMETRY, tr("Odometry table"), fileFilter=tr("CSV (*.csv *.txt)"), optional=True
+                    self.ODOMETRY, "Odometry table", fileFilter=tr("CSV (*.csv *.txt)"), optional=True
                 ),
                 "CSV file with the columns image, dx_m, dy_m and dheading_deg: the motion since the previous row, "
                 "to the right and to the top of that image (m), and the clockwise turn (degrees). Optional "
@@ -75,13 +75,13 @@ class LocalizeFlight(LocalizeAlgorithm):
             ),
             self.speed_parameter(),
             with_help(
-                QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Positions of the flight"), type=SOURCE_POINT),
+                QgsProcessingParameterFeatureSink(self.OUTPUT, "Positions of the flight", type=SOURCE_POINT),
                 "One row for each image, in flight order. In addition to the columns of “Localize images” it has "
                 "the source of the position (own or flight), the track, and whether its own position was "
                 "outvoted. If the times are known, the temporal controller of QGIS can play the flight.",
             ),
             with_help(
-                QgsProcessingParameterFeatureSink(self.TRACK, tr("Track"), type=SOURCE_LINE, optional=True),
+                QgsProcessingParameterFeatureSink(self.TRACK, "Track", type=SOURCE_LINE, optional=True),
                 "One line for each track, from image to image.",
             ),
             self.footprints_parameter("One polygon for each image with a position: its footprint."),
@@ -89,8 +89,8 @@ class LocalizeFlight(LocalizeAlgorithm):
                 "Page with the track and its error ellipses, the source and heading of each position, and gaps."
             ),
             *self.shown_parameters(),
-            QgsProcessingOutputNumber(self.FIX_COUNT, tr("Number of images with a position")),
-            QgsProcessingOutputNumber(self.TRACK_COUNT, tr("Number of tracks")),
+            QgsProcessingOutputNumber(self.FIX_COUNT, "Number of images with a position"),
+            QgsProcessingOutputNumber(self.TRACK_COUNT, "Number of tracks"),
             *pace_results(),
             self.risk_parameter(
                 "A track is accepted if the probability that it is wrong is not larger than this value, for "
@@ -100,7 +100,7 @@ class LocalizeFlight(LocalizeAlgorithm):
             with_help(
                 QgsProcessingParameterFile(
                     self.LOG,
-                    tr("Flight log"),
+                    "Flight log",
                     fileFilter=tr("Flight logs (*.bin *.ulg *.tlog *.srt *.SRT *.txt)"),
                     optional=True,
                 ),

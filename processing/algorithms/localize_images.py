@@ -30,7 +30,6 @@ from ..base.scheduler import SCHEDULER, require_scheduler, scheduler
 from ..base.values import Values
 from ..compat import SOURCE_POINT, SOURCE_POLYGON
 from ..layers.localized_image import ERROR, LocalizedImage
-from ..translation import tr
 
 if TYPE_CHECKING:
     from ...core.geometry.camera import Camera
@@ -62,7 +61,7 @@ class LocalizeImages(LocalizeAlgorithm):
             self.camera_parameter(),
             self.speed_parameter(),
             with_help(
-                QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Positions"), type=SOURCE_POINT),
+                QgsProcessingParameterFeatureSink(self.OUTPUT, "Positions", type=SOURCE_POINT),
                 "One row for each image with status, position, error probability, 95 % radius and, without a "
                 "position, the reason.",
             ),
@@ -72,32 +71,32 @@ class LocalizeImages(LocalizeAlgorithm):
             ),
             with_help(
                 QgsProcessingParameterFeatureSink(
-                    self.ALTERNATIVES, tr("Possible places"), type=SOURCE_POLYGON, optional=True, createByDefault=False
+                    self.ALTERNATIVES, "Possible places", type=SOURCE_POLYGON, optional=True, createByDefault=False
                 ),
                 "Footprints of all places that fit an ambiguous image. The best place has rank 1.",
             ),
             *self.shown_parameters(),
-            QgsProcessingOutputNumber(self.FIX_COUNT, tr("Number of positions")),
+            QgsProcessingOutputNumber(self.FIX_COUNT, "Number of positions"),
             self.risk_parameter(
                 "A position is accepted if the probability that it is wrong is not larger than this value, for "
                 "example 0.0001 (1 in 10,000). A smaller value gives fewer positions. Above it, up to 0.2, the "
                 "result is a likely position. “Published method” does not use it."
             ),
             with_help(
-                QgsProcessingParameterRasterLayer(self.LAYER, tr("Layer to test"), optional=True),
+                QgsProcessingParameterRasterLayer(self.LAYER, "Layer to test", optional=True),
                 "A raster layer or map tiles. Its extent is localized like an image, at the resolution of the "
                 "model (for label colors, at the resolution of the database). Use it to test whether this place "
                 "would be found.",
                 advanced=True,
             ),
             with_help(
-                QgsProcessingParameterExtent(self.EXTENT, tr("Extent of the test layer"), optional=True),
+                QgsProcessingParameterExtent(self.EXTENT, "Extent of the test layer", optional=True),
                 "Part of the layer to test. Map tiles need it. If not set, the whole layer is used.",
                 advanced=True,
             ),
             with_help(
                 QgsProcessingParameterFeatureSource(
-                    self.MASK, tr("Mask of the test layer"), types=[SOURCE_POLYGON], optional=True
+                    self.MASK, "Mask of the test layer", types=[SOURCE_POLYGON], optional=True
                 ),
                 "Polygons that limit the area to test. Pixels outside the polygons get no label. Without an "
                 "extent, the extent of the polygons is used.",

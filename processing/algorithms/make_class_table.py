@@ -43,21 +43,17 @@ class MakeClassTable(AnnotationAlgorithm):
                 "are usually compact and permanent are used: buildings, water, bare land, orchards."
             ),
             with_help(
-                QgsProcessingParameterFileDestination(
-                    self.OUTPUT, tr("Class table"), fileFilter=tr("CSV files (*.csv)")
-                ),
+                QgsProcessingParameterFileDestination(self.OUTPUT, "Class table", fileFilter=tr("CSV files (*.csv)")),
                 "CSV file with the columns value, name, color, role, draw_order, hsv_min, hsv_max.",
             ),
             with_help(
-                QgsProcessingParameterEnum(
-                    self.PRESET, tr("Nomenclature"), options=(tr("None"), *PRESETS), defaultValue=0
-                ),
+                QgsProcessingParameterEnum(self.PRESET, "Nomenclature", options=(tr("None"), *PRESETS), defaultValue=0),
                 "Nomenclature that gives values, colors and roles to the classes. The class field may contain its "
                 "class names or the codes at the start of these names. Other classes are added after those of the "
                 "nomenclature.",
                 advanced=True,
             ),
-            QgsProcessingOutputNumber(self.CLASS_COUNT, tr("Number of classes")),
+            QgsProcessingOutputNumber(self.CLASS_COUNT, "Number of classes"),
         )
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:

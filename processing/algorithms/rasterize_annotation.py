@@ -59,32 +59,32 @@ class RasterizeAnnotation(AnnotationAlgorithm):
         return (
             *parameters.annotation(),
             with_help(
-                QgsProcessingParameterNumber(self.PIXEL_SIZE, tr("Pixel size (m)"), DOUBLE, 1.0, minValue=0.001),
+                QgsProcessingParameterNumber(self.PIXEL_SIZE, "Pixel size (m)", DOUBLE, 1.0, minValue=0.001),
                 "Edge length of a pixel, for example 1. The smallest landmark should cover about 50 pixels.",
             ),
             with_help(
-                QgsProcessingParameterExtent(self.EXTENT, tr("Extent"), optional=True),
+                QgsProcessingParameterExtent(self.EXTENT, "Extent", optional=True),
                 "Area to rasterize, extended to whole pixels. If not set, the extent of the polygons is used.",
             ),
             with_help(
-                QgsProcessingParameterCrs(self.TARGET_CRS, tr("Target CRS"), optional=True),
+                QgsProcessingParameterCrs(self.TARGET_CRS, "Target CRS", optional=True),
                 "Projected CRS with meters. If not set, the CRS of the layer is used if its unit is the meter, "
                 "otherwise a UTM zone.",
             ),
             with_help(
                 QgsProcessingParameterBoolean(
-                    self.OTHER_GROUND, tr("Treat ground without a polygon as class “other”"), defaultValue=False
+                    self.OTHER_GROUND, "Treat ground without a polygon as class “other”", defaultValue=False
                 ),
                 "Applies within the extent of the polygons. Use it if all areas of the classes were drawn. SemRef "
                 "always does this for a layer with a single class, such as buildings.",
             ),
             with_help(
-                QgsProcessingParameterRasterDestination(self.OUTPUT, tr("Label map")),
+                QgsProcessingParameterRasterDestination(self.OUTPUT, "Label map"),
                 "8-bit GeoTIFF with class table, colors and class names.",
             ),
             scheduler(),
-            QgsProcessingOutputNumber(self.CLASS_COUNT, tr("Number of classes on the map")),
-            QgsProcessingOutputNumber(self.LABELED_FRACTION, tr("Labeled fraction of the map")),
+            QgsProcessingOutputNumber(self.CLASS_COUNT, "Number of classes on the map"),
+            QgsProcessingOutputNumber(self.LABELED_FRACTION, "Labeled fraction of the map"),
         )
 
     def check(self, values: Values) -> None:

@@ -43,24 +43,24 @@ class RepairAnnotation(AnnotationAlgorithm):
             *parameters.annotation(),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.MAXIMUM_GAP, tr("Maximum gap (m²)"), DOUBLE, 1.0, optional=True, minValue=0.0
+                    self.MAXIMUM_GAP, "Maximum gap (m²)", DOUBLE, 1.0, optional=True, minValue=0.0
                 ),
                 "Uncovered areas up to this size, enclosed by polygons, are filled. Thin areas are filled at any size.",
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.MINIMUM_AREA, tr("Minimum area (m²)"), DOUBLE, 0.0, optional=True, minValue=0.0
+                    self.MINIMUM_AREA, "Minimum area (m²)", DOUBLE, 0.0, optional=True, minValue=0.0
                 ),
                 "Pieces smaller than this area are merged with a neighbor that they touch. Pieces without a "
                 "neighbor stay. Thin pieces are merged at any size.",
             ),
             with_help(
-                QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Repaired layer"), type=SOURCE_POLYGON),
+                QgsProcessingParameterFeatureSink(self.OUTPUT, "Repaired layer", type=SOURCE_POLYGON),
                 "Valid single polygons with the fields of the land-cover layer, in a CRS with meters.",
             ),
             with_help(
                 QgsProcessingParameterFeatureSink(
-                    self.CHANGES, tr("Changes"), type=SOURCE_POLYGON, optional=True, createByDefault=False
+                    self.CHANGES, "Changes", type=SOURCE_POLYGON, optional=True, createByDefault=False
                 ),
                 "One feature for each change, with its location and the ids of the features.",
             ),

@@ -68,7 +68,7 @@ class SegmentImage(SemRefAlgorithm):
     def parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
-                QgsProcessingParameterRasterLayer(self.INPUT, tr("Photo or orthophoto")),
+                QgsProcessingParameterRasterLayer(self.INPUT, "Photo or orthophoto"),
                 "Raster with or without georeference, or map tiles. Red, green and blue are found by color "
                 "interpretation or wavelength; otherwise the first three bands are used. A single band is read as "
                 "gray. Bands with more than 8 bits are stretched from their 2nd to their 98th percentile.",
@@ -78,7 +78,7 @@ class SegmentImage(SemRefAlgorithm):
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.OVERLAP, tr("Tile overlap (%)"), DOUBLE, optional=True, minValue=0, maxValue=75
+                    self.OVERLAP, "Tile overlap (%)", DOUBLE, optional=True, minValue=0, maxValue=75
                 ),
                 "Overlap of neighboring tiles, typically 20. If not set, the value in the metadata of the model "
                 "is used, or 20. A larger overlap takes longer and hides seams better.",
@@ -95,22 +95,18 @@ class SegmentImage(SemRefAlgorithm):
             ),
             parameters.extent(),
             with_help(
-                QgsProcessingParameterRasterDestination(self.OUTPUT, tr("Label map")),
+                QgsProcessingParameterRasterDestination(self.OUTPUT, "Label map"),
                 "8-bit GeoTIFF with the classes of the model. Pixels without data are 0.",
             ),
             with_help(
                 QgsProcessingParameterFeatureSink(
-                    self.POLYGONS, tr("Polygons"), type=SOURCE_POLYGON, optional=True, createByDefault=False
+                    self.POLYGONS, "Polygons", type=SOURCE_POLYGON, optional=True, createByDefault=False
                 ),
                 "Label map as polygons with class, name and area, without gaps and overlaps.",
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.MINIMUM_AREA,
-                    tr("Minimum area of polygons (square map units)"),
-                    DOUBLE,
-                    optional=True,
-                    minValue=0,
+                    self.MINIMUM_AREA, "Minimum area of polygons (square map units)", DOUBLE, optional=True, minValue=0
                 ),
                 "Smaller regions are merged with their largest neighbor. The unit is square pixels for images "
                 "without a georeference.",
@@ -119,7 +115,7 @@ class SegmentImage(SemRefAlgorithm):
             with_help(
                 QgsProcessingParameterNumber(
                     self.TOLERANCE,
-                    tr("Simplification tolerance of polygons (map units)"),
+                    "Simplification tolerance of polygons (map units)",
                     DOUBLE,
                     optional=True,
                     minValue=0,
@@ -131,20 +127,20 @@ class SegmentImage(SemRefAlgorithm):
             parameters.mask(),
             with_help(
                 QgsProcessingParameterRasterDestination(
-                    self.CONFIDENCE, tr("Confidence"), optional=True, createByDefault=False
+                    self.CONFIDENCE, "Confidence", optional=True, createByDefault=False
                 ),
                 "GeoTIFF with the probability of the label of each pixel, in percent; 255 where there is no "
                 "label. Networks often overestimate this probability.",
             ),
             with_help(
                 QgsProcessingParameterRasterDestination(
-                    self.PROBABILITIES, tr("Probabilities"), optional=True, createByDefault=False
+                    self.PROBABILITIES, "Probabilities", optional=True, createByDefault=False
                 ),
                 "GeoTIFF with one band for each class of the model: its probability in percent; 255 where there "
                 "is no label.",
             ),
             *pace_results(),
-            QgsProcessingOutputNumber(self.CERTAINTY, tr("Mean confidence of the labels (%)")),
+            QgsProcessingOutputNumber(self.CERTAINTY, "Mean confidence of the labels (%)"),
             scheduler(),
         )
 

@@ -102,60 +102,60 @@ class SetUpArea(SemRefAlgorithm):
     def parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
-                QgsProcessingParameterMultipleLayers(self.PHOTOS, tr("Photos"), layerType=SOURCE_FILE, optional=True),
+                QgsProcessingParameterMultipleLayers(self.PHOTOS, "Photos", layerType=SOURCE_FILE, optional=True),
                 "Photos, or folders with photos. Without photos, only the database and the model are made.",
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.PHOTO_WIDTH, tr("Ground width of a photo (m)"), DOUBLE, optional=True, minValue=1.0
+                    self.PHOTO_WIDTH, "Ground width of a photo (m)", DOUBLE, optional=True, minValue=1.0
                 ),
                 "Width of the ground that a typical photo shows, for example 150. If not set, height and focal "
                 "length of the camera give it, or the pixels of the imagery.",
             ),
             with_help(
-                QgsProcessingParameterFeatureSource(self.ANNOTATION, tr("Map"), types=[SOURCE_POLYGON]),
+                QgsProcessingParameterFeatureSource(self.ANNOTATION, "Map", types=[SOURCE_POLYGON]),
                 "Polygon layer: land cover, OpenStreetMap (layer with tags, or an extract such as .osm.pbf), or "
                 "buildings only.",
             ),
             with_help(
                 QgsProcessingParameterField(
-                    self.CLASS_FIELD, tr("Class field"), parentLayerParameterName=self.ANNOTATION, optional=True
+                    self.CLASS_FIELD, "Class field", parentLayerParameterName=self.ANNOTATION, optional=True
                 ),
                 "Field with the class of each polygon. If not set, SemRef guesses it, or uses the tags of "
                 "OpenStreetMap. In a layer without either, all polygons are buildings.",
             ),
             with_help(
                 QgsProcessingParameterFeatureSource(
-                    self.LINES, tr("OpenStreetMap lines"), types=[SOURCE_LINE], optional=True
+                    self.LINES, "OpenStreetMap lines", types=[SOURCE_LINE], optional=True
                 ),
                 "Roads, railways, rivers and streams as lines: layer with OpenStreetMap tags, or the extract. Only "
                 "models with a class road or water use them.",
             ),
             with_help(
-                QgsProcessingParameterRasterLayer(self.IMAGERY, tr("Imagery"), optional=True),
+                QgsProcessingParameterRasterLayer(self.IMAGERY, "Imagery", optional=True),
                 "Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must "
                 "allow this.",
             ),
             with_help(
-                QgsProcessingParameterNumber(self.MINUTES, tr("Training (minutes)"), DOUBLE, 0.0, minValue=0.0),
+                QgsProcessingParameterNumber(self.MINUTES, "Training (minutes)", DOUBLE, 0.0, minValue=0.0),
                 "Duration of the training. 0 means that the model is used as it is.",
             ),
             parameters.model(
                 "Model to use as it is, or to start the training from. If not set, the one of SemRef.", True
             ),
             with_help(
-                QgsProcessingParameterExtent(self.EXTENT, tr("Extent"), optional=True),
+                QgsProcessingParameterExtent(self.EXTENT, "Extent", optional=True),
                 "Ground of the database. If not set, the ground around the photos’ GPS positions, or the whole map.",
             ),
             with_help(
                 QgsProcessingParameterFile(
-                    self.FOLDER, tr("Folder for the results"), behavior=QgsProcessingParameterFile.Folder
+                    self.FOLDER, "Folder for the results", behavior=QgsProcessingParameterFile.Folder
                 ),
                 "Folder for all files. Existing files that this algorithm did not make are never replaced.",
             ),
-            QgsProcessingOutputFile(self.DATABASE, tr("Reference database")),
-            QgsProcessingOutputFile(self.TRAINED_MODEL, tr("Model")),
-            QgsProcessingOutputVectorLayer(self.POSITIONS, tr("Positions")),
+            QgsProcessingOutputFile(self.DATABASE, "Reference database"),
+            QgsProcessingOutputFile(self.TRAINED_MODEL, "Model"),
+            QgsProcessingOutputVectorLayer(self.POSITIONS, "Positions"),
             (QgsProcessingOutputFile if self._reports_as_files else QgsProcessingOutputHtml)(self.REPORT, tr("Report")),
         )
 

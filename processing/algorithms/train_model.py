@@ -86,7 +86,7 @@ class TrainModel(AnnotationAlgorithm):
     def parameters(self) -> tuple[Declared, ...]:
         return (
             with_help(
-                QgsProcessingParameterRasterLayer(self.IMAGE, tr("Orthophoto")),
+                QgsProcessingParameterRasterLayer(self.IMAGE, "Orthophoto"),
                 "Georeferenced aerial image with 8 or 16 bits. Red, green and blue are used. QGIS draws map tiles "
                 "and web maps; they need an extent and a resolution.",
                 widget="PhotoWidget",
@@ -100,7 +100,7 @@ class TrainModel(AnnotationAlgorithm):
             with_help(
                 QgsProcessingParameterEnum(
                     self.UNLABELED,
-                    tr("Ground without a label"),
+                    "Ground without a label",
                     options=(tr("is unknown"), tr("is class “other”")),
                     defaultValue=UNKNOWN,
                 ),
@@ -111,7 +111,7 @@ class TrainModel(AnnotationAlgorithm):
             with_help(
                 QgsProcessingParameterFile(
                     self.BASE_MODEL,
-                    tr("Base model"),
+                    "Base model",
                     fileFilter=tr("Models that SemRef trained (*.onnx *.pt)"),
                     optional=True,
                 ),
@@ -119,7 +119,7 @@ class TrainModel(AnnotationAlgorithm):
             ),
             with_help(
                 QgsProcessingParameterNumber(
-                    self.MINUTES, tr("Time limit (minutes)"), DOUBLE, 30, optional=True, minValue=0
+                    self.MINUTES, "Time limit (minutes)", DOUBLE, 30, optional=True, minValue=0
                 ),
                 "Time from the start until the model is written. 10 minutes are enough for a test, 60 minutes "
                 "give a better model. 0 means no limit.",
@@ -131,12 +131,12 @@ class TrainModel(AnnotationAlgorithm):
             ),
             parameters.extent(),
             with_help(
-                QgsProcessingParameterNumber(self.EPOCHS, tr("Epochs"), INTEGER, 200, minValue=1),
+                QgsProcessingParameterNumber(self.EPOCHS, "Epochs", INTEGER, 200, minValue=1),
                 "Maximum number of passes over the training tiles. The time limit may end training earlier.",
                 advanced=True,
             ),
             with_help(
-                QgsProcessingParameterNumber(self.PATIENCE, tr("Patience (epochs)"), INTEGER, 30, minValue=0),
+                QgsProcessingParameterNumber(self.PATIENCE, "Patience (epochs)", INTEGER, 30, minValue=0),
                 "Training stops if the result on the ground set aside has not improved for this number of epochs. "
                 "0 means never.",
                 advanced=True,
@@ -144,7 +144,7 @@ class TrainModel(AnnotationAlgorithm):
             with_help(
                 QgsProcessingParameterEnum(
                     self.NETWORK,
-                    tr("Network"),
+                    "Network",
                     options=(tr("EfficientNet-Lite0, pretrained on photos"), tr("Small, not pretrained")),
                     defaultValue=LITE0_NETWORK,
                 ),
@@ -154,7 +154,7 @@ class TrainModel(AnnotationAlgorithm):
             ),
             parameters.validation_fraction(advanced=True),
             with_help(
-                QgsProcessingParameterBoolean(self.RESUME, tr("Continue a canceled run"), defaultValue=True),
+                QgsProcessingParameterBoolean(self.RESUME, "Continue a canceled run", defaultValue=True),
                 "A canceled run with the same output and settings is continued. Otherwise training starts from "
                 "the beginning.",
                 advanced=True,
@@ -162,12 +162,12 @@ class TrainModel(AnnotationAlgorithm):
             parameters.python_of_training(),
             parameters.seed(default=1671),
             with_help(
-                QgsProcessingParameterFileDestination(self.OUTPUT, tr("Model"), fileFilter=tr("ONNX models (*.onnx)")),
+                QgsProcessingParameterFileDestination(self.OUTPUT, "Model", fileFilter=tr("ONNX models (*.onnx)")),
                 "ONNX file. During training a folder beside it contains the state that a canceled run needs to "
                 "continue.",
             ),
             parameters.report("Page with the IoU of each class, confusion matrix, learning curves and examples."),
-            QgsProcessingOutputNumber(self.MEAN_IOU, tr("Mean IoU")),
+            QgsProcessingOutputNumber(self.MEAN_IOU, "Mean IoU"),
             parameters.mask(),
         )
 

@@ -55,12 +55,12 @@ class UpdateDatabase(SemRefAlgorithm):
         return (
             parameters.database("GeoPackage from “Build reference database” or from this algorithm."),
             with_help(
-                QgsProcessingParameterRasterLayer(self.LABELS, tr("Corrected label map")),
+                QgsProcessingParameterRasterLayer(self.LABELS, "Corrected label map"),
                 "Label map of the whole area, with the pixel size and extent of the old label map.",
             ),
             with_help(
                 QgsProcessingParameterFeatureSource(
-                    self.CHANGED, tr("Changed areas"), types=[SOURCE_POLYGON], optional=True
+                    self.CHANGED, "Changed areas", types=[SOURCE_POLYGON], optional=True
                 ),
                 "Polygons that contain all changes. Only blocks of 512 × 512 pixels that these polygons touch are "
                 "compared, so changes outside are missed. If not set, the whole map is compared with the "
@@ -68,7 +68,7 @@ class UpdateDatabase(SemRefAlgorithm):
             ),
             with_help(
                 QgsProcessingParameterFileDestination(
-                    self.OUTPUT, tr("Updated database"), fileFilter=tr("GeoPackage (*.gpkg)")
+                    self.OUTPUT, "Updated database", fileFilter=tr("GeoPackage (*.gpkg)")
                 ),
                 "The output may be the input database. It is replaced when the update is complete.",
             ),

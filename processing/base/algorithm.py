@@ -60,14 +60,17 @@ class Canceled(Exception):
 
 
 class SemRefAlgorithm(QgsProcessingAlgorithm):
-    """Base of the algorithms. A subclass defines ID, TITLE, GROUP, TAGS, SUMMARY, parameters and work."""
+    """Base of the algorithms. A subclass defines ID, TITLE, GROUP, TAGS, SUMMARY, parameters and work.
+
+    It translates its title and summary, and the titles and helps of its parameters and outputs.
+    """
 
     ID = ""
     TITLE = ""
     GROUP = ""
     TAGS: tuple[str, ...] = ()
     SUMMARY = ""
-    """One to three paragraphs of help; each parameter has its own help. Like the title, it is translated when shown."""
+    """One to three paragraphs of help; each parameter has its own help."""
     PACKAGES: tuple[Package, ...] = NEEDED
     """Required Python packages beside those of QGIS."""
     MAY_REPLACE: ClassVar[Mapping[str, str]] = MappingProxyType({})
@@ -78,7 +81,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
     _reports_as_files = False
 
     def parameters(self) -> tuple[Declared, ...]:
-        """Return inputs, outputs and result numbers in the order of the dialog."""
+        """Return inputs, outputs and result numbers in the order of the dialog, in English."""
         raise NotImplementedError
 
     def check(self, values: Values) -> None:
@@ -105,6 +108,9 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
     def initAlgorithm(self, config: dict[str, Any] | None = None) -> None:
         self._reports_as_files = self._reports_as_files or REPORTS_AS_FILES in (config or {})
         for declared in self.parameters():
+            declared.setDescription(tr(declared.description()))
+            if isinstance(declared, QgsProcessingParameterDefinition):
+                declared.setHelp(tr(declared.help()))
             if isinstance(declared, QgsProcessingOutputDefinition):
                 self.addOutput(declared)
             elif self._reports_as_files and _is_page(declared):

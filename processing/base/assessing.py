@@ -106,13 +106,13 @@ class AssessAlgorithm(SemRefAlgorithm):
         return (
             with_help(
                 QgsProcessingParameterNumber(
-                    self.THRESHOLD, tr("Success threshold (%)"), DOUBLE, 90.0, minValue=1.0, maxValue=99.9
+                    self.THRESHOLD, "Success threshold (%)", DOUBLE, 90.0, minValue=1.0, maxValue=99.9
                 ),
                 "Expected success from which a place counts as localizable, for example 90.",
                 advanced=True,
             ),
             with_help(
-                QgsProcessingParameterBoolean(self.MAP_CORRELATION, tr("With map correlation"), defaultValue=True),
+                QgsProcessingParameterBoolean(self.MAP_CORRELATION, "With map correlation", defaultValue=True),
                 "Assess the method “Automatic”: where the landmarks give no position, map correlation is tested "
                 "on images of the overview. This takes about 1 s per image on a large map, so at most an eighth "
                 "of the images are tested. If off, only the constellation of landmarks is assessed.",

@@ -69,9 +69,7 @@ class LocalizeAlgorithm(SemRefAlgorithm):
         """Return images, model and method; ``optional``: whether the images may be left out."""
         return (
             with_help(
-                QgsProcessingParameterMultipleLayers(
-                    self.IMAGES, tr("Images"), layerType=SOURCE_FILE, optional=optional
-                ),
+                QgsProcessingParameterMultipleLayers(self.IMAGES, "Images", layerType=SOURCE_FILE, optional=optional),
                 "Label images, photos, or folders with such files. Label images have one band of class values, or "
                 "colors of the database’s class table. Photos need a model. A georeference is not needed.",
             ),
@@ -83,7 +81,7 @@ class LocalizeAlgorithm(SemRefAlgorithm):
             with_help(
                 QgsProcessingParameterEnum(
                     self.METHOD,
-                    tr("Method"),
+                    "Method",
                     options=[worded(method.title) for method in Method],
                     defaultValue=Method.AUTOMATIC.number,
                 ),
@@ -110,7 +108,7 @@ class LocalizeAlgorithm(SemRefAlgorithm):
     def speed_parameter(self) -> QgsProcessingParameterDefinition:
         return with_help(
             QgsProcessingParameterNumber(
-                self.MAXIMUM_SPEED, tr("Maximum speed (m/s)"), DOUBLE, optional=True, minValue=0.001
+                self.MAXIMUM_SPEED, "Maximum speed (m/s)", DOUBLE, optional=True, minValue=0.001
             ),
             "Highest ground speed of the flight, for example 20. Images without a position are searched again on "
             "the ground that the aircraft can reach at this speed from the nearest position in time. Positions "
@@ -122,7 +120,7 @@ class LocalizeAlgorithm(SemRefAlgorithm):
     def camera_parameter(self) -> QgsProcessingParameterDefinition:
         return with_help(
             QgsProcessingParameterFile(
-                self.ATTITUDE, tr("Camera table"), fileFilter=tr("CSV (*.csv *.txt)"), optional=True
+                self.ATTITUDE, "Camera table", fileFilter=tr("CSV (*.csv *.txt)"), optional=True
             ),
             "CSV file with the column image and any of roll, pitch, heading (degrees), height (m above ground), "
             "time, and focal_length_px, focal_length_35mm or field_of_view. Missing values are read from EXIF and "
@@ -134,7 +132,7 @@ class LocalizeAlgorithm(SemRefAlgorithm):
     def footprints_parameter(self, text: str) -> QgsProcessingParameterDefinition:
         return with_help(
             QgsProcessingParameterFeatureSink(
-                self.FOOTPRINTS, tr("Footprints"), type=SOURCE_POLYGON, optional=True, createByDefault=False
+                self.FOOTPRINTS, "Footprints", type=SOURCE_POLYGON, optional=True, createByDefault=False
             ),
             text,
         )
@@ -144,7 +142,7 @@ class LocalizeAlgorithm(SemRefAlgorithm):
         return (
             with_help(
                 QgsProcessingParameterFeatureSink(
-                    self.MATCHES, tr("Matches"), type=SOURCE_POINT, optional=True, createByDefault=False
+                    self.MATCHES, "Matches", type=SOURCE_POINT, optional=True, createByDefault=False
                 ),
                 "One point for each landmark of the map that matches a landmark of an image: its position in the "
                 "image, its position by the computed position of the image, and the residual.",
@@ -152,7 +150,7 @@ class LocalizeAlgorithm(SemRefAlgorithm):
             ),
             with_help(
                 QgsProcessingParameterFolderDestination(
-                    self.LABELS, tr("Folder for label images"), optional=True, createByDefault=False
+                    self.LABELS, "Folder for label images", optional=True, createByDefault=False
                 ),
                 "A new or empty folder. The labels of each image are saved as a GeoTIFF with the class table.",
                 advanced=True,

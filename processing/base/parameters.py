@@ -42,11 +42,11 @@ def with_help(
 
     Args:
         parameter: It is changed.
-        text: Help of at most 60 words, in English or translated.
+        text: Help of at most 60 words.
         advanced: Whether dialogs fold it away.
         widget: A class of ``ui/fields/dialog_widgets.py`` that shows it in dialogs; QGIS's own widget if empty.
     """
-    parameter.setHelp(tr(text))
+    parameter.setHelp(text)
     kinds = parameter.fileFilter() if isinstance(parameter, QgsProcessingParameterFile) else ""
     if kinds and "(*)" not in kinds:
         # QGIS refuses other names, even “.CSV”, without a reason. The readers look at the content.
@@ -63,20 +63,20 @@ def database(text: str = "", optional: bool = False) -> QgsProcessingParameterDe
     """Return the reference database; ``text`` replaces its help."""
     kinds = tr("Reference databases (*.gpkg)")
     return with_help(
-        QgsProcessingParameterFile(DATABASE, tr("Reference database"), fileFilter=kinds, optional=optional),
+        QgsProcessingParameterFile(DATABASE, "Reference database", fileFilter=kinds, optional=optional),
         text if text else "A GeoPackage made by “Build reference database”.",
         widget="DatabaseWidget",
     )
 
 
 def label_map(text: str, optional: bool = False) -> QgsProcessingParameterDefinition:
-    return with_help(QgsProcessingParameterRasterLayer(LABELS, tr("Label map"), optional=optional), text)
+    return with_help(QgsProcessingParameterRasterLayer(LABELS, "Label map", optional=optional), text)
 
 
 def class_table(text: str, optional: bool = True, advanced: bool = False) -> QgsProcessingParameterDefinition:
     csv = tr("CSV files (*.csv)")
     return with_help(
-        QgsProcessingParameterFile(CLASS_TABLE, tr("Class table"), fileFilter=csv, optional=optional),
+        QgsProcessingParameterFile(CLASS_TABLE, "Class table", fileFilter=csv, optional=optional),
         text,
         advanced=advanced,
         widget="ClassTableWidget",
@@ -85,7 +85,7 @@ def class_table(text: str, optional: bool = True, advanced: bool = False) -> Qgs
 
 def model(text: str, optional: bool = False) -> QgsProcessingParameterDefinition:
     return with_help(
-        QgsProcessingParameterFile(MODEL, tr("Model"), fileFilter=tr("ONNX models (*.onnx)"), optional=optional),
+        QgsProcessingParameterFile(MODEL, "Model", fileFilter=tr("ONNX models (*.onnx)"), optional=optional),
         text,
         widget="ModelWidget",
     )
@@ -105,21 +105,21 @@ def open_output() -> QgsProcessingParameterDefinition:
 
 def extent() -> QgsProcessingParameterDefinition:
     return with_help(
-        QgsProcessingParameterExtent(EXTENT, tr("Extent"), optional=True),
+        QgsProcessingParameterExtent(EXTENT, "Extent", optional=True),
         "Area to process; the whole image or layer if not set. Map tiles and web maps need an extent or a mask.",
     )
 
 
 def mask() -> QgsProcessingParameterDefinition:
     return with_help(
-        QgsProcessingParameterFeatureSource(MASK, tr("Mask"), types=[SOURCE_POLYGON], optional=True),
+        QgsProcessingParameterFeatureSource(MASK, "Mask", types=[SOURCE_POLYGON], optional=True),
         "Polygons that limit the area to process. Pixels outside the polygons get no label.",
     )
 
 
 def resolution(text: str, advanced: bool = True) -> QgsProcessingParameterDefinition:
     return with_help(
-        QgsProcessingParameterNumber(RESOLUTION, tr("Resolution (cm per pixel)"), DOUBLE, optional=True, minValue=0.1),
+        QgsProcessingParameterNumber(RESOLUTION, "Resolution (cm per pixel)", DOUBLE, optional=True, minValue=0.1),
         text,
         advanced=advanced,
     )
@@ -128,7 +128,7 @@ def resolution(text: str, advanced: bool = True) -> QgsProcessingParameterDefini
 def python_of_training() -> QgsProcessingParameterDefinition:
     return with_help(
         QgsProcessingParameterFile(
-            PYTHON, tr("Python of the training environment"), fileFilter=tr("Programs (*)"), optional=True
+            PYTHON, "Python of the training environment", fileFilter=tr("Programs (*)"), optional=True
         ),
         "Python with torch. If not set, the Python of the SemRef options is used, or the training environment that "
         "SemRef installed.",
@@ -138,13 +138,13 @@ def python_of_training() -> QgsProcessingParameterDefinition:
 
 def reference_classes(text: str) -> QgsProcessingParameterDefinition:
     """Return the classes that are landmarks: names or values, separated by “;”."""
-    return with_help(QgsProcessingParameterString(REFERENCE_CLASSES, tr("Reference classes"), optional=True), text)
+    return with_help(QgsProcessingParameterString(REFERENCE_CLASSES, "Reference classes", optional=True), text)
 
 
 def report(text: str, by_default: bool = True) -> QgsProcessingParameterDefinition:
     return with_help(
         QgsProcessingParameterFileDestination(
-            REPORT, tr("Report"), fileFilter=tr("HTML files (*.html)"), optional=True, createByDefault=by_default
+            REPORT, "Report", fileFilter=tr("HTML files (*.html)"), optional=True, createByDefault=by_default
         ),
         text,
     )
@@ -165,7 +165,7 @@ def validation_fraction(optional: bool = False, advanced: bool = False) -> QgsPr
 def seed(default: int = 1) -> QgsProcessingParameterDefinition:
     """Return the seed of random numbers."""
     return with_help(
-        QgsProcessingParameterNumber(SEED, tr("Seed"), INTEGER, default, minValue=0),
+        QgsProcessingParameterNumber(SEED, "Seed", INTEGER, default, minValue=0),
         "Start value of the random numbers. The same number gives the same trials again.",
         advanced=True,
     )
@@ -174,7 +174,7 @@ def seed(default: int = 1) -> QgsProcessingParameterDefinition:
 def sun_direction(text: str) -> QgsProcessingParameterDefinition:
     return with_help(
         QgsProcessingParameterNumber(
-            SUN_DIRECTION, tr("Direction of the sun (°)"), DOUBLE, optional=True, minValue=0.0, maxValue=360.0
+            SUN_DIRECTION, "Direction of the sun (°)", DOUBLE, optional=True, minValue=0.0, maxValue=360.0
         ),
         text,
         advanced=True,
@@ -185,25 +185,23 @@ def annotation(optional: bool = False) -> tuple[QgsProcessingParameterDefinition
     """Return the land-cover layer, its class fields and its class table."""
     return (
         with_help(
-            QgsProcessingParameterFeatureSource(
-                INPUT, tr("Land-cover layer"), types=[SOURCE_POLYGON], optional=optional
-            ),
+            QgsProcessingParameterFeatureSource(INPUT, "Land-cover layer", types=[SOURCE_POLYGON], optional=optional),
             "Polygon layer with land-cover classes. Polygons may overlap, and may be multipart, invalid or "
             "three-dimensional.",
         ),
         with_help(
-            QgsProcessingParameterField(CLASS_FIELD, tr("Class field"), parentLayerParameterName=INPUT, optional=True),
+            QgsProcessingParameterField(CLASS_FIELD, "Class field", parentLayerParameterName=INPUT, optional=True),
             "Text or number field with the class of each polygon. Not needed if all polygons have the same class.",
             widget="ClassFieldWidget",
         ),
         with_help(
-            QgsProcessingParameterString(CLASS, tr("All polygons are"), optional=True),
+            QgsProcessingParameterString(CLASS, "All polygons are", optional=True),
             "Class of all polygons, for example “building”. If you enter a class here, the class field is not used.",
             widget="ClassNameWidget",
         ),
         with_help(
             QgsProcessingParameterField(
-                PRIORITY_FIELD, tr("Priority field"), parentLayerParameterName=INPUT, optional=True
+                PRIORITY_FIELD, "Priority field", parentLayerParameterName=INPUT, optional=True
             ),
             "Number field. Where polygons overlap, the polygon with the higher value is on top. Without this "
             "field the draw order of the class table decides, otherwise the later polygon is on top.",
@@ -221,7 +219,7 @@ def network() -> QgsProcessingParameterDefinition:
     """Return the choice that sets all label errors of a model at once."""
     options = (tr("use the values below"), tr("good"), tr("usable"), tr("poor"))
     return with_help(
-        QgsProcessingParameterEnum(NETWORK, tr("Label quality"), options=options, defaultValue=0, optional=True),
+        QgsProcessingParameterEnum(NETWORK, "Label quality", options=options, defaultValue=0, optional=True),
         "Quality of the labels that the model makes of photos. “usable” means 20 % missed landmarks, 20 % spurious "
         "landmarks, 5 % mislabeled landmarks and a boundary jitter of 1 m. “good” means half of these errors, “poor” "
         "twice as much. Errors of the map and the camera are not changed.",
@@ -232,7 +230,7 @@ def comparison() -> QgsProcessingParameterDefinition:
     """Return the report of “Compare label maps” that replaces the assumed errors."""
     return with_help(
         QgsProcessingParameterFile(
-            COMPARISON, tr("Comparison report"), fileFilter=tr("HTML files (*.html)"), optional=True
+            COMPARISON, "Comparison report", fileFilter=tr("HTML files (*.html)"), optional=True
         ),
         "Report of “Compare label maps”. Its measured values replace the label quality and the values of these "
         "parameters: missed, spurious and mislabeled landmarks, boundary jitter, mislabeled background and class "

@@ -40,8 +40,8 @@ def open_model(path: str, table: ClassTable | None = None) -> SegmentationModel:
 def pace_results() -> tuple[QgsProcessingOutputString, QgsProcessingOutputNumber]:
     """Return the result numbers of a network's run."""
     return (
-        QgsProcessingOutputString(DEVICE, tr("Device of the network")),
-        QgsProcessingOutputNumber(TILES_PER_SECOND, tr("Tiles per second")),
+        QgsProcessingOutputString(DEVICE, "Device of the network"),
+        QgsProcessingOutputNumber(TILES_PER_SECOND, "Tiles per second"),
     )
 
 

@@ -25,18 +25,18 @@ def parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
     """Return the optional parameters of the prior position, heading and scale."""
     return (
         with_help(
-            QgsProcessingParameterPoint(PRIOR_POINT, tr("Prior position"), optional=True),
+            QgsProcessingParameterPoint(PRIOR_POINT, "Prior position", optional=True),
             "Approximate position of the images. It limits the search area and makes the search faster. Optional.",
             advanced=True,
         ),
         with_help(
-            QgsProcessingParameterNumber(PRIOR_RADIUS, tr("Search radius (m)"), DOUBLE, 1000.0, minValue=0.01),
+            QgsProcessingParameterNumber(PRIOR_RADIUS, "Search radius (m)", DOUBLE, 1000.0, minValue=0.01),
             "Radius of the search area around the prior position. It is used only with a prior position.",
             advanced=True,
         ),
         with_help(
             QgsProcessingParameterNumber(
-                PRIOR_HEADING, tr("Prior heading (°)"), DOUBLE, optional=True, minValue=-360, maxValue=360
+                PRIOR_HEADING, "Prior heading (°)", DOUBLE, optional=True, minValue=-360, maxValue=360
             ),
             "Approximate direction of the top of the images, in degrees clockwise from grid north. If not set, "
             "SemRef uses the heading of the camera (camera table or XMP) ± 25°, where it is known.",
@@ -44,7 +44,7 @@ def parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
         ),
         with_help(
             QgsProcessingParameterNumber(
-                PRIOR_HEADING_RANGE, tr("Heading tolerance (± °)"), DOUBLE, 20.0, minValue=1, maxValue=180
+                PRIOR_HEADING_RANGE, "Heading tolerance (± °)", DOUBLE, 20.0, minValue=1, maxValue=180
             ),
             "Only headings within this tolerance of the prior heading are searched. It is used only with a prior "
             "heading.",

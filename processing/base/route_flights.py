@@ -15,7 +15,6 @@ from qgis.core import (
 
 from ...core.values import schema
 from ..compat import DOUBLE, INTEGER
-from ..translation import tr
 from .algorithm import follow, interruptible
 from .parameters import SEED, with_help
 from .values import Values
@@ -41,7 +40,7 @@ def parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
     """Return the parameters of simulated flights."""
     return (
         with_help(
-            QgsProcessingParameterNumber(FLIGHTS, tr("Simulated flights"), INTEGER, 0, minValue=0, maxValue=100),
+            QgsProcessingParameterNumber(FLIGHTS, "Simulated flights", INTEGER, 0, minValue=0, maxValue=100),
             "Number of simulated flights along each line, for example 5. They are localized as in “Localize "
             "flight”. The report shows where the first position is found, the largest error, and where the track "
             "is lost. Each image takes about 1 s until the first position. 0 means no flights.",
@@ -49,13 +48,13 @@ def parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
         ),
         with_help(
             QgsProcessingParameterNumber(
-                IMAGE_DISTANCE, tr("Distance between images (m)"), DOUBLE, optional=True, minValue=0.0
+                IMAGE_DISTANCE, "Distance between images (m)", DOUBLE, optional=True, minValue=0.0
             ),
             "Distance between the images of a simulated flight. If not set, a third of the footprint width.",
             advanced=True,
         ),
         with_help(
-            QgsProcessingParameterNumber(DRIFT, tr("Motion drift (%)"), DOUBLE, 1.0, minValue=0.0, maxValue=20.0),
+            QgsProcessingParameterNumber(DRIFT, "Motion drift (%)", DOUBLE, 1.0, minValue=0.0, maxValue=20.0),
             "Error of the motion between images, in percent of the distance: a random error of each step, and a "
             "constant error of the same size.",
             advanced=True,
@@ -66,8 +65,8 @@ def parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
 def outputs() -> tuple[QgsProcessingOutputNumber, ...]:
     """Return the result numbers."""
     return (
-        QgsProcessingOutputNumber(FIRST_POSITION, tr("Distance to the first position of a flight")),
-        QgsProcessingOutputNumber(LARGEST_RADIUS, tr("Largest 95 % radius of a flight")),
+        QgsProcessingOutputNumber(FIRST_POSITION, "Distance to the first position of a flight"),
+        QgsProcessingOutputNumber(LARGEST_RADIUS, "Largest 95 % radius of a flight"),
     )
 
 

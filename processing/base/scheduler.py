@@ -39,7 +39,7 @@ _REMOTE = re.compile(r"(tcp|tls|ucx|ws|wss)://[^\s:/]+:\d+/?")
 
 def scheduler() -> QgsProcessingParameterDefinition:
     return with_help(
-        QgsProcessingParameterString(SCHEDULER, tr("Scheduler"), optional=True),
+        QgsProcessingParameterString(SCHEDULER, "Scheduler", optional=True),
         "Processes that do the work. local:4 starts four processes on this computer. tcp://ADDRESS:PORT uses the "
         "workers of a Dask scheduler, which must read the same files under the same paths. If not set, QGIS does "
         "the work.",

@@ -34,6 +34,7 @@ def makers() -> frozenset[str]:
 
 
 MAKERS = makers()
+DECLARED = ("QgsProcessingParameter", "QgsProcessingOutput", "RouteParameter", "with_help")
 HELPED = ("risk_parameter", "footprints_parameter")
 """Functions that pass a help to ``with_help``, like all of ``parameters``."""
 
@@ -56,9 +57,9 @@ def calls_in(source: str) -> Iterator[ast.Call]:
 
 
 def texts_of_call(call: ast.Call) -> list[str]:
-    """Return the literals of ``tr("…")``, of a sentence or an error, and the help that ``with_help`` translates."""
+    """Return the literals of ``tr("…")``, of a sentence or an error, and titles and helps of parameters."""
     name, owner = name_of(call.func), name_of(getattr(call.func, "value", call.func))
-    if name == "with_help":
+    if name.startswith(DECLARED) and len(call.args) > 1:
         return literals(call.args[1])
     is_tr = name == "tr" and len(call.args) == 1
     return templates_of(call) if is_tr or name in MAKERS or name in HELPED or owner == "parameters" else []
