@@ -137,7 +137,7 @@ def moved(at: np.ndarray, moves: np.ndarray) -> np.ndarray:
     turned = at[:, 3, None, None] * np.array([[cos, -sin], [sin, cos]]).transpose(2, 0, 1)
     shifted = at[:, :2] + (turned @ moves[:, :2, None])[..., 0]
     headings = (at[:, 2] + np.degrees(moves[:, 2])) % 360.0
-    return np.column_stack([shifted, headings, at[:, 3] * np.exp(moves[:, 3])])
+    return np.column_stack([shifted, headings, at[:, 3] * np.exp(moves[:, 3].copy())])
 
 
 def score_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> float:

@@ -82,7 +82,7 @@ def move_states(states: np.ndarray, link: Link, back: bool = False) -> np.ndarra
 def predict(pool: Pool, link: Link) -> Pool:
     """Return the hypotheses for the next image before any look at it, with larger variances and no evidence yet."""
     states, known = pool.states, np.array(link.covariance)
-    unit = 1.0 if link.in_meters else np.exp(states[:, 3])
+    unit = 1.0 if link.in_meters else np.exp(states[:, 3].copy())
     length = np.abs(link.step) * unit
     variances = pool.variances.copy()
     variances[:, 0] += length**2 * variances[:, 1] / 2 + np.trace(known[:2, :2]) / 2 * unit**2
@@ -141,7 +141,7 @@ def look_noise(seen: SeenImage, states: np.ndarray, deviations: tuple[float, flo
     position, heading_deg, size = deviations
     pixel = 1.0 if seen.evidence is None else seen.evidence.pixel[0]
     noise = np.empty((len(states), 3))
-    noise[:, 0] = (position * pixel * np.exp(states[:, 3])) ** 2
+    noise[:, 0] = (position * pixel * np.exp(states[:, 3].copy())) ** 2
     noise[:, 1:] = np.radians(heading_deg) ** 2, size**2
     return noise
 

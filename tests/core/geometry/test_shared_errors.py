@@ -198,12 +198,6 @@ def test_what_nobody_states_of_a_network_is_added_once_for_all_its_classes():
 def test_logarithms_are_taken_of_contiguous_numbers(monkeypatch):
     """For other arrays, NumPy's last bit depends on the memory address, so it changes from run to run."""
     log, taken = np.log, []
-
-    def noted(values):
-        taken.append(np.asarray(values).flags.contiguous)
-        return log(values)
-
-    monkeypatch.setattr(np, "log", noted)
-    eliminated(np.eye(9) + np.ones((8, 9, 9)), 4)
-    inverted(np.eye(9) + np.ones((8, 9, 9)))
-    assert len(taken) == 13 and all(taken)
+    monkeypatch.setattr(np, "log", lambda values: taken.append(np.asarray(values).flags.contiguous) or log(values))
+    tried(np.random.default_rng(4), 20)
+    assert len(taken) > 13 and all(taken)
