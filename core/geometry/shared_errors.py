@@ -267,7 +267,8 @@ class _System:
         covariances, logarithms = inverted(rest[..., 1:, 1:])
         solutions = (covariances @ rest[..., 1:, :1])[..., 0]
         squares = rest[..., 0, 0] - (rest[..., 1:, 0] * solutions).sum(axis=-1)
-        likely = -logarithms - of_views - of_classes[:, None] + np.log(precisions[:, FITTED:].copy()).sum(axis=1) - squares
+        of_prior = np.log(precisions[:, FITTED:].copy()).sum(axis=1)
+        likely = of_prior - logarithms - of_views - of_classes[:, None] - squares
         likely = 0.5 * likely + np.log(inverse).sum(axis=1)[:, None] + prior[:, None] + np.log(views[:, -1].copy())
         weights = np.exp(likely - likely.max()).ravel()
         return weights / weights.sum(), solutions.reshape(-1, FITTED), covariances.reshape(-1, FITTED, FITTED)
