@@ -16,6 +16,7 @@ from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeatureSource,
     QgsProcessingFeatureSourceDefinition,
+    QgsProcessingOutputLayerDefinition,
     QgsRasterLayer,
     QgsRectangle,
     QgsVectorLayer,
@@ -42,7 +43,10 @@ class Values:
     def __init__(
         self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
     ) -> None:
-        self._algorithm, self._parameters, self.context = algorithm, parameters, context
+        self._algorithm, self.context = algorithm, context
+        # QGIS's batch dialog gives an output that is left empty as a definition without a destination.
+        empty = {key for key, value in parameters.items() if _is_empty_output(value)}
+        self._parameters = {**parameters, **dict.fromkeys(empty)}
 
     @property
     def transform_context(self) -> QgsCoordinateTransformContext:
@@ -267,6 +271,10 @@ class Values:
         """
         parameters = {**self._parameters, key: with_destination(self.raw(key), target)} if target else self._parameters
         return self._algorithm.parameterAsSink(parameters, key, self.context, fields, geometry, crs, flags)
+
+
+def _is_empty_output(value: Any) -> bool:
+    return isinstance(value, QgsProcessingOutputLayerDefinition) and value.sink.staticValue() == ""
 
 
 def _finite(number: float, title: str) -> float:

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from made_inputs import METRIC_CRS, NAMES, NORTH, WEST, read_rows, scattered_objects, spatial_reference, write_raster
 from osgeo import gdal, ogr, osr
-from qgis.core import QgsProcessingException
+from qgis.core import QgsProcessingException, QgsProcessingOutputLayerDefinition
 
 from semref.core.labels.class_table import class_table_from_names
 from semref.core.localization import Localization, Method, Place, Status
@@ -221,10 +221,11 @@ def test_a_likely_position_is_no_jump_and_makes_none(feedback):
     assert "0 of 2 positions with a time are jumps." in feedback.textLog()
 
 
-def test_temporary_outputs_are_layers_with_the_rows(run_algorithm, database, tmp_path):
-    given = {"DATABASE": database, "IMAGES": [image(tmp_path, "a.png", window(0, 0))]}
+def test_temporary_outputs_have_the_rows_and_those_left_empty_are_not_made(run_algorithm, database, tmp_path):
+    empty = QgsProcessingOutputLayerDefinition("")
+    given = {"DATABASE": database, "IMAGES": [image(tmp_path, "a.png", window(0, 0))], "MATCHES": empty}
     results = run_algorithm(LOCALIZE, {**given, **dict.fromkeys(("OUTPUT", "FOOTPRINTS"), "TEMPORARY_OUTPUT")})
-    assert results["OUTPUT"].featureCount() == results["FOOTPRINTS"].featureCount() == 1
+    assert "MATCHES" not in results and results["OUTPUT"].featureCount() == results["FOOTPRINTS"].featureCount() == 1
 
 
 @pytest.mark.parametrize("method", [{}, {"METHOD": 0}, {"METHOD": 2}])

@@ -4,7 +4,7 @@ import pytest
 from made_inputs import CLASSES_CSV, NORTH, WEST, read_pixels, scattered_objects, write_raster, write_text
 from made_models import metadata, painted, write_model
 from osgeo import gdal
-from qgis.core import QgsProcessingException, QgsRasterLayer
+from qgis.core import QgsProcessingException, QgsProcessingOutputLayerDefinition, QgsRasterLayer
 
 from semref.storage.label_maps import require_map_grid
 
@@ -31,7 +31,7 @@ PHOTO = bands_of(painted(LABELS))
 
 def test_an_orthophoto_becomes_a_label_map_on_the_same_ground(segment, tmp_path, feedback):
     image = write_raster(tmp_path / "a.tif", PHOTO, transform=(WEST, 0.5, 0, NORTH, 0, -0.5), crs=25832)
-    raster = gdal.Open(segment(image))
+    raster = gdal.Open(segment(image, CONFIDENCE=QgsProcessingOutputLayerDefinition("")))
     np.testing.assert_array_equal(raster.ReadAsArray(), SEEN)
     assert raster.GetGeoTransform() == (WEST, 0.5, 0, NORTH, 0, -0.5)
     assert QgsRasterLayer(str(tmp_path / "labels.tif")).crs().authid() == "EPSG:25832"

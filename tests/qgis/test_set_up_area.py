@@ -92,12 +92,11 @@ def files_in(folder: str) -> set[str]:
     return {path.name for path in Path(folder).iterdir()} if Path(folder).exists() else set()
 
 
-@pytest.mark.parametrize("width", [80, 30])
-def test_without_photos_it_makes_the_database_and_states_what_to_expect(run_algorithm, small, feedback, width):
-    small |= {"FOLDER": "TEMPORARY_OUTPUT"} if width == 80 else {}
-    results = run_algorithm(SETUP, {**small, "PHOTO_WIDTH": width}, feedback)
+@pytest.mark.parametrize("more", [{"FOLDER": "TEMPORARY_OUTPUT"}, {"PHOTO_WIDTH": 30}])
+def test_without_photos_it_makes_the_database_and_states_what_to_expect(run_algorithm, small, feedback, more):
+    results = run_algorithm(SETUP, {**small, **more}, feedback)
     assert "POSITIONS" not in results and Path(results["DATABASE"]).is_file()
-    if width == 80:
+    if "FOLDER" in more:
         assert results["DATABASE"].startswith(QgsProcessingUtils.tempFolder())
         assert "about 9 in a typical photo" in feedback.textLog()
         return
