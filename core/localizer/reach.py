@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..localization import Localization, Prior
-from .track import jumps
+from .track import jumps, time_slack
 
 SMALLER = 0.8
 """An image is searched again if its ground within reach got smaller by this factor: it saves time."""
@@ -74,8 +74,9 @@ def search_within_reach(
     times = {n: time_s for n, time_s in enumerate(times_s) if time_s is not None}
     searched = {n: np.inf for n, one in enumerate(results) if one and not one.is_fix and n in times}
     found: dict[int, Localization] = {}
+    slack = maximum_speed * time_slack(np.array(list(times.values())))
     while starts:
-        reaches = {n: _reach(starts, times[n], maximum_speed, allowed_risk) for n in searched}
+        reaches = {n: _reach(starts, times[n], maximum_speed, allowed_risk, slack) for n in searched}
         smaller = [n for n, reach in reaches.items() if reach.radius < SMALLER * searched[n] and reach.allowed_risk > 0]
         if not smaller:
             break
@@ -113,8 +114,8 @@ def _start(n: int, found: Localization, time_s: float | None) -> dict[int, _Star
     return {n: _Start(found.position, time_s, (found.error_95_m or 0.0) + off, found.risk)}
 
 
-def _reach(starts: dict[int, _Start], time_s: float, maximum_speed: float, allowed_risk: float) -> Reach:
-    """Return the smallest ground within reach of a start."""
+def _reach(starts: dict[int, _Start], time_s: float, maximum_speed: float, allowed_risk: float, slack: float) -> Reach:
+    """Return the smallest ground within reach of a start; ``slack``: what rounded times add to the distance."""
     radius, number = min((maximum_speed * abs(time_s - one.time_s) + one.error, n) for n, one in starts.items())
     start = starts[number]
-    return Reach(start.position, radius, allowed_risk - start.risk, number)
+    return Reach(start.position, radius + slack, allowed_risk - start.risk, number)

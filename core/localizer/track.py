@@ -5,6 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 
+def time_slack(times_s: np.ndarray) -> float:
+    """Return how far a difference of times may be off, seconds: cameras state whole seconds."""
+    return 1.0 if (np.mod(times_s, 1.0) == 0).all() else 0.0
+
+
 def jumps(
     times_s: np.ndarray,
     positions: np.ndarray,
@@ -16,7 +21,7 @@ def jumps(
 
     As few as possible are flagged: the longest chain in time remains in which every fix can be reached from the
     previous one, by dynamic programming; of equally long ones that with the largest sum of confidences. Two fixes agree
-    if their distance is at most speed × time + both their errors.
+    if their distance is at most speed × time + both their errors. The time may be off by ``time_slack``.
 
     Args:
         times_s: (N,) seconds, in any order.
@@ -31,10 +36,11 @@ def jumps(
     points = np.asarray(positions, np.float64).reshape(-1, 2)[order]
     # Confidences together count less than one fix.
     worths = 1 + np.asarray(confidences, np.float64)[order] / (count + 1)
+    slack = time_slack(times)
     totals, previous = worths.copy(), np.full(count, -1)
     for n in range(1, count):
         apart = np.hypot(*(points[:n] - points[n]).T)
-        reachable = apart <= maximum_speed * (times[n] - times[:n]) + errors[:n] + errors[n]
+        reachable = apart <= maximum_speed * (times[n] - times[:n] + slack) + errors[:n] + errors[n]
         if reachable.any():
             best = int(np.argmax(np.where(reachable, totals[:n], -1)))
             totals[n] += totals[best]

@@ -106,7 +106,7 @@ def test_a_fix_that_can_not_be_reached_is_marked_and_stays_a_fix(localize, feedb
 def test_an_image_of_few_landmarks_is_found_within_reach_of_another(localize, feedback, algorithm):
     asked = {"algorithm": algorithm, "SCALE_MINIMUM": 0.2, "SCALE_MAXIMUM": 1.1, "RISK": 0.006}
     alone, _, _ = localize([FLIGHT[0], SMALL], TIMES, **asked)
-    rows, _, results = localize([FLIGHT[0], SMALL], TIMES, MAXIMUM_SPEED=194, **asked)
+    rows, _, results = localize([FLIGHT[0], SMALL], TIMES, MAXIMUM_SPEED=97, **asked)
     assert alone[1]["status"] != "fix"
     assert [row["status"] for row in rows] == ["fix", "fix"] and results["FIX_COUNT"] == 2
     assert (rows[1]["x"], rows[1]["y"]) == pytest.approx(SMALL.position, abs=2)
@@ -125,5 +125,5 @@ def test_an_image_that_is_gone_at_the_second_search_stays_without_a_position(loc
 
     monkeypatch.setattr(LabelImageReader, "__call__", read_once)
     asked = {"SCALE_MINIMUM": 0.2, "SCALE_MAXIMUM": 1.1, "RISK": 0.006}
-    rows, _, _ = localize([FLIGHT[0], SMALL], TIMES, MAXIMUM_SPEED=194, **asked)
+    rows, _, _ = localize([FLIGHT[0], SMALL], TIMES, MAXIMUM_SPEED=97, **asked)
     assert [row["status"] for row in rows] == ["fix", "likely"]

@@ -29,10 +29,7 @@ def complex_normal(rng, count, deviation=1.0):
 
 
 def tried(rng, count, displaced=0.0, shift=0j, errors=USUAL, bend=0.0, own=0.6, kernels=DISPLACED_KERNELS, true=TRUE):
-    """Return a pose refined from landmarks in villages, and its covariance; deviations are taken × 1.4.
-
-    Of a tilted camera only landmarks that agree with a fit are matched, as in the search.
-    """
+    """Return a pose refined from landmarks in villages (with a tilt: those that agree), and its covariance."""
     villages = rng.uniform(-550, 550, (6, 2))
     points = villages[rng.integers(0, 6, count)] + rng.normal(0, 80, (count, 2))
     image = points @ (1, 1j)

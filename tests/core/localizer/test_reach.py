@@ -22,7 +22,8 @@ def asked(results, times, answers, speed=10.0, allowed=1e-4):
         searched.append((n, reach))
         return answers.get(n)
 
-    found = search_within_reach(results, times, speed, allowed, search)
+    exact = [None if one is None else one + 0.5 for one in times]
+    found = search_within_reach(results, exact, speed, allowed, search)
     return [(n, reach.position[0], reach.radius) for n, reach in searched], found
 
 
@@ -81,7 +82,7 @@ def flagged(times, xs, speed=10.0, errors=None, confidences=None) -> list:
     positions = np.column_stack([xs, np.zeros(len(xs))])
     errors = np.zeros(len(xs)) if errors is None else np.array(errors)
     confidences = np.ones(len(xs)) if confidences is None else np.array(confidences)
-    return np.flatnonzero(jumps(np.array(times, float), positions, errors, confidences, speed)).tolist()
+    return np.flatnonzero(jumps(np.array(times) + 0.5, positions, errors, confidences, speed)).tolist()
 
 
 @pytest.mark.parametrize(
@@ -105,6 +106,13 @@ def test_errors_of_both_fixes_are_allowed_for_and_fixes_of_the_same_moment_must_
     assert flagged([0, 1, 2], [0, 16, 20], errors=[3, 3, 3]) == []
     assert flagged([0, 1, 2], [0, 17, 20], errors=[3, 3, 3]) == [1]
     assert flagged([0, 0, 1], [0, 50, 5]) == [1]
+
+
+def test_times_in_whole_seconds_may_be_off_by_one():
+    assert not jumps(np.zeros(2), np.array([[0, 0], [9, 0]]), np.zeros(2), np.ones(2), 10.0).any()
+    reaches = []
+    search_within_reach([fix(0), NOTHING], [0, 10], 10.0, 1e-4, lambda n, reach: reaches.append(reach.radius))
+    assert reaches == [115.0]
 
 
 def test_a_long_flight_with_many_wrong_fixes_keeps_the_right_ones():
