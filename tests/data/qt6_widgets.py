@@ -107,7 +107,7 @@ def empty_list():
 
 
 def details():
-    shown = module("ui.tabs.localize.details").Details()
+    shown = module("ui.tabs.localize.results").Details()
     shown.show_finding(findings()[1])
     return shown
 
