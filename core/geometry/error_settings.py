@@ -33,9 +33,9 @@ class ErrorSettings:
             two dates; covariance].
         map_factors: Displacements that are tried, multiples of the map's stated accuracy, evenly spaced in their
             logarithm [maps of two dates; covariance].
-        tilted_exponent: Power of the displacement by which its prior is larger for a tilted pose: its four additional
-            numbers follow the displacement, and landmarks were matched because they agree with it. One for each number
-            [reasoning; maps of two dates].
+        tilted_exponent: For a tilted pose the prior of a displacement is multiplied by this power of it: the pose has
+            four additional numbers, which follow the displacement, and landmarks were matched because they agree with
+            it. One for each number [reasoning; maps of two dates; covariance].
         own_factors: Noises of single landmarks that are tried, multiples of the noise that the median residual shows
             [reasoning].
         own_spread: Prior standard deviation of the logarithm of these noises [by hand; covariance].

@@ -250,7 +250,7 @@ class _System:
         # change between two dates; above it, half Cauchy. The landmarks' own: log normal.
         prior = 0.25 * np.log(shared) - 0.625 * np.log1p(shared**2) - 0.5 * (np.log(own) / settings.own_spread) ** 2
         if not self._is_level:
-            # Matches that agree with a bent pose hide a part of the map's displacement.
+            # Landmarks were matched because they agree with this pose, so they show less of the map's displacement.
             prior += settings.tilted_exponent * np.log(shared)
         return own, shared * map_accuracy / self._scale, prior, np.array(settings.views)
 

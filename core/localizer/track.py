@@ -6,7 +6,7 @@ import numpy as np
 
 
 def time_slack(times_s: np.ndarray) -> float:
-    """Return how far a difference of times may be off, seconds: cameras state whole seconds."""
+    """Return by how many seconds a difference may be wrong: 1 if all times are whole, as cameras state them, else 0."""
     return 1.0 if (np.mod(times_s, 1.0) == 0).all() else 0.0
 
 

@@ -172,9 +172,9 @@ def test_ground_where_only_one_class_was_drawn_allows_all_the_others_but_not_wha
     allowed, labels = metrics.partial_labels(4, {first: [1], second: [1], full: [1, 2, 3]})
     assert labels == {first: 4, second: 4, full: IGNORED}
     np.testing.assert_array_equal(allowed, [*np.eye(4), [0, 0, 1, 1]])
-    told = metrics.decided_channels(allowed)
-    np.testing.assert_array_equal(told[4], [True, True, False, False])
-    assert told[:4].all()
+    decided = metrics.decided_channels(allowed)
+    np.testing.assert_array_equal(decided[4], [True, True, False, False])
+    assert decided[:4].all()
 
 
 def test_a_pixel_of_a_set_counts_only_against_the_classes_it_excludes():
