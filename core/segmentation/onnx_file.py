@@ -57,9 +57,10 @@ def no_onnx_model(path: str) -> Sentence:
 def header_of(path: str) -> OnnxHeader | None:
     """Return the header of an ONNX file; None if it is unreadable. Reads only the needed parts of large files."""
     try:
-        # An empty file can't be mapped.
-        with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
-            return read_header(data)
+        with open(path, "rb") as file:
+            # An empty file can't be mapped. The map is not closed: a profiler, as in Dask's workers, may still keep
+            # views of it.
+            return read_header(mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ))
     except (OSError, ValueError):
         return None
 

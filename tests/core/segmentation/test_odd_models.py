@@ -4,6 +4,7 @@ from made_models import brightest_color, metadata, smallest_model, write_model, 
 from onnx import TensorProto, helper
 
 from semref.core.errors import ModelError
+from semref.core.segmentation import onnx_file
 from semref.core.segmentation.class_bias import read_class_bias
 from semref.core.segmentation.metadata import read_classes, read_settings
 from semref.core.segmentation.model import SegmentationModel
@@ -32,7 +33,7 @@ def test_an_output_that_is_no_picture_is_refused(tmp_path, network, shape):
     assert "outputs the shape" in refusal(path)
 
 
-def test_a_sequence_of_outputs_is_refused(tmp_path):
+def test_a_sequence_of_outputs_and_texts_as_output_are_refused(tmp_path):
     image = helper.make_tensor_value_info("image", TensorProto.FLOAT, (1, 3, "h", "w"))
     found = helper.make_tensor_sequence_value_info("list", TensorProto.FLOAT, None)
     node = helper.make_node("SequenceConstruct", ["image"], ["list"])
@@ -41,13 +42,8 @@ def test_a_sequence_of_outputs_is_refused(tmp_path):
     helper.set_model_props(model, metadata())
     (tmp_path / "odd.onnx").write_bytes(model.SerializeToString())
     assert "one array of numbers" in refusal(tmp_path / "odd.onnx")
-
-
-def test_texts_as_output_are_refused(tmp_path):
-    network = writer.Network().add("Cast", to=TensorProto.STRING)
-    path = write_model(
-        tmp_path / "odd.onnx", network, output_type=TensorProto.STRING, output_shape=(1, 3, "height", "width")
-    )
+    texts = {"output_type": TensorProto.STRING, "output_shape": (1, 3, "height", "width")}
+    path = write_model(tmp_path / "odd.onnx", writer.Network().add("Cast", to=TensorProto.STRING), **texts)
     assert "one array of numbers" in refusal(path)
 
 
@@ -80,12 +76,9 @@ def test_odd_metadata_are_refused_in_a_sentence(key, text):
     assert len(str(refused.value)) < 1000
 
 
-@pytest.mark.parametrize("content", [b"", b"\x08\x08", b"no model at all", b"\xff" * 40, b"\x3a\x7f"])
-def test_what_is_no_model_has_no_header(content):
-    assert read_header(content) is None
-
-
-def test_any_bytes_are_read_or_refused():
+def test_any_bytes_are_read_or_refused_and_what_is_no_model_has_no_header():
+    for content in (b"", b"\x08\x08", b"no model at all", b"\xff" * 40, b"\x3a\x7f"):
+        assert read_header(content) is None
     random = np.random.default_rng(3)
     whole = smallest_model()
     for _ in range(2000):
@@ -118,3 +111,9 @@ def test_a_network_that_enlarges_with_aligned_corners_is_known_by_its_file():
     assert read_header(enlarging("align_corners")).aligns_corners
     assert not read_header(enlarging("half_pixel")).aligns_corners
     assert not read_header(enlarging("pytorch_half_pixel")).aligns_corners
+
+
+def test_a_header_is_read_while_a_profiler_keeps_views_of_the_file(tmp_path, monkeypatch):
+    kept = []
+    monkeypatch.setattr(onnx_file, "_entry", lambda _, value: kept.append(value))
+    assert onnx_file.header_of(str(write_model(tmp_path / "model.onnx"))) is not None and kept
