@@ -111,6 +111,11 @@ def legible(text: str) -> str:
     """Return a text for use in a sentence: in one line, and cut in the middle if it is long."""
     if len(text) > LONGEST_VALUE:
         text = f"{text[:_KEPT_BEFORE]}…{text[-_KEPT_BEHIND:]}"
+    return printable(text)
+
+
+def printable(text: str) -> str:
+    """Return a text in one line, which a terminal shows as it is."""
     return text if text.isprintable() else "".join(_printable(sign) for sign in text)
 
 

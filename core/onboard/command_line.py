@@ -25,7 +25,7 @@ from ..localizer.search import Search
 from ..localizer.settings import LOCALIZER
 from ..pipeline import Pipeline
 from ..segmentation.devices import AUTO, KEYS
-from ..sentences import english
+from ..sentences import english, printable
 from .cameras import open_cameras
 from .flight import FlightFinder
 from .format import OnboardDatabase
@@ -251,7 +251,7 @@ def _info(options: argparse.Namespace) -> int:
         _write(json_line(found))
     else:
         for name, value in found.items():
-            _write(f"{name + ':':24}{value}")
+            _write(printable(f"{name + ':':24}{value}"))
     return ALL_FIXED
 
 
@@ -298,7 +298,7 @@ def _localize(options: argparse.Namespace) -> int:
     statuses = set()
     for path in image_files(options.images):
         found = find(path)
-        _write(json_line(found) if options.json else _line(found))
+        _write(json_line(found) if options.json else printable(_line(found)))
         statuses.add(found["status"])
     return exit_code(statuses)
 
