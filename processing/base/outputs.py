@@ -169,8 +169,11 @@ class Outputs:
         written = sink.open(*self._values.sink(key, beside, fields, geometry, crs, _NEW_KEYS))
         if not sink.is_wanted and self._values.raw(key) is not None:
             raise _unwritable(title)
-        yield sink
-        sink.close()
+        try:
+            yield sink
+        finally:
+            # Before the file is removed after an error: GDAL would report a broken disk.
+            sink.close()
         if not written:
             return
         given = Look(style, note=self._note(key), **look)
