@@ -7404,6 +7404,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>„{output}“ ist dieselbe Datei wie „{input}“ ({path}) und würde sie überschreiben. Wählen Sie eine andere Datei für „{output}“.</translation>
   </message>
   <message>
+   <source>“{output}” is {path}, but SemRef writes GeoTIFF. Select a file name that ends with “.tif” instead of “{ending}”.</source>
+   <translation>„{output}“ ist {path}, aber SemRef schreibt GeoTIFF. Wählen Sie einen Dateinamen, der auf „.tif“ statt „{ending}“ endet.</translation>
+  </message>
+  <message>
    <source>“{output}” is {path}, which is a layer of a file. Select a file, or use “Save to GeoPackage” to add a layer.</source>
    <translation>„{output}“ ist {path}, ein Layer einer Datei. Wählen Sie eine Datei oder verwenden Sie „In GeoPackage speichern“, um einen Layer hinzuzufügen.</translation>
   </message>

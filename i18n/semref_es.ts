@@ -7404,6 +7404,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>“{output}” es el mismo archivo que “{input}” ({path}), que se sobrescribiría. Seleccione otro archivo para “{output}”.</translation>
   </message>
   <message>
+   <source>“{output}” is {path}, but SemRef writes GeoTIFF. Select a file name that ends with “.tif” instead of “{ending}”.</source>
+   <translation>“{output}” es {path}, pero SemRef escribe GeoTIFF. Seleccione un nombre de archivo que termine en “.tif” en lugar de “{ending}”.</translation>
+  </message>
+  <message>
    <source>“{output}” is {path}, which is a layer of a file. Select a file, or use “Save to GeoPackage” to add a layer.</source>
    <translation>“{output}” es {path}, que es una capa de un archivo. Seleccione un archivo o use “Save to GeoPackage” para añadir una capa.</translation>
   </message>

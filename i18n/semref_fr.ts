@@ -7404,6 +7404,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>« {output} » est le même fichier que « {input} » ({path}), qui serait écrasé. Sélectionnez un autre fichier pour « {output} ».</translation>
   </message>
   <message>
+   <source>“{output}” is {path}, but SemRef writes GeoTIFF. Select a file name that ends with “.tif” instead of “{ending}”.</source>
+   <translation>« {output} » est {path}, mais SemRef écrit du GeoTIFF. Sélectionnez un nom de fichier qui se termine par « .tif » au lieu de « {ending} ».</translation>
+  </message>
+  <message>
    <source>“{output}” is {path}, which is a layer of a file. Select a file, or use “Save to GeoPackage” to add a layer.</source>
    <translation>« {output} » est {path}, qui est une couche d’un fichier. Sélectionnez un fichier, ou utilisez « Enregistrer vers un GeoPackage » pour ajouter une couche.</translation>
   </message>

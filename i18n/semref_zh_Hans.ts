@@ -7404,6 +7404,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>“{output}”与“{input}”是同一个文件（{path}），后者会被覆盖。请为“{output}”选择其他文件。</translation>
   </message>
   <message>
+   <source>“{output}” is {path}, but SemRef writes GeoTIFF. Select a file name that ends with “.tif” instead of “{ending}”.</source>
+   <translation>“{output}”为 {path}，但 SemRef 写入的是 GeoTIFF。请选择以“.tif”而非“{ending}”结尾的文件名。</translation>
+  </message>
+  <message>
    <source>“{output}” is {path}, which is a layer of a file. Select a file, or use “Save to GeoPackage” to add a layer.</source>
    <translation>“{output}”为 {path}，它是某个文件中的图层。请选择文件，或用“保存到 GeoPackage”添加图层。</translation>
   </message>

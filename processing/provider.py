@@ -28,6 +28,7 @@ from .algorithms.set_up_area import SetUpArea
 from .algorithms.train_model import TrainModel
 from .algorithms.update_database import UpdateDatabase
 from .base.algorithm import ICON_PATH
+from .base.destinations import RASTER_SUFFIXES
 from .base.shipped_models import shipped_models
 
 ALGORITHMS = (
@@ -84,6 +85,9 @@ class SemRefProvider(QgsProcessingProvider):
 
     def defaultRasterFileExtension(self) -> str:
         return "tif"
+
+    def supportedOutputRasterLayerExtensions(self) -> list[str]:
+        return [suffix[1:] for suffix in RASTER_SUFFIXES]
 
 
 def register_provider(registry: QgsProcessingRegistry) -> QgsProcessingProvider:

@@ -20,6 +20,7 @@ from qgis.core import (
     QgsProcessingUtils,
     QgsProperty,
     QgsProviderRegistry,
+    QgsRasterFileWriter,
     QgsVectorFileWriter,
 )
 
@@ -38,6 +39,8 @@ _ESCAPE = re.compile(r"%[0-9a-fA-F]{2}")
 """GDAL opens a GeoPackage by an address, in which “%20” is a space."""
 _SPECIAL = "`~!@#$%^&*()+-={}|[]\\:\";'<>?,./"
 """Characters with which GDAL lets no layer of a GeoPackage begin; QGIS names the layer after the file."""
+RASTER_SUFFIXES = ".tif", ".tiff"
+"""Of GeoTIFF, the only raster format of outputs."""
 _TABLE = re.compile(r"""table=(?:"([^"]*)"|'([^']*)'|(\S+))""")
 
 
@@ -203,12 +206,22 @@ def _require_possible(definition: QgsProcessingParameterDefinition, wanted: Dest
 
 
 def _require_free(definition: QgsProcessingParameterDefinition, wanted: Destination) -> None:
-    """Check the target as when the output is written, which may be hours later."""
+    """Check the target as when the output is written, which may be hours later, and the format of a raster."""
     if definition.type() == "folderDestination":
         require_empty(Path(wanted.path))
     else:
         suffix, tables = replaced_by(definition)
         require_replaceable(wanted.path, suffix, None if wanted.is_table else tables)
+    ending = Path(wanted.path).suffix.lower()
+    is_other_format = ending not in RASTER_SUFFIXES and QgsRasterFileWriter.driverForExtension(ending[1:])
+    if definition.type() == "rasterDestination" and is_other_format:
+        raise ParameterError(
+            "“{output}” is {path}, but SemRef writes GeoTIFF. Select a file name that ends with “.tif” instead of "
+            "“{ending}”.",
+            output=definition.description(),
+            path=wanted.path,
+            ending=ending,
+        )
 
 
 def _adds_a_layer(wanted: Destination, read: _Input) -> bool:

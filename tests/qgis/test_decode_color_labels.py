@@ -36,15 +36,12 @@ def painted(labels: np.ndarray) -> np.ndarray:
     return np.moveaxis(palette[labels], 2, 0)
 
 
-def test_exact_colors_give_back_the_labels_without_a_fourth_band_and_in_slices(decode, tmp_path, monkeypatch):
+def test_exact_colors_give_back_the_labels_with_a_palette_a_fourth_band_and_in_slices(decode, tmp_path, monkeypatch):
     image = write_raster(tmp_path / "a.png", painted(LABELS), transform=None)
     np.testing.assert_array_equal(read_pixels(decode(image)), LABELS)
     opaque = np.concatenate([painted(LABELS), np.full((1, *LABELS.shape), 255, np.uint8)])
     monkeypatch.setattr(decode_color_labels, "ROWS_PIXELS", 7 * LABELS.shape[1])
     np.testing.assert_array_equal(read_pixels(decode(write_raster(tmp_path / "a.tif", opaque))), LABELS)
-
-
-def test_a_paletted_image_is_decoded_by_its_palette(decode, tmp_path):
     shuffled = np.zeros(256, np.uint8)
     shuffled[:5] = (9, 40, 3, 200, 17)
     palette = {shuffled[value]: color for value, color in COLORS.items()}

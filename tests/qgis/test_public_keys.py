@@ -108,6 +108,7 @@ def test_the_provider_has_id_name_icon_and_default_formats(provider):
     assert not provider.icon().isNull()
     assert provider.svgIconPath().endswith("icon.svg")
     assert (provider.defaultVectorFileExtension(True), provider.defaultRasterFileExtension()) == ("gpkg", "tif")
+    assert provider.supportedOutputRasterLayerExtensions() == ["tif", "tiff"]
 
 
 def test_the_models_that_ship_have_no_error_in_the_model_designer(provider):
