@@ -4680,6 +4680,10 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Das Bild hat keine Pixel.</translation>
   </message>
   <message>
+   <source>The image has the same color everywhere, so a network can't learn from it. Choose another image.</source>
+   <translation>Das Bild hat überall dieselbe Farbe, also kann ein Netz nichts daraus lernen. Wählen Sie ein anderes Bild.</translation>
+  </message>
+  <message>
    <source>The image has {width} × {height} pixels at the model's resolution; segmentation needs at least {least} × {least}.</source>
    <translation>Das Bild hat in der Auflösung des Modells {width} × {height} Pixel; die Segmentierung braucht mindestens {least} × {least}.</translation>
   </message>
@@ -6776,6 +6780,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>{path} enthält Werte vom Typ {kind}; Klassenwerte müssen ganze Zahlen von 0 bis 255 sein.</translation>
   </message>
   <message>
+   <source>{path} has {name} values. Convert it to an image of 8 or 16 bits.</source>
+   <translation>{path} enthält Werte vom Typ {name}. Wandeln Sie die Datei in ein Bild mit 8 oder 16 Bit um.</translation>
+  </message>
+  <message>
    <source>{path} has {size} pixels, the image {image_size}, and not both are georeferenced. Georeference both, or choose labels of the image’s size.</source>
    <translation>{path} hat {size} Pixel, das Bild {image_size}, und nicht beide sind georeferenziert. Georeferenzieren Sie beide oder wählen Sie Klassen in der Größe des Bildes.</translation>
   </message>
@@ -6794,10 +6802,6 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>{path} holds {kind} values; a label map holds whole numbers from 0 to 255.</source>
    <translation>{path} enthält Werte vom Typ {kind}; eine Klassenkarte enthält ganze Zahlen von 0 bis 255.</translation>
-  </message>
-  <message>
-   <source>{path} holds {name} values; training tiles are made of 8- or 16-bit images.</source>
-   <translation>{path} enthält Werte vom Typ {name}; Trainingskacheln entstehen aus Bildern mit 8 oder 16 Bit.</translation>
   </message>
   <message>
    <source>{path} is a file or a link; choose a folder.</source>

@@ -4680,6 +4680,10 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>La imagen no tiene píxeles.</translation>
   </message>
   <message>
+   <source>The image has the same color everywhere, so a network can't learn from it. Choose another image.</source>
+   <translation>La imagen tiene el mismo color en todas partes, así que una red no puede aprender de ella. Elija otra imagen.</translation>
+  </message>
+  <message>
    <source>The image has {width} × {height} pixels at the model's resolution; segmentation needs at least {least} × {least}.</source>
    <translation>La imagen tiene {width} × {height} píxeles a la resolución del modelo; la segmentación necesita al menos {least} × {least}.</translation>
   </message>
@@ -6776,6 +6780,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>{path} tiene valores {kind}; los valores de clase deben ser números enteros de 0 a 255.</translation>
   </message>
   <message>
+   <source>{path} has {name} values. Convert it to an image of 8 or 16 bits.</source>
+   <translation>{path} tiene valores {name}. Conviértalo en una imagen de 8 o 16 bits.</translation>
+  </message>
+  <message>
    <source>{path} has {size} pixels, the image {image_size}, and not both are georeferenced. Georeference both, or choose labels of the image’s size.</source>
    <translation>{path} tiene {size} píxeles y la imagen {image_size}, y no ambas están georreferenciadas. Georreferencie ambas o elija etiquetas del tamaño de la imagen.</translation>
   </message>
@@ -6794,10 +6802,6 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>{path} holds {kind} values; a label map holds whole numbers from 0 to 255.</source>
    <translation>{path} contiene valores {kind}; un mapa de etiquetas contiene números enteros de 0 a 255.</translation>
-  </message>
-  <message>
-   <source>{path} holds {name} values; training tiles are made of 8- or 16-bit images.</source>
-   <translation>{path} contiene valores {name}; las teselas de entrenamiento se hacen con imágenes de 8 o 16 bits.</translation>
   </message>
   <message>
    <source>{path} is a file or a link; choose a folder.</source>

@@ -4680,6 +4680,10 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>L’image n’a aucun pixel.</translation>
   </message>
   <message>
+   <source>The image has the same color everywhere, so a network can't learn from it. Choose another image.</source>
+   <translation>L’image a partout la même couleur ; un réseau ne peut donc rien en apprendre. Choisissez une autre image.</translation>
+  </message>
+  <message>
    <source>The image has {width} × {height} pixels at the model's resolution; segmentation needs at least {least} × {least}.</source>
    <translation>L’image a {width} × {height} pixels à la résolution du modèle ; la segmentation en exige au moins {least} × {least}.</translation>
   </message>
@@ -6776,6 +6780,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>{path} contient des valeurs {kind} ; les valeurs de classe doivent être des nombres entiers de 0 à 255.</translation>
   </message>
   <message>
+   <source>{path} has {name} values. Convert it to an image of 8 or 16 bits.</source>
+   <translation>{path} contient des valeurs {name}. Convertissez-le en image de 8 ou 16 bits.</translation>
+  </message>
+  <message>
    <source>{path} has {size} pixels, the image {image_size}, and not both are georeferenced. Georeference both, or choose labels of the image’s size.</source>
    <translation>{path} a {size} pixels, l’image {image_size}, et elles ne sont pas toutes deux géoréférencées. Géoréférencez les deux, ou choisissez des étiquettes de la taille de l’image.</translation>
   </message>
@@ -6794,10 +6802,6 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>{path} holds {kind} values; a label map holds whole numbers from 0 to 255.</source>
    <translation>{path} contient des valeurs {kind} ; une carte d’étiquettes contient des nombres entiers de 0 à 255.</translation>
-  </message>
-  <message>
-   <source>{path} holds {name} values; training tiles are made of 8- or 16-bit images.</source>
-   <translation>{path} contient des valeurs {name} ; les tuiles d’entraînement sont faites d’images de 8 ou 16 bits.</translation>
   </message>
   <message>
    <source>{path} is a file or a link; choose a folder.</source>

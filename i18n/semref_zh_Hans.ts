@@ -4680,6 +4680,10 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>影像没有像元。</translation>
   </message>
   <message>
+   <source>The image has the same color everywhere, so a network can't learn from it. Choose another image.</source>
+   <translation>影像处处颜色相同，网络无法从中学习。请选择其他影像。</translation>
+  </message>
+  <message>
    <source>The image has {width} × {height} pixels at the model's resolution; segmentation needs at least {least} × {least}.</source>
    <translation>影像在模型分辨率下有 {width} × {height} 像元；分割至少需要 {least} × {least}。</translation>
   </message>
@@ -6776,6 +6780,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>{path} 包含 {kind} 值；类别值必须为 0 到 255 的整数。</translation>
   </message>
   <message>
+   <source>{path} has {name} values. Convert it to an image of 8 or 16 bits.</source>
+   <translation>{path} 包含 {name} 值。请将其转换为 8 位或 16 位影像。</translation>
+  </message>
+  <message>
    <source>{path} has {size} pixels, the image {image_size}, and not both are georeferenced. Georeference both, or choose labels of the image’s size.</source>
    <translation>{path} 有 {size} 像元，影像有 {image_size} 像元，且并非两者都有地理参考。请对两者进行地理配准，或选择与影像大小相同的标签。</translation>
   </message>
@@ -6794,10 +6802,6 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>{path} holds {kind} values; a label map holds whole numbers from 0 to 255.</source>
    <translation>{path} 包含 {kind} 值；标签图包含 0 到 255 的整数。</translation>
-  </message>
-  <message>
-   <source>{path} holds {name} values; training tiles are made of 8- or 16-bit images.</source>
-   <translation>{path} 包含 {name} 值；训练图块由 8 位或 16 位影像制成。</translation>
   </message>
   <message>
    <source>{path} is a file or a link; choose a folder.</source>

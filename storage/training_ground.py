@@ -13,6 +13,7 @@ from ..core.geometry.frame import MapFrame
 from .gdal_errors import gdal_failure, gdal_failures
 from .label_maps import RasterFile
 from .rasters import open_raster
+from .training_tiles import ImageBands
 
 Bounds = tuple[float, float, float, float]
 """Left, bottom, right, top, in map units."""
@@ -53,8 +54,10 @@ def prepare_image(image: RasterFile, wanted: WantedGround, folder: Path) -> Rast
         wanted: CRS, pixel size and bounds.
 
     Raises:
-        LabelMapError: The image can't be read, or has no pixel within the bounds.
+        LabelMapError: The image can't be read, has another type than tiles, or has no pixel within the bounds.
     """
+    # With the name of the user's file, not of the VRT.
+    ImageBands(image.path)
     source = open_raster(image.path)
     transform = source.GetGeoTransform(can_return_null=True)
     if transform is None:

@@ -32,6 +32,9 @@ FORMAT = "semref training tiles 1"
 COUNTING_SHARE = 0.2
 """Share of the work for counting labels."""
 
+SMALLEST_DEVIATION = 0.1 / 255
+"""Of the colors of an image, in 0…1; below it the image shows nothing."""
+
 _KINDS = (gdal.GDT_Byte, gdal.GDT_UInt16, gdal.GDT_Int16)
 """Band types that can be exported."""
 
@@ -62,7 +65,7 @@ class ImageBands:
         if any(band.DataType != self.kind for band in self.bands) or self.kind not in _KINDS:
             name = gdal.GetDataTypeName(self.kind)
             raise LabelMapError(
-                "{path} holds {name} values; training tiles are made of 8- or 16-bit images.", path=path, name=name
+                "{path} has {name} values. Convert it to an image of 8 or 16 bits.", path=path, name=name
             )
         if self.bands[0].GetRasterColorTable() is not None:
             raise LabelMapError("{path} has a palette; convert it to an RGB image first.", path=path)
@@ -280,11 +283,20 @@ class TileExport:
                 validation=self._counts[VALIDATION],
                 tile_size=self._tile_size,
             )
+        if self._statistics()[1].max() < SMALLEST_DEVIATION:
+            raise LabelMapError(
+                "The image has the same color everywhere, so a network can't learn from it. Choose another image."
+            )
+
+    def _statistics(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return mean and deviation (3,) of red, green and blue in 0…1 over the training tiles."""
+        mean = self._sums / self._pixels
+        return mean, np.sqrt(np.maximum(self._squares / self._pixels - mean**2, 0))
 
     def _manifest(self) -> dict:
         image, labels = self._files
         transform = self._image.geotransform
-        mean = self._sums / self._pixels
+        mean, deviation = self._statistics()
         return {
             "format": FORMAT,
             "image": Path(image.path).name,
@@ -306,7 +318,7 @@ class TileExport:
                     for subset, counts in self._class_pixels.items()
                 },
                 "band_mean": mean.tolist(),
-                "band_std": np.sqrt(np.maximum(self._squares / self._pixels - mean**2, 0)).tolist(),
+                "band_std": deviation.tolist(),
             },
             "tiles": self._tiles,
         }

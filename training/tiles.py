@@ -97,13 +97,17 @@ def open_folders(paths: list[Path]) -> list[TileFolder]:
 
 
 def band_statistics(folders: list[TileFolder]) -> tuple[np.ndarray, np.ndarray]:
-    """Return mean and deviation (3,) of red, green and blue in 0…1 over the training tiles of all folders."""
+    """Return mean and deviation (3,) of red, green and blue in 0…1 over the training tiles of all folders.
+
+    The deviation is at least one gray level: a network divides by it, also for a band with a single value.
+    """
     counts = np.array([len(folder.tiles("train")) for folder in folders], float)[:, None]
     means, deviations = (
         np.array([folder.manifest["statistics"][key] for folder in folders]) for key in ("band_mean", "band_std")
     )
     mean = (counts * means).sum(axis=0) / counts.sum()
-    return mean, np.sqrt((counts * (deviations**2 + means**2)).sum(axis=0) / counts.sum() - mean**2)
+    variance = (counts * (deviations**2 + means**2)).sum(axis=0) / counts.sum() - mean**2
+    return mean, np.sqrt(np.maximum(variance, 255**-2))
 
 
 class TileReader:

@@ -116,6 +116,9 @@ class TrainingGround:
 
     def image(self, folder: Path) -> RasterFile:
         """Return the prepared image, with its VRT in ``folder``. Raises ParameterError, LabelMapError."""
+        if self.drawn is not None:
+            # Otherwise an image without georeference does not overlap them, for no reason that the user sees.
+            frame_of(self.layer.file)
         crs = self.crs
         changed = wkt_for_gdal(crs) if crs != self.layer.crs else ""
         return prepare_image(self.layer.file, WantedGround(changed, self.pixel_size, self._bounds(crs)), folder)

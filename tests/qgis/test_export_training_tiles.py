@@ -159,12 +159,6 @@ def test_an_earlier_export_and_any_filled_folder_are_not_changed(export):
     assert sorted(Path(first["OUTPUT"]).rglob("*")) == before
 
 
-def test_a_folder_inside_a_file_is_refused_with_a_reason(export, tmp_path):
-    (tmp_path / "file").write_text("a file")
-    with pytest.raises(QgsProcessingException, match="can't be written: .*; choose another place"):
-        export(OUTPUT=str(tmp_path / "file" / "tiles"))
-
-
 @pytest.mark.parametrize(
     ("labels", "parameters", "sentence"),
     [
@@ -172,6 +166,8 @@ def test_a_folder_inside_a_file_is_refused_with_a_reason(export, tmp_path):
         (LABELS, {"TILE_SIZE": 400}, "480 × 320 pixels, less than one tile of 400"),
         (LABELS, {"TILE_SIZE": 256, "STRIDE": 256}, "smaller tiles or another"),
         (np.where(LABELS == 1, 9, LABELS), {}, "the value 9, which the class table lacks"),
+        (LABELS, {"image": np.full((3, HEIGHT, WIDTH), 37, np.uint8)}, "the same color everywhere"),
+        (LABELS, {"OUTPUT": f"{__file__}/tiles"}, "can't be written: .*; choose another place"),
     ],
 )
 def test_impossible_exports_are_refused_with_a_reason(export, tmp_path, labels, parameters, sentence):

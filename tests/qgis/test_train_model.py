@@ -14,6 +14,7 @@ import pytest
 from made_inputs import NAMES, NORTH, WEST, polygon, read_pixels, scattered_objects, square, write_layer, write_raster
 from made_models import write_model
 from made_trainer import EPOCH, READY, write_trainer
+from osgeo import gdal
 from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsRasterLayer, QgsSettings
 from tile_server import tile_server
 
@@ -301,6 +302,12 @@ def test_labels_of_other_ground_and_too_little_ground_are_refused_with_advice(tr
         train(LABELS=None, INPUT=str(layer), CLASS_FIELD="class")
     with pytest.raises(QgsProcessingException, match="Label more ground"):
         train(EXTENT=f"{WEST},{WEST + 130},{NORTH - 130},{NORTH}")
+    image = str(write_raster(tmp_path / "float.tif", PHOTO, kind=gdal.GDT_Float32))
+    with pytest.raises(QgsProcessingException, match=r"/float.tif has Float32 values"):
+        train(IMAGE=image, RESOLUTION=200)
+    image = str(write_raster(tmp_path / "drawing.png", PHOTO, transform=None))
+    with pytest.raises(QgsProcessingException, match=r"drawing.png has no georeference"):
+        train(IMAGE=image, LABELS=None, INPUT=layer, CLASS_FIELD="class")
 
 
 @pytest.mark.slow

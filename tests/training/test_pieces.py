@@ -76,7 +76,7 @@ def test_grey_tiles_are_red_green_and_blue_alike(tmp_path):
     np.testing.assert_array_equal(seen, np.dstack([np.arange(12).reshape(3, 4)] * 3))
 
 
-def write_folder(folder, names=("building", "water"), tile_count=1, mean=0.5):
+def write_folder(folder, names=("building", "water"), tile_count=1, mean=0.5, deviation=0.1):
     for kind in ("images", "labels"):
         (folder / "train" / kind).mkdir(parents=True)
     for number in range(tile_count):
@@ -84,7 +84,7 @@ def write_folder(folder, names=("building", "water"), tile_count=1, mean=0.5):
     with (folder / "classes.csv").open("w", newline="") as file:
         rows = [[value, name, "#000000", "reference"] for value, name in enumerate(names, 1)]
         csv.writer(file).writerows([["value", "name", "color", "role"], *rows])
-    statistics = {"band_mean": [mean] * 3, "band_std": [0.1] * 3, "class_pixels": {"train": {}}}
+    statistics = {"band_mean": [mean] * 3, "band_std": [deviation] * 3, "class_pixels": {"train": {}}}
     manifest = {"statistics": statistics, "network_bands": [1, 2, 3], "stretch": None}
     (folder / "manifest.json").write_text(json.dumps(manifest))
     return folder
@@ -97,6 +97,8 @@ def test_statistics_of_several_folders_are_those_of_all_their_tiles(tmp_path):
     mean, deviation = tiles.band_statistics(folders)
     np.testing.assert_allclose(mean, 0.5)
     np.testing.assert_allclose(deviation, np.sqrt(0.01 + (0.3**2 + 3 * 0.1**2) / 4))
+    one_color = tiles.open_folders([write_folder(tmp_path / "c", tile_count=3, mean=0.1, deviation=0.0)])
+    assert (tiles.band_statistics(one_color)[1] > 0).all()
 
 
 def test_folders_with_different_classes_or_without_tiles_are_refused(tmp_path):
