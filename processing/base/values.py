@@ -133,7 +133,7 @@ class Values:
     def numbers(self, key: str) -> list[float]:
         """Return the numbers of such a list. Raises ParameterError."""
         try:
-            return [float(part.replace(",", ".")) for part in self.parts(key)]
+            return [_finite(float(part.replace(",", ".")), self.title(key)) for part in self.parts(key)]
         except ValueError:
             raise ParameterError(
                 "“{key}” is “{text}”, which is not a list of numbers. Separate the numbers by “;”, for example 1;2.",

@@ -207,8 +207,9 @@ def test_lists_are_separated_by_semicolons_without_empty_parts_and_other_than_nu
     assert read().parts("text") == []
     assert read(text=" building; water;;").parts("text") == ["building", "water"]
     assert read(text="1; 2,5").numbers("text") == [1.0, 2.5]
-    with pytest.raises(ParameterError, match="“text” is “1;x”, which is not a list of numbers"):
-        read(text="1;x").numbers("text")
+    for text, said in (("1;x", "“1;x”, which is not a list of numbers"), ("1;1e400", "inf, which is not a number")):
+        with pytest.raises(ParameterError, match=f"“text” is {said}"):
+            read(text=text).numbers("text")
 
 
 def test_files_are_a_list_one_path_or_several_as_text(read, tmp_path):
