@@ -102,6 +102,8 @@ class ImageBands:
 class LabelsOnImage:
     """A LabelSource: a label map on an image's grid, by nearest neighbor if the grids differ, 0 outside the map.
 
+    If only one of them has a CRS, the other is assumed to have the same.
+
     Raises:
         LabelMapError: Their sizes differ, and one of them has no georeference.
     """
@@ -110,11 +112,11 @@ class LabelsOnImage:
         self.labels = GdalLabels(file.path)
         self.shape_hw = image.shape_hw
         self._image_transform = image.geotransform
-        self._crs = file.crs_wkt, image_crs_wkt
+        self._crs = file.crs_wkt or image_crs_wkt, image_crs_wkt or file.crs_wkt
         transform = self.labels.dataset.GetGeoTransform(can_return_null=True)
         placed = transform is not None and self._image_transform is not None
         self._same_grid = self.labels.shape_hw == self.shape_hw and (not placed or transform == self._image_transform)
-        if not self._same_grid and not (placed and all(self._crs)):
+        if not self._same_grid and not placed:
             raise LabelMapError(
                 "{path} has {size} pixels, the image {image_size}, and not both are georeferenced. Georeference both, "
                 "or choose labels of the image’s size.",

@@ -179,6 +179,8 @@ class SetUpArea(SemRefAlgorithm):
     # --- before any work ---
 
     def read_layers(self, values: Values) -> None:
+        from ...storage.training_ground import frame_of
+        from ...storage.training_tiles import ImageBands
         from ..base.area_setup import AreaMap
         from ..layers.rendering import drawable, needs_drawing
         from ..layers.training_ground import require_common_ground
@@ -199,6 +201,10 @@ class SetUpArea(SemRefAlgorithm):
         if needs_drawing(imagery):
             self._drawn = drawable(imagery) if self._trains(values) else None
             return
+        if self._trains(values):
+            # Here, because the training begins when the database is built.
+            ImageBands(self._imagery)
+            frame_of(values.image(self.IMAGERY).file)
         self._imagery_pixel_m = _pixel_m(imagery)
         require_common_ground(imagery, self._map.name, self._map.extent, self._map.crs, values.transform_context)
 

@@ -3,7 +3,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import NAMES, NORTH, WEST, read_pixels, scattered_objects, write_raster
+from made_inputs import METRIC_CRS, NAMES, NORTH, WEST, read_pixels, scattered_objects, write_raster
 from osgeo import gdal
 from qgis.core import QgsProcessingException, QgsProcessingFeedback
 
@@ -90,11 +90,11 @@ def test_statistics_are_those_of_the_written_tiles(export):
     np.testing.assert_allclose(manifest["statistics"]["band_std"], values.std(axis=1), rtol=1e-6)
 
 
-@pytest.mark.slow
-def test_labels_on_another_grid_are_brought_onto_the_image(export, tmp_path):
+@pytest.mark.parametrize("crs", [METRIC_CRS, None])
+def test_labels_on_another_grid_are_brought_onto_the_image(export, tmp_path, crs):
     coarse = scattered_objects(HEIGHT // 4, WIDTH // 4, 40, seed=8)
     half_off = (WEST - 8.0, 4.0, 0.0, NORTH + 4.0, 0.0, -4.0)
-    labels = write_raster(tmp_path / "coarse.tif", coarse, transform=half_off, names=NAMES)
+    labels = write_raster(tmp_path / "coarse.tif", coarse, transform=half_off, names=NAMES, crs=crs)
     result, manifest = export(labels=labels)
     columns = (np.arange(WIDTH) + 0.5 + 8) // 4
     rows = (np.arange(HEIGHT) + 0.5 + 4) // 4

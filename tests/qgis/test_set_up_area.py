@@ -167,6 +167,7 @@ def test_lines_that_cannot_be_used_are_refused(run_algorithm, tagged, repository
         ({"EXTENT": "550012.5,550019,5219990,5219999 [EPSG:32632]"}, "has no polygon with a class in the extent"),
         ({"IMAGERY": "far"}, "don't overlap"),
         ({"MINUTES": 5}, "Training needs imagery"),
+        ({"MINUTES": 5, "IMAGERY": "decimals"}, "decimals.tif has Float32 values"),
         ({"MODEL": ""}, "SemRef has no model for this"),
         ({"MODEL": "damaged"}, "is not an ONNX model"),
         ({"CLASS_FIELD": "kind"}, "has no field “kind”"),
@@ -174,11 +175,13 @@ def test_lines_that_cannot_be_used_are_refused(run_algorithm, tagged, repository
 )
 def test_bad_input_is_one_sentence_and_leaves_nothing(run_algorithm, small, tmp_path, monkeypatch, change, message):
     monkeypatch.setattr(set_up_area, "DEFAULT_MODEL", tmp_path / "missing.onnx")
+    monkeypatch.setattr(training_environment, "training_python", lambda *_: "python")
     place = {"GPSLongitude": "(9) (0) (0)", "GPSLongitudeRef": "E", "GPSLatitude": "(9) (0) (0)", "GPSLatitudeRef": "N"}
     far = (600000.0, 1.0, 0.0, 5000000.0, 0.0, -1.0)
     made = {
         "photo": lambda: [write_photo(tmp_path / "photo.jpg", **place)],
         "far": lambda: str(write_raster(tmp_path / "far.tif", np.zeros((3, 50, 50), np.uint8), transform=far)),
+        "decimals": lambda: str(write_raster(tmp_path / "decimals.tif", np.ones((3, 9, 9)), kind=gdal.GDT_Float32)),
         "damaged": lambda: str(write_text(tmp_path / "bad.onnx", "no model")),
         "a:b": lambda: str(tmp_path / "a:b"),
     }
