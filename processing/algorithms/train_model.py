@@ -225,7 +225,7 @@ class TrainModel(AnnotationAlgorithm):
                 raise
         if outputs.wants(self.REPORT):
             outputs.text(self.REPORT, report.html())
-        return {self.MEAN_IOU: report.result["mean_iou"]}
+        return {} if report.mean_iou is None else {self.MEAN_IOU: report.mean_iou}
 
     def processAlgorithm(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback

@@ -38,6 +38,11 @@ class TrainingReport:
         """Names of the classes by channel."""
         return [entry["name"] for entry in self.result["classes"]]
 
+    @property
+    def mean_iou(self) -> float | None:
+        """Mean IoU on validation ground; None without such ground."""
+        return self.result["mean_iou"] if np.any(self.result["confusion"]) else None
+
     def html(self) -> str:
         """Return the page."""
         return page.page(
@@ -58,7 +63,7 @@ class TrainingReport:
         minutes = page.number(result["seconds"] / 60, "min")
         return page.key_figures(
             [
-                (page.percent(self.result["mean_iou"]), tr("Mean IoU"), tr("on validation ground")),
+                (page.percent(self.mean_iou), tr("Mean IoU"), tr("on validation ground")),
                 (epochs, tr("Best epoch"), stopped_by(result["stopped_by"])),
                 (minutes, tr("Training time"), result["device"]),
                 (
