@@ -203,8 +203,3 @@ def position_error_95(
         return float("inf")
     deviation = float(np.sqrt(max(np.linalg.eigvalsh(covariance_m2).max(), 0.0)))
     return float(np.hypot(CIRCLE_95 * deviation, settings.error_floor_px * overview_pixel_m))
-
-
-def noise_ratio(score: float, settings: CorrelationSettings) -> float:
-    """Return the noise-to-signal ratio of labels that correlate with the map by ``score``: 1 / score² − 1."""
-    return max(1 / max(score, 0.1) ** 2 - 1, settings.least_noise)

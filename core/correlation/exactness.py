@@ -11,23 +11,12 @@ from ..geometry.error_settings import ClassBias, SharedErrors
 from ..geometry.pose import PoseCovariance, as_pairs
 from ..geometry.radius import CIRCLE_95
 from ..geometry.shared_errors import AREAS, CLASSES, MAP, VIEW, covariance_of
-from .decision import noise_ratio
 from .refine import ScoredPose, axes
-from .settings import CORRELATION, CorrelationSettings
+from .settings import CORRELATION
 from .view_effects import ViewEffect
 
 SAMPLES = 5
 """Places along an edge of an image; their distances determine how much of a map's displacement the image shares."""
-
-
-def noise_factor(score: float, settings: CorrelationSettings = CORRELATION) -> float:
-    """Return the factor of the refinement's standard deviations, because label errors are not independent."""
-    return settings.error_factor * noise_ratio(score, settings) / CIRCLE_95
-
-
-def image_factor(score: float, settings: CorrelationSettings = CORRELATION) -> float:
-    """Return ``noise_factor`` for a single image, at least ``least_factor``."""
-    return max(noise_factor(score, settings), settings.least_factor)
 
 
 def covariance_on_map(pose: ScoredPose, covariance: np.ndarray) -> np.ndarray:
@@ -54,7 +43,7 @@ def full_pose_covariance(  # noqa: PLR0913 - a fit, what it was made on, and wha
 
     Args:
         pose: With its score.
-        covariance: (4, 4) of ``pose_covariance``, already calibrated by ``image_factor``, with that of leaning roofs.
+        covariance: (4, 4) of ``pose_covariance``, with that of leaning roofs.
         edge_m: Of the ground that the image shows.
         overview_pixel_m: Pixel size of the map's overview.
         errors: Of the map and of the labels.

@@ -305,19 +305,18 @@ def distinct(poses: list[ScoredPose], image: EvidenceLevel, share: float, count:
 def finest_pose(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> tuple[ScoredPose, np.ndarray]:
     """Return the pose refined at increasingly fine pixels, at most the overview's, and its covariance.
 
-    The covariance is computed at the decision's pixels. Finer pixels would give an accuracy that poor labels do not
-    have (measured with strong noise: 95 % of the errors are below 3.5 standard deviations at 64 pixels along an edge,
-    below 7.9 at 128).
+    The covariance is computed at the finest pixels.
     """
     height, width = image.known.shape
     first, quiet = pyramid.settings.decision_edge, pyramid.quiet
-    edge, decision = first, reduce_image(image, first)
+    edge = first
     ground_m = np.sqrt(height * width * image.pixel[0] * image.pixel[1]) * pose.pixel_size_m
     last = min(np.sqrt(height * width), ground_m / pyramid.frame.pixel_size)
     while True:
-        moved = refine(reduce_image(image, edge), pyramid, pose, quiet, 4)
+        level = reduce_image(image, edge)
+        moved = refine(level, pyramid, pose, quiet, 4)
         if moved.score > 0:
             pose = replace(moved, score=pose.score)
         if edge * 2 > max(last * 1.2, first):
-            return pose, pose_covariance(decision, pyramid, pose, quiet)
+            return pose, pose_covariance(level, pyramid, pose, quiet)
         edge *= 2

@@ -33,6 +33,10 @@ DAMPING = 1e-4
 """Added to the normal equations, as a share of their trace. Parameters with less effect are undetermined: for example
 the place along a straight shore that crosses the image."""
 
+LEAST_TRUSTED = 0.1
+"""Least share of the slopes' information, in each direction, that is not taken for noise, so that a covariance stays
+finite. With 0.05, flights weigh poor images worse; with 0.2, the radius of single images is too small."""
+
 SCALE = 3
 """Number of the parameter of the pixel size."""
 
@@ -146,7 +150,7 @@ def score_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet:
 
 
 def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> np.ndarray:
-    """Return the uncalibrated covariance of a pose.
+    """Return the covariance of a pose from the residuals of its fit and from the slopes that image and map share.
 
     Returns:
         (4, 4) of x in image pixels right, y down, heading in radians and ln pixel size; infinite if the image does not
@@ -155,10 +159,29 @@ def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose,
     fit = fit_at(image, pyramid, pose, quiet)
     if fit is None:
         return np.full((4, 4), np.inf)
-    (pull, inverse), units = fit, parameter_units(image)
+    (pull, _), units = fit, parameter_units(image)
     height, width = image.known.shape
+    noise = slopes_of(image, pull.residual.reshape(height, -1)).reshape(4, -1)
+    inverse = inverse_without_noise(_normal(pull.slopes), _normal(noise))
     pulls = clustered_covariance(pull.slopes * pull.residual, (height, width), pyramid.settings.blocks)
     return inverse @ pulls @ inverse * np.outer(units, units)
+
+
+def inverse_without_noise(normal: np.ndarray, noise: np.ndarray) -> np.ndarray:
+    """Return the inverse of normal equations without the noise of their slopes.
+
+    With slopes m of the map and i of the image, the sum of (m + i)(m + i)ᵀ would grow with label errors, as if these
+    were information. Without (m − i)(m − i)ᵀ, only products of both remain, in which errors of one of them cancel.
+
+    Args:
+        normal: (P, P) products of the slopes of map and image together.
+        noise: (P, P) products of the slopes of their residual.
+    """
+    damped = normal + DAMPING * max(float(np.trace(normal)), 1e-30) * np.eye(len(normal))
+    half = np.linalg.inv(np.linalg.cholesky(damped))
+    shares, directions = np.linalg.eigh(half @ noise @ half.T)
+    found = half.T @ directions
+    return found / np.maximum(1 - shares, LEAST_TRUSTED) @ found.T
 
 
 @dataclass(frozen=True)
@@ -258,19 +281,19 @@ def fit_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: f
     if fit.gain <= 0:
         return None
     pull = _pull(image, fit)
-    strengths = np.linalg.eigvalsh(_normal(pull))
+    strengths = np.linalg.eigvalsh(_normal(pull.slopes))
     return None if strengths[0] <= DAMPING * strengths.sum() else (pull, _inverse(pull))
 
 
-def _normal(pull: Pull) -> np.ndarray:
-    """Return (4, 4) of the normal equations."""
+def _normal(slopes: np.ndarray) -> np.ndarray:
+    """Return (4, 4) products of slopes (4, N): the normal equations."""
     # OpenCV's product and inverse: BLAS and LAPACK would start threads that keep spinning.
-    return cv2.mulTransposed(pull.slopes, False, dtype=cv2.CV_64F)
+    return cv2.mulTransposed(slopes, False, dtype=cv2.CV_64F)
 
 
 def _inverse(pull: Pull) -> np.ndarray:
     """Return the (4, 4) inverse of the normal equations, slightly damped."""
-    normal = _normal(pull)
+    normal = _normal(pull.slopes)
     damped = DAMPING * max(float(np.trace(normal)), 1e-30)
     return cv2.invert(normal + damped * np.eye(4), flags=cv2.DECOMP_CHOLESKY)[1]
 

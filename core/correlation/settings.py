@@ -53,16 +53,6 @@ class CorrelationSettings:
         part_agreement: A part that agrees less than this times the whole image is reported: 0 of 108 fixes of images of
             one place (their parts agree at least 0.77 times as well), and 25 of 27 of two. On the southern half, which
             took no part: 0 of 107, and 19 of 30 [the same; parts].
-        error_factor: The 95 % radius in units of the larger axis' standard deviation times the noise-to-signal ratio.
-            The standard deviation is that of the refinement; the ratio follows from a correlation s, 1/s² − 1. The
-            worse the labels, the farther their errors reach and the less independent they are. Of the errors, 95 % are
-            below 2.9 of these units with modest noise and below 4.1 with strong. Photos of a town, poorly segmented,
-            have 2.1. Photos of a shore at different positions in annotation and network have 6.0 [aerial; photos;
-            radius].
-        least_noise: Least such ratio [aerial; radius].
-        least_factor: Least factor of the refinement's standard deviations for a single image. In each of nine places,
-            photos at the right place need a factor of 1.5 to 2.5, whatever the correlation (277 photos with those of
-            Kenya, which need 6.4, because the map is about 2 m off) [photos; radius].
         largest_error: Largest 95 % radius of a fix, as a share of the image's diagonal. Of poses refined from beside
             the right place it keeps 58 of 60 (modest noise) and 15 of 27 (strong) that are within 2 % of the image's
             edge, and 3 of 9 that are not. On Liechtenstein it refuses no fix [aerial; Liechtenstein, north; radius].
@@ -90,9 +80,6 @@ class CorrelationSettings:
     usual_detail: tuple[float, float, float] = (1.2, 1.4, 4.0)
     part_energy: float = 0.25
     part_agreement: float = 0.5
-    error_factor: float = 4.0
-    least_noise: float = 0.4
-    least_factor: float = 2.0
     largest_error: float = 0.025
     error_floor_px: float = 0.15
 

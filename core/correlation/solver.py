@@ -25,7 +25,7 @@ from ..sentences import Sentence
 from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, mirror_level
 from .decision import decide, decide_accuracy, position_error_95, rank, risk_of_peaks
 from .detail import detail_at
-from .exactness import covariance_on_map, full_pose_covariance, image_factor
+from .exactness import covariance_on_map, full_pose_covariance
 from .leaning import leaning_covariance
 from .parts import disagreeing_part
 from .places import (
@@ -93,10 +93,9 @@ def localize(  # noqa: PLR0913 - an image by its labels and their shares, the ma
     is_held = is_held_by_edge(decided, pyramid, pose, pyramid.quiet)
     height, width = labels_hw.shape
     diagonal_m = float(np.hypot(height, width)) * pose.pixel_size_m
-    errors, factor = errors or SharedErrors(), image_factor(peaks.score, settings)
-    covariance = factor**2 * covariance
+    errors = errors or SharedErrors()
     leaning = leaning_covariance(decided, pyramid, pose, errors.settings)
-    effect = view_effect(decided, pyramid, pose, factor, errors)
+    effect = view_effect(decided, pyramid, pose, errors)
     pose = pose if effect is None else effect.correct(pose)
     found = _result(pyramid, [pose, *poses[1:]], covariance, peaks, (diagonal_m, allowed_risk), is_held)
     if found.is_fix:

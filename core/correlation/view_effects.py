@@ -15,7 +15,16 @@ import numpy as np
 from ..geometry.error_settings import SharedErrors
 from ..geometry.pose import SLOPE_DEVIATION, STRETCH_DEVIATION
 from .class_pyramid import EvidenceLevel, MapPyramid
-from .refine import DAMPING, LEAST_KNOWN_MOVED, NOT_COMPARABLE, ScoredPose, axes, clustered_covariance, gradients
+from .refine import (
+    DAMPING,
+    LEAST_KNOWN_MOVED,
+    NOT_COMPARABLE,
+    ScoredPose,
+    axes,
+    clustered_covariance,
+    gradients,
+    inverse_without_noise,
+)
 
 POSE, COUNT = 4, 9
 """Parameters of a level pose (right, down, heading, ln pixel size; the unit of the first two is half a diagonal), and
@@ -57,15 +66,12 @@ class ViewEffect:
         return replace(pose, x=pose.x + x, y=pose.y + y, heading_deg=heading, pixel_size_m=size)
 
 
-def view_effect(
-    image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, factor: float, errors: SharedErrors
-) -> ViewEffect | None:
+def view_effect(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, errors: SharedErrors) -> ViewEffect | None:
     """Return the error of a level pose from the lens and tilt that the image shows.
 
     Args:
         image: Its evidence at the pixels of covariances.
         pose: The best level pose.
-        factor: Of the fit's standard deviations (``exactness.image_factor``).
         errors: Of the map, with the possible cameras (``ErrorSettings.views``); the first camera has no effect.
 
     Returns:
@@ -79,7 +85,7 @@ def view_effect(
     loosest[range(POSE, COUNT), range(POSE, COUNT)] = deviations.max(axis=0) ** -2.0
     best, measured = NOT_COMPARABLE, None
     for _ in range(STEPS):
-        found = system.fit(known, factor, of_map)
+        found = system.fit(known, of_map)
         if found is None or found.score < best - WORSE:
             break
         best = max(best, found.score)
@@ -173,7 +179,7 @@ class _System:
         across, down = fitted[:, : len(points)], fitted[:, len(points) :]
         return (errors.map_accuracy / half_m) ** 2 * (across @ shared @ across.T + down @ shared @ down.T)
 
-    def fit(self, assumed: np.ndarray, factor: float, of_map: np.ndarray) -> _SystemFit | None:
+    def fit(self, assumed: np.ndarray, of_map: np.ndarray) -> _SystemFit | None:
         """Return the fit at assumed pose and effects (9,); None if the image does not determine all of them."""
         patch, share = self._patch(assumed)
         there = patch - patch.mean(axis=(0, 1))
@@ -184,26 +190,31 @@ class _System:
         gain = product / norm
         if gain <= 0:
             return None
-        both = there + gain * self._seen
-        height, width, channels = both.shape
-        gradient_x, gradient_y = gradients(both.reshape(height, -1), channels).reshape(2, height, width, channels) / 2
-        by_x = gradient_x * (self.half / self._image.pixel[0])
-        by_y = gradient_y * (self.half / self._image.pixel[1])
-        moves = self._moves[..., None]
-        slopes = (by_x * moves.real + by_y * moves.imag).reshape(COUNT, -1).astype(np.float32)
-        residual = (there - gain * self._seen).ravel()
+        residual = there - gain * self._seen
+        slopes, noise = self._slopes(there + gain * self._seen), self._slopes(residual)
         units = 1 / np.sqrt(np.maximum((slopes.astype(np.float64) ** 2).sum(axis=1), 1e-30))
-        normal = cv2.mulTransposed(slopes, False, dtype=cv2.CV_64F) * np.outer(units, units)
+        both = np.outer(units, units)
+        normal, of_noise = (cv2.mulTransposed(one, False, dtype=cv2.CV_64F) * both for one in (slopes, noise))
         if np.linalg.eigvalsh(normal)[0] <= DAMPING:
             return None
-        inverse = np.linalg.inv(normal) * np.outer(units, units)
-        descent = np.einsum("ik,k->i", slopes, residual).astype(np.float64)
-        pulls = clustered_covariance(slopes * residual, (share.shape[0], share.shape[1]), self._pyramid.settings.blocks)
-        covariance = factor**2 * inverse @ pulls @ inverse + of_map + LEAST**2 * np.eye(COUNT)
+        inverse, trusted = np.linalg.inv(normal) * both, inverse_without_noise(normal, of_noise) * both
+        descent = np.einsum("ik,k->i", slopes, residual.ravel()).astype(np.float64)
+        height, width = share.shape
+        pulls = clustered_covariance(slopes * residual.ravel(), (height, width), self._pyramid.settings.blocks)
+        covariance = trusted @ pulls @ trusted + of_map + LEAST**2 * np.eye(COUNT)
         score = product / np.sqrt(norm * (energy + self._pyramid.quiet * share.size))
         of_pose = np.linalg.inv(normal[:POSE, :POSE]) * units[:POSE, None]
         to_pose = -of_pose @ (normal[:POSE, POSE:] / units[POSE:])
         return _SystemFit(score, assumed - inverse @ descent, covariance, to_pose)
+
+    def _slopes(self, planes: np.ndarray) -> np.ndarray:
+        """Return (9, h·w·C) float32 slopes of the fit by pose and effects, from the (h, w, C) sum of map and image."""
+        height, width, channels = planes.shape
+        gradient_x, gradient_y = gradients(planes.reshape(height, -1), channels).reshape(2, *planes.shape) / 2
+        by_x = gradient_x * (self.half / self._image.pixel[0])
+        by_y = gradient_y * (self.half / self._image.pixel[1])
+        moves = self._moves[..., None]
+        return (by_x * moves.real + by_y * moves.imag).reshape(COUNT, -1).astype(np.float32)
 
     def _patch(self, known: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the map as the image would show it: evidence (h, w, C) and labeled share (h, w), float32."""

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..correlation.class_pyramid import EvidenceLevel, MapPyramid
-from ..correlation.exactness import full_pose_covariance, noise_factor
+from ..correlation.exactness import full_pose_covariance
 from ..correlation.places import edge_m, finest_pose, image_evidence, missing_information, reduce_image
 from ..correlation.refine import ScoredPose, score_at
 from ..geometry.error_settings import SharedErrors
@@ -112,19 +112,12 @@ def _measure_at(
     if score < settings.least_score or not np.isfinite(spread).all():
         return None
     ground_m = edge_m(image, pose.pixel_size_m)
-    spread = (deviation_factor(ground_m, settings) * noise_factor(score, pyramid.settings)) ** 2 * spread
     known = full_pose_covariance(pose, spread, ground_m, pyramid.frame.pixel_size, errors)
     full = full_covariance(known, pose.pixel_size_m)
     if full is None:
         return None
     moved = np.array([pose.x, -pose.y, np.radians(pose.heading_deg), np.log(pose.pixel_size_m)])
     return Measurement(moved, full, score=float(score))
-
-
-def deviation_factor(edge_m: float, settings: FlightSettings) -> float:
-    """Return the factor of class areas' standard deviations: on small ground, errors of neighbors correlate."""
-    factor, enough_m, power = settings.measured_factor
-    return factor * max(1.0, enough_m / edge_m) ** power
 
 
 def mixture(found: Sequence[tuple[Measurement, float]]) -> Measurement:

@@ -35,10 +35,6 @@ class FlightSettings:
             is known to one pixel of the first look after any number of looks [reasoning; flights].
         map_length: Distance along the track over which errors of map and labels correlate, meters [shared errors].
         shared_share: Share of a measurement's variance that its neighbors have in common [by hand; flights].
-        measured_factor: Factor of the standard deviations of class areas' fits (those of a single image include the
-            uncertainty of its place), the edge on the ground in meters from which it applies, and the power of its
-            growth below. Errors over unscaled standard deviations, 95 %: 2.51 at 320 m, 1.79 at 450 m, 1.52 at 640 m;
-            2.45 would be right [flight measurements].
         comparisons: Number of independent parts in an image's agreement; it separates places near each other. Most
             likely: 83 at 320 m, 215 at 640 m, flat from 80 on [flight measurements].
         least_score: An image with less agreement at its expected place is not measured there [flight measurements].
@@ -58,7 +54,6 @@ class FlightSettings:
     start_noise: tuple[float, float, float] = (1.0, 5.0, 0.08)
     map_length: float = 800.0
     shared_share: float = 0.4
-    measured_factor: tuple[float, float, float] = (0.6, 640.0, 0.7)
     comparisons: float = 80.0
     least_score: float = 0.2
 

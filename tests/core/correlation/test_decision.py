@@ -13,8 +13,8 @@ from semref.core.correlation.decision import (
     risk_of_peaks,
     surprises,
 )
-from semref.core.correlation.exactness import image_factor, noise_factor
 from semref.core.correlation.settings import CORRELATION
+from semref.core.geometry.radius import CIRCLE_95
 from semref.core.localization import CorrelationPeaks, Status
 
 
@@ -101,15 +101,8 @@ def test_much_detail_counts_only_together_with_a_lead():
     assert leading[1] < leading[0] / 5
 
 
-@pytest.mark.parametrize(("score", "noise"), [(0.5, 3.0), (0.95, CORRELATION.least_noise), (0.05, 99.0), (0.1, 99.0)])
-def test_the_error_radius_is_that_of_the_larger_axis_by_the_noise_and_of_the_pixels(score, noise):
-    factor = noise_factor(score)
+def test_the_error_radius_is_that_of_the_larger_axis_and_of_the_pixels():
     turn = np.array([[0.6, -0.8], [0.8, 0.6]])
     spread = turn @ np.diag([4.0, 1.0]) @ turn.T
-    expected = np.hypot(CORRELATION.error_factor * noise * 2, CORRELATION.error_floor_px * 4.0)
-    assert position_error_95(factor**2 * spread, 4.0) == pytest.approx(expected)
-
-
-def test_the_factor_of_a_single_image_has_a_least_value():
-    assert image_factor(0.95) == CORRELATION.least_factor > noise_factor(0.95)
-    assert image_factor(0.3) == noise_factor(0.3)
+    expected = np.hypot(CIRCLE_95 * 2, CORRELATION.error_floor_px * 4.0)
+    assert position_error_95(spread, 4.0) == pytest.approx(expected)

@@ -1,9 +1,14 @@
 import numpy as np
 import pytest
 
+from semref.core.correlation.class_pyramid import evidence_level
+from semref.core.correlation.exactness import covariance_on_map
 from semref.core.correlation.refine import NOT_COMPARABLE, ScoredPose, pose_covariance, refine, score_at
 from semref.core.correlation.refine_many import refine_many
 from semref.core.correlation.search import SearchSpace, search
+from semref.core.geometry.frame import MapFrame
+from semref.core.geometry.radius import CIRCLE_95
+from semref.core.simulation.views import View, cut
 
 TRUE = ScoredPose(703.4, 598.1, 41.0, 1.03)
 PIXEL_M = 500 / 64 * TRUE.pixel_size_m
@@ -37,6 +42,23 @@ def test_the_covariance_grows_with_the_noise_of_the_labels(patch_pyramid, image)
     clean, worse = (pose_covariance(one, patch_pyramid, TRUE, patch_pyramid.quiet) for one in (image, noisy))
     assert (np.linalg.eigvalsh(clean) > 0).all()
     assert (np.diag(worse) > 2 * np.diag(clean)).all()
+
+
+@pytest.mark.parametrize("noise", [0.3, 0.6])
+def test_the_radius_contains_the_errors_whatever_the_noise_of_the_labels(patches, patch_pyramid, noise):
+    view = View(TRUE.x, -TRUE.y, TRUE.heading_deg, TRUE.pixel_size_m, 500, 500)
+    labels, units = cut(patches, MapFrame.at((0.0, 0.0), 4.0), view), []
+    beside = ScoredPose(TRUE.x + 3, TRUE.y - 2, TRUE.heading_deg + 1, TRUE.pixel_size_m)
+    for seed in range(40):
+        rng = np.random.default_rng(seed)
+        wrong, other = (np.kron(rng.random((20, 20)), np.ones((25, 25))) for _ in range(2))
+        seen = np.where(wrong < noise, 1 + (5 * other).astype(np.uint8), labels)
+        spoiled = evidence_level(seen, patch_pyramid.space, (128, 128))
+        found = refine(spoiled, patch_pyramid, beside, patch_pyramid.quiet, 12)
+        spread = covariance_on_map(found, pose_covariance(spoiled, patch_pyramid, found, patch_pyramid.quiet))
+        off = np.array([found.x - TRUE.x, TRUE.y - found.y])
+        units.append(float(np.sqrt(off @ np.linalg.solve(spread[:2, :2], off)) / CIRCLE_95))
+    assert 0.25 < np.percentile(units, 95) < 1.1
 
 
 def test_an_undetermined_pose_has_an_infinite_covariance(patch_pyramid, image):
