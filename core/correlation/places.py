@@ -303,10 +303,7 @@ def distinct(poses: list[ScoredPose], image: EvidenceLevel, share: float, count:
 
 
 def finest_pose(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> tuple[ScoredPose, np.ndarray]:
-    """Return the pose refined at increasingly fine pixels, at most the overview's, and its covariance.
-
-    The covariance is computed at the finest pixels.
-    """
+    """Return the pose refined at increasingly fine pixels, at most the overview's, and its covariance at the finest."""
     height, width = image.known.shape
     first, quiet = pyramid.settings.decision_edge, pyramid.quiet
     edge = first

@@ -171,7 +171,7 @@ def inverse_without_noise(normal: np.ndarray, noise: np.ndarray) -> np.ndarray:
     """Return the inverse of normal equations without the noise of their slopes.
 
     With slopes m of the map and i of the image, the sum of (m + i)(m + i)ᵀ would grow with label errors, as if these
-    were information. Without (m − i)(m − i)ᵀ, only products of both remain, in which errors of one of them cancel.
+    were information. Without (m − i)(m − i)ᵀ, products of m and i remain, and an error of one of them averages out.
 
     Args:
         normal: (P, P) products of the slopes of map and image together.

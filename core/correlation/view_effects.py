@@ -70,7 +70,7 @@ def view_effect(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, err
     """Return the error of a level pose from the lens and tilt that the image shows.
 
     Args:
-        image: Its evidence at the pixels of covariances.
+        image: Its evidence at the decision's pixels.
         pose: The best level pose.
         errors: Of the map, with the possible cameras (``ErrorSettings.views``); the first camera has no effect.
 
