@@ -28,7 +28,8 @@ classes = [dict(value=n, name=name, color="#3366cc", role="reference")
 json.dump(dict(classes=classes, history=[row, {{**row, "epoch": 2}}], best_epoch=2, mean_iou=0.4, seconds=60,
                stopped_by="minutes",
                confusion=[[0, 0, 0], [0, 90 * tested, 10 * tested], [0, 20 * tested, 80 * tested]], device="CPU",
-               training=7, validation=2, bytes=10 ** 6, difference=0.0, encoder="x", depth=5), open(os.path.join(folder, "result.json"), "w"))
+               training=7, validation=2, bytes=10 ** 6, difference=0.0, encoder="x", depth=5),
+          open(os.path.join(folder, "result.json"), "w"))
 tell("done", best_epoch=2)
 """
 READY = 'tell("ready", torch="2.0", device="CPU")'
