@@ -26,16 +26,14 @@ def test_unlabeled_pixels_are_evidence_for_nothing():
     space = class_space(fractions, np.array([1, 2], np.uint8), CORRELATION.rarity_exponent)
     evidence, known = evidence_of(fractions, space)
     assert known.tolist() == [[1, 1], [0, 0]]
-    assert np.abs(evidence[1]).max() == 0
-    assert np.abs(evidence[0]).min() > 0.1
+    assert np.abs(evidence[1]).max() == 0 and np.abs(evidence[0]).min() > 0.1
 
 
 def test_evidence_is_zero_on_average_over_the_map():
     rng = np.random.default_rng(1)
     labels = rng.integers(1, 5, (64, 64)).astype(np.uint8)
     level, left, top = MapPyramid(labels, FRAME).crop(16.0, (0, 0, 256, 256))
-    assert (left, top) == (0, 0)
-    assert level.evidence.shape[:2] == (16, 16)
+    assert (left, top, *level.evidence.shape[:2]) == (0, 0, 16, 16)
     assert np.abs(level.evidence.mean(axis=(0, 1))).max() < 0.01
 
 

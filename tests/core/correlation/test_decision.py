@@ -103,6 +103,5 @@ def test_much_detail_counts_only_together_with_a_lead():
 
 def test_the_error_radius_is_that_of_the_larger_axis_and_of_the_pixels():
     turn = np.array([[0.6, -0.8], [0.8, 0.6]])
-    spread = turn @ np.diag([4.0, 1.0]) @ turn.T
     expected = np.hypot(CIRCLE_95 * 2, CORRELATION.error_floor_px * 4.0)
-    assert position_error_95(spread, 4.0) == pytest.approx(expected)
+    assert position_error_95(turn @ np.diag([4.0, 1.0]) @ turn.T, 4.0) == pytest.approx(expected)
