@@ -17,7 +17,11 @@ def run() -> int:
 
     if is_default:
         signal.signal(signal.SIGINT, signal.default_int_handler)
-    code = main()
+    try:
+        code = main()
+    except SystemExit as end:
+        # argparse ends so after its help.
+        code = int(end.code or 0)
     try:
         if sys.stdout is not None:
             sys.stdout.flush()

@@ -6808,6 +6808,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>{path} ist eine Datei oder eine Verknüpfung; wählen Sie einen Ordner.</translation>
   </message>
   <message>
+   <source>{path} is a folder, pipe or device; choose an onboard file.</source>
+   <translation>{path} ist ein Ordner, eine Pipe oder ein Gerät; wählen Sie eine Onboard-Datei.</translation>
+  </message>
+  <message>
    <source>{path} is a folder; give a file name.</source>
    <translation>{path} ist ein Ordner; geben Sie einen Dateinamen an.</translation>
   </message>

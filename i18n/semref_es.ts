@@ -6808,6 +6808,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>{path} es un archivo o un enlace; elija una carpeta.</translation>
   </message>
   <message>
+   <source>{path} is a folder, pipe or device; choose an onboard file.</source>
+   <translation>{path} es una carpeta, una tubería o un dispositivo; elija un archivo de a bordo.</translation>
+  </message>
+  <message>
    <source>{path} is a folder; give a file name.</source>
    <translation>{path} es una carpeta; indique un nombre de archivo.</translation>
   </message>

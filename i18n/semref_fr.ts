@@ -6808,6 +6808,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>{path} est un fichier ou un lien ; choisissez un dossier.</translation>
   </message>
   <message>
+   <source>{path} is a folder, pipe or device; choose an onboard file.</source>
+   <translation>{path} est un dossier, un tube ou un périphérique ; choisissez un fichier embarqué.</translation>
+  </message>
+  <message>
    <source>{path} is a folder; give a file name.</source>
    <translation>{path} est un dossier ; donnez un nom de fichier.</translation>
   </message>

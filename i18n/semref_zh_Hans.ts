@@ -6808,6 +6808,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>{path} 是文件或链接；请选择文件夹。</translation>
   </message>
   <message>
+   <source>{path} is a folder, pipe or device; choose an onboard file.</source>
+   <translation>{path} 是文件夹、管道或设备；请选择机载文件。</translation>
+  </message>
+  <message>
    <source>{path} is a folder; give a file name.</source>
    <translation>{path} 是文件夹；请给出文件名。</translation>
   </message>

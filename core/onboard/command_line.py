@@ -148,11 +148,19 @@ def _write(text: str) -> None:
         ) from None
 
 
+class _Parser(argparse.ArgumentParser):
+    def print_help(self, file: object = None) -> None:
+        try:
+            _write(self.format_help().rstrip("\n"))
+        except ParameterError as error:
+            self.exit(REFUSED, f"{self.prog}: {error}\n")
+
+
 def command_parser() -> argparse.ArgumentParser:
     """Return the parser of all commands and options."""
     raw = argparse.RawDescriptionHelpFormatter
     program = "python -m core" if os.path.basename(sys.argv[0]) == "__main__.py" else "semref"
-    parser = argparse.ArgumentParser(
+    parser = _Parser(
         prog=program,
         description="Find where aerial images were taken. Needs a file made by “Export for onboard use” of SemRef.",
         epilog=_EXAMPLES.format(program=program) + _EXIT_CODES,

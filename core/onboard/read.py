@@ -70,10 +70,12 @@ def read_onboard(path: str, key_file: str | None = None) -> OnboardDatabase:
         ParameterError: The key can't be used.
     """
     key = read_key(key_file) if key_file else None
-    if not os.path.isfile(path):
+    if not os.path.exists(path):
         raise DatabaseError(
             "The file {path} does not exist. Export one with “Export for onboard use” or choose another.", path=path
         )
+    if not os.path.isfile(path):
+        raise DatabaseError("{path} is a folder, pipe or device; choose an onboard file.", path=path)
     try:
         with zipfile.ZipFile(path) as archive:
             files = _unpack(archive, path)
