@@ -7380,6 +7380,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>„{layer}“ hat keine eigene Auflösung. Geben Sie eine Auflösung ein.</translation>
   </message>
   <message>
+   <source>“{layer}” has {kind} geometry. Choose a layer of lines.</source>
+   <translation>„{layer}“ hat den Geometrietyp {kind}. Wählen Sie einen Linienlayer.</translation>
+  </message>
+  <message>
    <source>“{layer}” has {kind} geometry. Choose a polygon layer.</source>
    <translation>„{layer}“ hat den Geometrietyp {kind}. Wählen Sie einen Polygonlayer.</translation>
   </message>

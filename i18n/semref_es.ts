@@ -7380,6 +7380,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>“{layer}” no tiene resolución propia. Indique una resolución.</translation>
   </message>
   <message>
+   <source>“{layer}” has {kind} geometry. Choose a layer of lines.</source>
+   <translation>“{layer}” tiene geometría {kind}. Elija una capa de líneas.</translation>
+  </message>
+  <message>
    <source>“{layer}” has {kind} geometry. Choose a polygon layer.</source>
    <translation>“{layer}” tiene geometría {kind}. Elija una capa de polígonos.</translation>
   </message>

@@ -7380,6 +7380,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>« {layer} » n’a pas de résolution propre. Entrez une résolution.</translation>
   </message>
   <message>
+   <source>“{layer}” has {kind} geometry. Choose a layer of lines.</source>
+   <translation>« {layer} » a une géométrie de type {kind}. Choisissez une couche de lignes.</translation>
+  </message>
+  <message>
    <source>“{layer}” has {kind} geometry. Choose a polygon layer.</source>
    <translation>« {layer} » a une géométrie de type {kind}. Choisissez une couche de polygones.</translation>
   </message>

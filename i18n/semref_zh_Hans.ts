@@ -7380,6 +7380,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>“{layer}”没有自身的分辨率。请输入分辨率。</translation>
   </message>
   <message>
+   <source>“{layer}” has {kind} geometry. Choose a layer of lines.</source>
+   <translation>“{layer}”的几何类型为 {kind}。请选择线图层。</translation>
+  </message>
+  <message>
    <source>“{layer}” has {kind} geometry. Choose a polygon layer.</source>
    <translation>“{layer}”的几何类型为 {kind}。请选择多边形图层。</translation>
   </message>

@@ -16,6 +16,7 @@ from qgis.core import (
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterFile,
     QgsProcessingParameterString,
+    QgsWkbTypes,
 )
 
 from ...core import limits
@@ -28,7 +29,7 @@ from ..base.algorithm import ANNOTATION, Declared, SemRefAlgorithm, check_cancel
 from ..base.outputs import FeatureSink, Outputs
 from ..base.parameters import with_help
 from ..base.values import Values
-from ..compat import MULTI_POLYGON, POLYGON_GEOMETRY, SOURCE_LINE, SOURCE_POLYGON, is_null
+from ..compat import LINE_GEOMETRY, MULTI_POLYGON, POINT_GEOMETRY, POLYGON_GEOMETRY, SOURCE_LINE, SOURCE_POLYGON, is_null
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -104,6 +105,16 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
     def read_layers(self, values: Values) -> None:
         self._source = values.source(self.INPUT, POLYGONS_OF_OSM)
         self._lines = values.source(self.LINES, LINES_OF_OSM)
+        for source, kind in ((self._source, POLYGON_GEOMETRY), (self._lines, LINE_GEOMETRY)):
+            others = {POINT_GEOMETRY, LINE_GEOMETRY, POLYGON_GEOMETRY} - {kind}
+            if source is not None and QgsWkbTypes.geometryType(source.wkbType()) in others:
+                raise ParameterError(
+                    "“{layer}” has {kind} geometry. Choose a polygon layer."
+                    if kind == POLYGON_GEOMETRY
+                    else "“{layer}” has {kind} geometry. Choose a layer of lines.",
+                    layer=source.sourceName(),
+                    kind=QgsWkbTypes.displayString(source.wkbType()),
+                )
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
         from ...storage.text_tables import read_rules

@@ -91,19 +91,16 @@ def test_polygons_that_cross_themselves_are_kept_for_repair(run_algorithm, tmp_p
     assert run_algorithm(CLASSIFY, {"INPUT": layer, "OUTPUT": out})["FEATURE_COUNT"] == 1
 
 
-def test_a_layer_without_known_tags_is_refused_with_its_columns(run_algorithm, tmp_path):
-    layer = layer_of("field=height:double", (3.5,))
-    with pytest.raises(QgsProcessingException, match="Its columns are: height"):
-        run_algorithm(CLASSIFY, {"INPUT": layer, "OUTPUT": str(tmp_path / "cover.gpkg")})
-    assert not (tmp_path / "cover.gpkg").exists()
-
-
-def test_an_extract_that_is_cut_short_is_refused(run_algorithm, tmp_path, extract):
-    cut = tmp_path / "cut.osm"
-    cut.write_text(EXTRACT[: EXTRACT.index('<way id="13"')], encoding="utf-8")
-    with pytest.raises(QgsProcessingException, match="cannot be read completely"):
-        run_algorithm(CLASSIFY, {"INPUT": str(cut), "OUTPUT": str(tmp_path / "cover.gpkg")})
-    assert not (tmp_path / "cover.gpkg").exists()
+def test_layers_without_known_tags_or_polygons_and_cut_extracts_are_refused(run_algorithm, tmp_path):
+    cut = str(write_text(tmp_path / "cut.osm", EXTRACT[: EXTRACT.index('<way id="13"')]))
+    for layer, message in (
+        (layer_of("field=height:double", (3.5,)), "Its columns are: height"),
+        (cut, "cannot be read completely"),
+        (lines_of(ROAD), "“lines” has LineString geometry. Choose a polygon layer."),
+    ):
+        with pytest.raises(QgsProcessingException, match=message):
+            run_algorithm(CLASSIFY, {"INPUT": layer, "OUTPUT": str(tmp_path / "cover.gpkg")})
+        assert not (tmp_path / "cover.gpkg").exists()
 
 
 def test_the_layer_is_drawn_in_the_colors_that_classes_are_known_by(run_algorithm, tmp_path):
@@ -194,6 +191,7 @@ ROAD = STRAIGHT, {"highway": "primary"}
     ("lines", "rules", "message"),
     [
         (lambda: QgsVectorLayer("LineString?crs=EPSG:32632&field=length:double", "lines", "memory"), "", "columns are"),
+        (lambda: layer_of(*BUILDING), "", "“osm” has MultiPolygon geometry. Choose a layer of lines."),
         (lambda: lines_of(ROAD, crs=""), "", "need a coordinate reference system"),
         (
             lambda: lines_of(ROAD),
