@@ -29,7 +29,15 @@ from ..base.algorithm import ANNOTATION, Declared, SemRefAlgorithm, check_cancel
 from ..base.outputs import FeatureSink, Outputs
 from ..base.parameters import with_help
 from ..base.values import Values
-from ..compat import LINE_GEOMETRY, MULTI_POLYGON, POINT_GEOMETRY, POLYGON_GEOMETRY, SOURCE_LINE, SOURCE_POLYGON, is_null
+from ..compat import (
+    LINE_GEOMETRY,
+    MULTI_POLYGON,
+    POINT_GEOMETRY,
+    POLYGON_GEOMETRY,
+    SOURCE_LINE,
+    SOURCE_POLYGON,
+    is_null,
+)
 from ..translation import tr
 
 if TYPE_CHECKING:
