@@ -7312,6 +7312,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>„{image}“ hat keine oder eine gedrehte Georeferenz, deshalb lassen sich weder Ausdehnung noch Maske anwenden. Lassen Sie beide leer.</translation>
   </message>
   <message>
+   <source>“{image}” has no georeference, so an extent, a resolution and a mask cannot be applied. Leave them empty.</source>
+   <translation>„{image}“ hat keine Georeferenz, deshalb lassen sich Ausdehnung, Auflösung und Maske nicht anwenden. Lassen Sie sie leer.</translation>
+  </message>
+  <message>
    <source>“{key}” contains no polygon. Leave it empty to compare the whole map.</source>
    <translation>„{key}“ enthält kein Polygon. Lassen Sie es leer, um die ganze Karte zu vergleichen.</translation>
   </message>

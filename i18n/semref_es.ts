@@ -7312,6 +7312,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>“{image}” no tiene georreferencia o está girada, por lo que no se puede aplicar la extensión ni la máscara. Deje ambas vacías.</translation>
   </message>
   <message>
+   <source>“{image}” has no georeference, so an extent, a resolution and a mask cannot be applied. Leave them empty.</source>
+   <translation>“{image}” no tiene georreferencia, por lo que no se pueden aplicar extensión, resolución ni máscara. Déjelas vacías.</translation>
+  </message>
+  <message>
    <source>“{key}” contains no polygon. Leave it empty to compare the whole map.</source>
    <translation>“{key}” no contiene ningún polígono. Déjelo vacío para comparar todo el mapa.</translation>
   </message>

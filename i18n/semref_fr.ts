@@ -7312,6 +7312,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>« {image} » n’a pas de géoréférencement, ou en a un avec rotation ; ni l’emprise ni le masque ne peuvent donc être appliqués. Laissez les deux vides.</translation>
   </message>
   <message>
+   <source>“{image}” has no georeference, so an extent, a resolution and a mask cannot be applied. Leave them empty.</source>
+   <translation>« {image} » n’a pas de géoréférencement ; une emprise, une résolution et un masque ne peuvent donc pas être appliqués. Laissez-les vides.</translation>
+  </message>
+  <message>
    <source>“{key}” contains no polygon. Leave it empty to compare the whole map.</source>
    <translation>« {key} » ne contient aucun polygone. Laissez-le vide pour comparer toute la carte.</translation>
   </message>

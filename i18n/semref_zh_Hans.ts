@@ -7312,6 +7312,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>“{image}”没有地理参考，或其地理参考有旋转，因此无法应用范围和掩膜。请将两者留空。</translation>
   </message>
   <message>
+   <source>“{image}” has no georeference, so an extent, a resolution and a mask cannot be applied. Leave them empty.</source>
+   <translation>“{image}”没有地理参考，因此无法应用范围、分辨率和掩膜。请将它们留空。</translation>
+  </message>
+  <message>
    <source>“{key}” contains no polygon. Leave it empty to compare the whole map.</source>
    <translation>“{key}”不含多边形。留空则比较整幅地图。</translation>
   </message>

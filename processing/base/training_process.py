@@ -110,10 +110,12 @@ def _show(event: dict, feedback: QgsProcessingFeedback) -> None:
         text = tr("Epoch {epoch}, loss {loss:.3f}")
         feedback.setProgressText(text.format(epoch=event["epoch"], loss=event["loss"]))
     elif kind == "epoch":
-        text = tr("Epoch {epoch}: loss {loss:.3f}, mean IoU {iou:.1%} ({classes})")
         classes = ((key[4:], value) for key, value in event.items() if key.startswith("iou_"))
         shown = ", ".join(f"{name} {100 * value:.0f} %" for name, value in classes if isinstance(value, float))
         known = {"epoch": event["epoch"], "loss": event["training_loss"], "iou": event["mean_iou"]}
+        text = tr("Epoch {epoch}: loss {loss:.3f}, mean IoU {iou:.1%} ({classes})")
+        if not shown:
+            text = tr("Epoch {epoch}, loss {loss:.3f}")
         feedback.pushInfo(text.format(classes=shown, **known))
     elif kind == "exporting":
         feedback.setProgressText(tr("Writing and checking the model"))

@@ -119,6 +119,12 @@ class TrainingGround:
         if self.drawn is not None:
             # Otherwise an image without georeference does not overlap them, for no reason that the user sees.
             frame_of(self.layer.file)
+        if (self.pixel_size or self._parts()) and not is_placed(self.layer.file):
+            raise ParameterError(
+                "“{image}” has no georeference, so an extent, a resolution and a mask cannot be applied. Leave them "
+                "empty.",
+                image=self.name,
+            )
         crs = self.crs
         changed = wkt_for_gdal(crs) if crs != self.layer.crs else ""
         return prepare_image(self.layer.file, WantedGround(changed, self.pixel_size, self._bounds(crs)), folder)
@@ -127,8 +133,6 @@ class TrainingGround:
         """Return the mask of the training area on the prepared image; None for all. Raises ParameterError."""
         if self.area is None:
             return None
-        if not is_placed(image):
-            raise ParameterError("The image has no georeference, so the mask cannot be applied. Leave “Mask” empty.")
         frame = frame_of(image)
         return area_mask(self.area, self.crs, frame.geotransform, frame.shape_hw, self.context)
 
