@@ -11,7 +11,7 @@ import numpy as np
 
 from ..geometry.error_settings import ErrorSettings
 from .class_pyramid import EvidenceLevel, MapPyramid
-from .refine import SCALE, ScoredPose, block_sums, fit_at, parameter_units
+from .refine import SCALE, ScoredPose, block_sums, damped_inverse, fit_at, parameter_units
 
 
 def leaning_covariance(
@@ -28,7 +28,7 @@ def leaning_covariance(
     fit = fit_at(image, pyramid, pose, pyramid.quiet)
     if fit is None:
         return np.full((4, 4), np.inf)
-    pull, inverse = fit
+    pull, inverse = fit[0], damped_inverse(fit[1])
     height, width = image.known.shape
     growing = block_sums(pull.slopes * pull.slopes[SCALE], (height, width), pyramid.settings.blocks)
     down, across = growing.shape[1:]

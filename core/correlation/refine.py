@@ -159,10 +159,10 @@ def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose,
     fit = fit_at(image, pyramid, pose, quiet)
     if fit is None:
         return np.full((4, 4), np.inf)
-    (pull, _), units = fit, parameter_units(image)
+    (pull, normal), units = fit, parameter_units(image)
     height, width = image.known.shape
     noise = slopes_of(image, pull.residual.reshape(height, -1)).reshape(4, -1)
-    inverse = inverse_without_noise(_normal(pull.slopes), _normal(noise))
+    inverse = inverse_without_noise(normal, _normal(noise))
     pulls = clustered_covariance(pull.slopes * pull.residual, (height, width), pyramid.settings.blocks)
     return inverse @ pulls @ inverse * np.outer(units, units)
 
@@ -276,13 +276,14 @@ def gradients(planes: np.ndarray, channels: int) -> np.ndarray:
 
 
 def fit_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> tuple[Pull, np.ndarray] | None:
-    """Return a pose's gradient and the (4, 4) inverse of its normal equations; None if the pose is undetermined."""
+    """Return a pose's gradient and its (4, 4) normal equations; None if the pose is undetermined."""
     fit = _compare(image, pyramid, pose, quiet)
     if fit.gain <= 0:
         return None
     pull = _pull(image, fit)
-    strengths = np.linalg.eigvalsh(_normal(pull.slopes))
-    return None if strengths[0] <= DAMPING * strengths.sum() else (pull, _inverse(pull))
+    normal = _normal(pull.slopes)
+    strengths = np.linalg.eigvalsh(normal)
+    return None if strengths[0] <= DAMPING * strengths.sum() else (pull, normal)
 
 
 def _normal(slopes: np.ndarray) -> np.ndarray:
@@ -291,9 +292,8 @@ def _normal(slopes: np.ndarray) -> np.ndarray:
     return cv2.mulTransposed(slopes, False, dtype=cv2.CV_64F)
 
 
-def _inverse(pull: Pull) -> np.ndarray:
-    """Return the (4, 4) inverse of the normal equations, slightly damped."""
-    normal = _normal(pull.slopes)
+def damped_inverse(normal: np.ndarray) -> np.ndarray:
+    """Return the (4, 4) inverse of normal equations, slightly damped."""
     damped = DAMPING * max(float(np.trace(normal)), 1e-30)
     return cv2.invert(normal + damped * np.eye(4), flags=cv2.DECOMP_CHOLESKY)[1]
 
@@ -302,7 +302,7 @@ def _move(pull: Pull, image: EvidenceLevel) -> np.ndarray:
     """Return the (4,) Gauss–Newton step: x, y in image pixels, radians, ln scale."""
     descent = np.einsum("ik,k->i", pull.slopes, pull.residual).astype(np.float64)
     limit = np.array(LARGEST_STEP) * np.array([*image.pixel, 1, 1])
-    return np.clip(-(_inverse(pull) @ descent) * parameter_units(image), -limit, limit)
+    return np.clip(-(damped_inverse(_normal(pull.slopes)) @ descent) * parameter_units(image), -limit, limit)
 
 
 def clustered_covariance(pulls: np.ndarray, shape_hw: tuple[int, int], blocks: int) -> np.ndarray:
