@@ -105,7 +105,7 @@ def test_every_style_is_of_a_layer(qgis_app):
 
 
 @pytest.mark.parametrize("style", LAYERS)
-def test_every_column_has_its_title_and_map_tips_and_labels_no_error(qgis_app, style):
+def test_every_column_has_its_title_and_description_and_map_tips_and_labels_no_error(qgis_app, style, repository):
     layer = styled(style)
     parts = [part.partition("%]")[0] for part in layer.mapTipTemplate().split("[%")[1:]]
     assert parts or style == "windows"
@@ -114,6 +114,8 @@ def test_every_column_has_its_title_and_map_tips_and_labels_no_error(qgis_app, s
         assert not parsed.hasParserError(), (part, parsed.parserErrorString())
     titles = {field.name(): layer.attributeAlias(n) for n, field in enumerate(layer.fields())}
     assert [name for name, title in titles.items() if not title] == [], "add their titles to columns.qml"
+    page = (repository / "docs" / "reference" / "file_formats.md").read_text(encoding="utf-8")
+    assert [name for name in titles if f"`{name}`" not in page] == [], "add these columns to the page"
     assert len(set(titles.values())) == len(titles)
 
 
@@ -139,10 +141,8 @@ def test_translations_have_the_texts_of_styles(qgis_app, monkeypatch, repository
 def test_the_map_tip_shows_status_radius_and_error_probability(positions):
     values = {"image": "/photos/a & b.jpg", "status": "fix", "method": "constellation", "error_95": 2.34}
     tip = tip_of(positions, **values, confidence=1 - 1 / 1234)
-    assert "<b>a &amp; b.jpg</b>" in tip
-    assert "<b>Position</b>" in tip and "<b>Constellation</b>" in tip
-    assert "2.3\u00a0m" in tip
-    assert "<b>1 in 1,200</b>" in tip
+    assert all(f"<b>{text}</b>" in tip for text in ("a &amp; b.jpg", "Position", "Constellation"))
+    assert "2.3\u00a0m" in tip and "<b>1 in 1,200</b>" in tip
     # The heading is unknown, so its line is left out.
     assert "Heading" not in tip
 
