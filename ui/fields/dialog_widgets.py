@@ -54,7 +54,7 @@ class _Widget(QgsAbstractProcessingParameterWidgetWrapper):
         box.setToolTip(self.parameterDefinition().toolTip())
         # QGIS owns the box, but the Python object must live as long, because the destructor uses it: this connection
         # keeps it.
-        box.destroyed.connect(lambda *_, half=box: None)
+        box.destroyed.connect(lambda half=box: None)
         return box
 
     def _report(self, *_value) -> None:
