@@ -5220,6 +5220,10 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Ihre Farben werden als Klassenfarben gelesen.</translation>
   </message>
   <message>
+   <source>There are no classes. Choose a label map with labeled pixels, or a class table.</source>
+   <translation>Es gibt keine Klassen. Wählen Sie eine Klassenkarte, in der Pixel eine Klasse haben, oder eine Klassentabelle.</translation>
+  </message>
+  <message>
    <source>There are no errors. Continue with “Rasterize land-cover layer”, then “Build reference database”.</source>
    <translation>Es gibt keine Fehler. Weiter geht es mit „Landbedeckungslayer rastern“, dann „Referenzdatenbank erstellen“.</translation>
   </message>

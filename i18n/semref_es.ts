@@ -5220,6 +5220,10 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>Sus colores se leen como colores de clase.</translation>
   </message>
   <message>
+   <source>There are no classes. Choose a label map with labeled pixels, or a class table.</source>
+   <translation>No hay clases. Elija un mapa de etiquetas que tenga píxeles con etiqueta o una tabla de clases.</translation>
+  </message>
+  <message>
    <source>There are no errors. Continue with “Rasterize land-cover layer”, then “Build reference database”.</source>
    <translation>No hay errores. Continúe con “Rasterizar capa de cobertura del suelo” y después con “Crear base de datos de referencia”.</translation>
   </message>

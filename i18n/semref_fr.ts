@@ -5220,6 +5220,10 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>Leurs couleurs sont lues comme des couleurs de classe.</translation>
   </message>
   <message>
+   <source>There are no classes. Choose a label map with labeled pixels, or a class table.</source>
+   <translation>Il n’y a pas de classes. Choisissez une carte d’étiquettes avec des pixels étiquetés, ou une table de classes.</translation>
+  </message>
+  <message>
    <source>There are no errors. Continue with “Rasterize land-cover layer”, then “Build reference database”.</source>
    <translation>Il n’y a aucune erreur. Continuez avec « Rastériser une couche d’occupation du sol », puis « Créer une base de données de référence ».</translation>
   </message>

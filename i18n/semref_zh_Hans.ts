@@ -5220,6 +5220,10 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>其颜色会作为类别颜色读取。</translation>
   </message>
   <message>
+   <source>There are no classes. Choose a label map with labeled pixels, or a class table.</source>
+   <translation>没有类别。请选择有带标签像元的标签图，或选择类别表。</translation>
+  </message>
+  <message>
    <source>There are no errors. Continue with “Rasterize land-cover layer”, then “Build reference database”.</source>
    <translation>没有错误。请继续“栅格化土地覆盖图层”，然后“构建参考数据库”。</translation>
   </message>

@@ -231,6 +231,8 @@ class ClassTable:
 
     def require_references(self) -> ClassTable:
         """Return the table itself. Raises ClassTableError: it has no reference class."""
+        if not self.classes:
+            raise ClassTableError("There are no classes. Choose a label map with labeled pixels, or a class table.")
         if not self.references:
             raise ClassTableError(
                 "No class is a reference class. Choose at least one of {classes}, or give it the role “reference” in "

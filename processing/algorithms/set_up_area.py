@@ -185,7 +185,6 @@ class SetUpArea(SemRefAlgorithm):
         from ..layers.rendering import drawable, needs_drawing
         from ..layers.training_ground import require_common_ground
 
-        self.check(values)
         polygons = self._layer(values, self.ANNOTATION, POLYGONS_OF_OSM)
         self._map = AreaMap(polygons, values.raw(self.ANNOTATION), values.text(self.CLASS_FIELD))
         if values.has(self.LINES):

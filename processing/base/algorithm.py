@@ -193,6 +193,8 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
             values = Values(self, parameters, context)
             values.require_texts()
             require_outputs_apart(self, parameters, context, self.MAY_REPLACE)
+            # QGIS's batches and models do not call checkParameterValues.
+            self.check(values)
             self.read_layers(values)
             self._note = note_of_run(self, parameters, context, plugin_version())
         except SemRefError as error:

@@ -177,8 +177,7 @@ def test_names_that_differ_only_in_case_are_distinguished():
 )
 def test_exactly_the_named_classes_become_references(chosen, values):
     table = TABLE.with_references(chosen)
-    assert table.reference_values == values
-    assert [c.name for c in table] == [c.name for c in TABLE]
+    assert table.reference_values == values and [c.name for c in table] == [c.name for c in TABLE]
 
 
 def test_unknown_references_value_zero_and_a_table_without_references_are_refused():
@@ -188,11 +187,12 @@ def test_unknown_references_value_zero_and_a_table_without_references_are_refuse
     with refuses("Class “other” has the value 0, which means unlabeled; it can't be a reference class."):
         table.with_references(["other"])
     assert TABLE.require_references() is TABLE
-    with refuses(
-        "No class is a reference class. Choose at least one of 1 building, 3 bare, dry “land”, "
-        "7 water, or give it the role “reference” in the class table."
-    ):
+    classes = "1 building, 3 bare, dry “land”, 7 water"
+    advice = f"Choose at least one of {classes}, or give it the role “reference” in the class table."
+    with refuses(f"No class is a reference class. {advice}"):
         TABLE.with_references([]).require_references()
+    with refuses("There are no classes. Choose a label map with labeled pixels, or a class table."):
+        ClassTable(()).require_references()
 
 
 def test_long_tables_are_described_in_short():
