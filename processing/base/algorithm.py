@@ -25,8 +25,7 @@ from qgis.core import (
 )
 from qgis.PyQt.QtGui import QIcon
 
-from ...core.errors import SemRefError
-from ...core.sentences import legible
+from ...core.errors import ParameterError, SemRefError
 from ...core.steps import Steps, advance
 from ..layers.layer_metadata import Note, note_of_run
 from ..messages.sentences import worded
@@ -163,23 +162,8 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         return True, ""
 
     def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
-        values = Values(self, parameters, context)
         try:
-            require(self.PACKAGES)
-            values.require_texts()
-            # Before QGIS opens the layers to check them.
-            for definition in self.parameterDefinitions():
-                if definition.type() == "raster":
-                    values.require_pictures(definition.name())
-            possible, reason = super().checkParameterValues(parameters, context)
-            if not possible:
-                # QGIS repeats values unchanged.
-                return False, legible(reason)
-            for definition in self.parameterDefinitions():
-                if values.has(definition.name()):
-                    _READ.get(definition.type(), lambda *_: None)(values, definition.name())
-            require_outputs_apart(self, parameters, context, self.MAY_REPLACE)
-            self.check(values)
+            self._checked(parameters, context)
         except SemRefError as error:
             return False, worded(error)
         return True, ""
@@ -189,18 +173,32 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
     ) -> bool:
         self._refusal = None
         try:
-            require(self.PACKAGES)
-            values = Values(self, parameters, context)
-            values.require_texts()
-            require_outputs_apart(self, parameters, context, self.MAY_REPLACE)
             # QGIS's batches and models do not call checkParameterValues.
-            self.check(values)
-            self.read_layers(values)
+            self.read_layers(self._checked(parameters, context))
             self._note = note_of_run(self, parameters, context, plugin_version())
         except SemRefError as error:
             # Raised by processAlgorithm: QGIS does not pass errors of prepareAlgorithm to Python callers.
             self._refusal = error
         return True
+
+    def _checked(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Values:
+        """Return the values of a run. Raises SemRefError for values that cannot be used."""
+        values = Values(self, parameters, context)
+        require(self.PACKAGES)
+        values.require_texts()
+        # Before QGIS opens the layers to check them.
+        for definition in self.parameterDefinitions():
+            if definition.type() == "raster":
+                values.require_pictures(definition.name())
+        possible, reason = super().checkParameterValues(parameters, context)
+        if not possible:
+            raise ParameterError("{reason}", reason=reason)
+        for definition in self.parameterDefinitions():
+            if values.has(definition.name()):
+                _READ.get(definition.type(), lambda *_: None)(values, definition.name())
+        require_outputs_apart(self, parameters, context, self.MAY_REPLACE)
+        self.check(values)
+        return values
 
     def processAlgorithm(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
