@@ -7332,6 +7332,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>„{key}“ ist {number}; das ist keine Zahl. Geben Sie eine Zahl ein.</translation>
   </message>
   <message>
+   <source>“{key}” is {text}, which is not a known CRS. Enter a code such as EPSG:25832.</source>
+   <translation>„{key}“ ist {text}; das ist kein bekanntes KBS. Geben Sie einen Code wie EPSG:25832 ein.</translation>
+  </message>
+  <message>
    <source>“{key}” is “{text}”, which contains a null character. Remove this character.</source>
    <translation>„{key}“ ist „{text}“ und enthält ein Nullzeichen. Entfernen Sie dieses Zeichen.</translation>
   </message>

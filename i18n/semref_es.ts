@@ -7332,6 +7332,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>“{key}” es {number}, que no es un número. Indique un número.</translation>
   </message>
   <message>
+   <source>“{key}” is {text}, which is not a known CRS. Enter a code such as EPSG:25832.</source>
+   <translation>“{key}” es {text}, que no es un SRC conocido. Indique un código como EPSG:25832.</translation>
+  </message>
+  <message>
    <source>“{key}” is “{text}”, which contains a null character. Remove this character.</source>
    <translation>“{key}” es “{text}”, que contiene un carácter nulo. Elimine ese carácter.</translation>
   </message>

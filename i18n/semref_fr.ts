@@ -7332,6 +7332,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>« {key} » est {number}, qui n’est pas un nombre. Entrez un nombre.</translation>
   </message>
   <message>
+   <source>“{key}” is {text}, which is not a known CRS. Enter a code such as EPSG:25832.</source>
+   <translation>« {key} » est {text}, qui n’est pas un SCR connu. Entrez un code tel que EPSG:25832.</translation>
+  </message>
+  <message>
    <source>“{key}” is “{text}”, which contains a null character. Remove this character.</source>
    <translation>« {key} » est « {text} », qui contient un caractère nul. Supprimez ce caractère.</translation>
   </message>

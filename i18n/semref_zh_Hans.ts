@@ -7332,6 +7332,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>“{key}”为 {number}，不是数字。请输入数字。</translation>
   </message>
   <message>
+   <source>“{key}” is {text}, which is not a known CRS. Enter a code such as EPSG:25832.</source>
+   <translation>“{key}”为 {text}，这不是已知的坐标参照系。请输入代码，例如 EPSG:25832。</translation>
+  </message>
+  <message>
    <source>“{key}” is “{text}”, which contains a null character. Remove this character.</source>
    <translation>“{key}”为“{text}”，其中含有空字符 (NUL)。请删除该字符。</translation>
   </message>

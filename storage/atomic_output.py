@@ -111,14 +111,7 @@ class Batch:
         Raises:
             ParameterError: The folder is missing or read-only, or ``target`` may not be replaced.
         """
-        final = Path(target)
-        if not final.parent.is_dir():
-            raise ParameterError(
-                "The folder {folder} does not exist; create it or choose another place for {name}.",
-                folder=final.parent,
-                name=final.name,
-            )
-        return str(self._stage(final, lambda: require_replaceable(target, suffix, tables)).made)
+        return str(self._stage(Path(target), lambda: require_replaceable(target, suffix, tables)).made)
 
     def folder(self, target: str, replaces: bool = False) -> str:
         """Return a new folder to fill.

@@ -87,8 +87,8 @@ def require_replaceable(path: str, suffix: str = "", tables: Collection[str] | N
             keeps all layers.
 
     Raises:
-        ParameterError: The target is a folder, not a regular file, another kind of file, or has other layers; or the
-            target is free and parts of another file have its name.
+        ParameterError: The target is a folder, not a regular file, another kind of file, or has other layers; or its
+            folder is missing; or the target is free and parts of another file have its name.
     """
     final = Path(path)
     try:
@@ -102,6 +102,12 @@ def require_replaceable(path: str, suffix: str = "", tables: Collection[str] | N
         with final.open("rb") as file:
             head = file.read(256)
     except (FileNotFoundError, NotADirectoryError):
+        if not final.parent.is_dir():
+            raise ParameterError(
+                "The folder {folder} does not exist; create it or choose another place for {name}.",
+                folder=final.parent,
+                name=final.name,
+            ) from None
         # Free, or a broken link, which is replaced.
         _require_no_orphans(final)
         return

@@ -89,6 +89,7 @@ class RasterizeAnnotation(AnnotationAlgorithm):
 
     def check(self, values: Values) -> None:
         super().check(values)
+        values.crs(self.TARGET_CRS)
         require_scheduler(values)
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, float]:

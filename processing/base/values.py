@@ -159,8 +159,15 @@ class Values:
         return self._read("Extent", key), self._read("ExtentCrs", key)
 
     def crs(self, key: str) -> QgsCoordinateReferenceSystem:
-        """Return a CRS; an invalid one if it is not set."""
-        return self._read("Crs", key)
+        """Return a CRS; an invalid one if it is not set. Raises ParameterError for an unknown one."""
+        crs = self._read("Crs", key)
+        if isinstance(self.raw(key), str) and self.has(key) and not crs.isValid():
+            raise ParameterError(
+                "“{key}” is {text}, which is not a known CRS. Enter a code such as EPSG:25832.",
+                key=self.title(key),
+                text=self.raw(key),
+            )
+        return crs
 
     # --- files ---
 

@@ -140,9 +140,9 @@ def test_a_text_with_a_character_0_is_refused(run_algorithm, tmp_path, given):
 IMAGES = {"DATABASE": "a.gpkg", "IMAGES": ["a.png"], "OUTPUT": "memory:"}
 
 
-def test_a_list_of_images_with_a_character_0_is_refused(check):
-    possible, reason = check("localizeimages", **{**IMAGES, "IMAGES": ["a.png", "b\0.png"]})
-    assert not possible and reason.startswith("“Images” is “b\\x00.png”")
+def test_images_with_a_character_0_and_an_output_in_no_folder_are_refused_before_work(check):
+    for odd in ("IMAGES", ["b\0.png"], "“Images” is “b\\x00.png”"), ("OUTPUT", "none/a.gpkg", "The folder none"):
+        assert check("localizeimages", **{**IMAGES, odd[0]: odd[1]})[1].startswith(odd[2])
 
 
 @pytest.mark.parametrize("text", ["/folder/area.gpkg", "1,5", "x", "0x10", "1_000"])

@@ -26,8 +26,8 @@ def test_the_good_inputs_are_good(run_algorithm, defaults):
         ({"CLASS_FIELD": "klass"}, ["“klass”", "class, zorder"]),
         ({"PRIORITY_FIELD": "class"}, ["“class”", "numeric"]),
         ({"INPUT": "/nowhere/annotation.shp"}, ["INPUT"]),
-        ({"TARGET_CRS": "EPSG:4326"}, ["EPSG:4326", "meters"]),
-        ({"TARGET_CRS": "EPSG:2263"}, ["EPSG:2263", "meters"]),
+        *(({"TARGET_CRS": f"EPSG:{crs}"}, [f"EPSG:{crs}", "meters"]) for crs in (4326, 2263)),
+        ({"TARGET_CRS": "EPSG:99999"}, ["“Target CRS” is EPSG:99999", "not a known CRS"]),
     ],
 )
 def test_a_parameter_that_does_not_fit_the_layer_is_named(refused, parameters, words):
