@@ -34,7 +34,7 @@ from ...core.tables import stem_of
 from ...storage.photo_position import photo_lon_lat
 from ...storage.rasters import image_files, open_raster
 from ..compat import LINE_GEOMETRY, is_null
-from ..layers.annotation import field_index, require_polygons
+from ..layers.annotation import field_index, request_of, require_polygons
 from ..layers.guess_fields import BUILDING, class_field_of, has_osm_tags, priority_field_of
 from ..layers.layer_inputs import stated_pixel_size_m
 from ..layers.line_areas import LineAreas
@@ -122,13 +122,10 @@ def _tags_of(feature: QgsFeature) -> dict[str, str]:
 
 def _private_copy(layer: QgsVectorLayer, definition: object) -> QgsVectorLayer:
     """Return a layer that nobody edits or removes; features of layers in memory or in editing are copied."""
-    is_part = isinstance(definition, QgsProcessingFeatureSourceDefinition) and definition.selectedFeaturesOnly
+    is_part = isinstance(definition, QgsProcessingFeatureSourceDefinition)
     if not is_part and layer.providerType() != "memory" and not layer.isEditable():
         return layer.clone()
-    request = QgsFeatureRequest()
-    if is_part:
-        request.setFilterFids(layer.selectedFeatureIds())
-    copy = layer.materialize(request)
+    copy = layer.materialize(request_of(layer, definition))
     copy.setRenderer(layer.renderer().clone())
     return copy
 

@@ -129,15 +129,11 @@ def annotation_source(
             "The priority field “{priority_field}” is not numeric. Choose a numeric field.",
             priority_field=priority_field,
         )
-    request = QgsFeatureRequest()
+    request = request_of(layer, definition)
     request.setSubsetOfAttributes([i for i in (class_index, priority_index) if i >= 0])
     count, extent = layer.featureCount(), _extent(layer)
-    if isinstance(definition, QgsProcessingFeatureSourceDefinition):
-        if definition.selectedFeaturesOnly:
-            request.setFilterFids(layer.selectedFeatureIds())
-            count, extent = layer.selectedFeatureCount(), layer.boundingBoxOfSelected()
-        if getattr(definition, "filterExpression", ""):
-            request.setFilterExpression(definition.filterExpression)
+    if isinstance(definition, QgsProcessingFeatureSourceDefinition) and definition.selectedFeaturesOnly:
+        count, extent = layer.selectedFeatureCount(), layer.boundingBoxOfSelected()
     styled, unstyled_allowed = ((), False) if class_of_all else _styled_classes(layer, class_field)
     return AnnotationSource(
         layer.name(),
@@ -153,6 +149,22 @@ def annotation_source(
         unstyled_allowed,
         class_of_all,
     )
+
+
+def request_of(layer: QgsVectorLayer, definition: object) -> QgsFeatureRequest:
+    """Return a request for the selected or filtered features of a parameter's value, up to its limit."""
+    request = QgsFeatureRequest()
+    if isinstance(definition, QgsProcessingFeatureSourceDefinition):
+        # From QGIS 3.32 on.
+        expression = getattr(definition, "filterExpression", "")
+        if expression:
+            request.setFilterExpression(expression)
+        if definition.selectedFeaturesOnly:
+            # A request has one filter.
+            passing = {feature.id() for feature in layer.getFeatures(request)} if expression else None
+            request.setFilterFids([one for one in layer.selectedFeatureIds() if passing is None or one in passing])
+        request.setLimit(definition.featureLimit)
+    return request
 
 
 def _extent(layer: QgsVectorLayer) -> QgsRectangle:

@@ -4,6 +4,7 @@ from made_inputs import NAMES, NORTH, WEST, polygon, read_pixels, rectangle, rin
 from osgeo import gdal, ogr
 from qgis.core import QgsProcessingFeatureSourceDefinition, QgsRasterLayer, QgsVectorLayer
 
+from semref.processing.layers.annotation import request_of
 from semref.storage import rasterize
 
 
@@ -60,8 +61,7 @@ def test_the_higher_priority_is_on_top_and_ties_keep_feature_order(labels, tmp_p
 
 
 def test_holes_stay_unlabeled_and_overlapping_parts_of_one_multipolygon_are_one_area(labels, tmp_path, feedback):
-    outer = [(0, 0), (10, 0), (10, 10), (0, 10)]
-    inner = [(3, 3), (6, 3), (6, 6), (3, 6)]
+    outer, inner = [(0, 0), (10, 0), (10, 10), (0, 10)], [(3, 3), (6, 3), (6, 6), (3, 6)]
     shapes = [(f"POLYGON ({ring(outer)}, {ring(inner)})", "field"), (square(10, 0, 10), "water")]
     made = labels(write_layer(tmp_path / "a.gpkg", shapes))
     assert (made == 0).sum() == 9 and (made[3:6, 3:6] == 0).all()
@@ -97,8 +97,7 @@ def test_heights_are_left_out_and_counted(labels, tmp_path, feedback):
     layer = write_layer(tmp_path / "a.gpkg", [(flat, "a"), (solid, "b")])
     assert ogr.CreateGeometryFromWkt(solid).Is3D()
     made = labels(layer)
-    assert (made[2:6, 2:6] == 2).all()
-    assert (made == 2).sum() == 16
+    assert (made[2:6, 2:6] == 2).all() and (made == 2).sum() == 16
     assert "Heights (Z) left out: 1 feature." in feedback.textLog()
 
 
@@ -120,16 +119,14 @@ def test_the_grid_is_aligned_to_multiples_of_the_pixel_size(rasterize, tmp_path)
 def test_an_extent_in_another_crs_is_brought_to_the_maps(rasterize, tmp_path):
     layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4000), "field")])
     raster = gdal.Open(rasterize(layer, EXTENT="9.67,9.68,47.11,47.12 [EPSG:4326]", PIXEL_SIZE=10)["OUTPUT"])
-    assert 70 < raster.RasterXSize < 90
-    assert 105 < raster.RasterYSize < 125
+    assert 70 < raster.RasterXSize < 90 and 105 < raster.RasterYSize < 125
 
 
 def test_an_extent_around_or_beside_the_polygons_is_unlabeled_there_with_a_warning(rasterize, tmp_path, feedback):
     layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 10), "field")])
     results = rasterize(layer, EXTENT=f"{WEST - 10},{WEST + 10},{NORTH - 10},{NORTH} [EPSG:32632]")
     made = read_pixels(results["OUTPUT"])
-    assert results["LABELED_FRACTION"] == 0.5
-    assert (made[:, :10] == 0).all() and (made[:, 10:] == 1).all()
+    assert results["LABELED_FRACTION"] == 0.5 and (made[:, :10] == 0).all() and (made[:, 10:] == 1).all()
     results = rasterize(layer, EXTENT=f"{WEST + 100},{WEST + 110},{NORTH - 10},{NORTH} [EPSG:32632]")
     assert results["LABELED_FRACTION"] == 0 and "no polygon is in the extent" in feedback.textLog()
 
@@ -162,13 +159,16 @@ def test_a_crs_in_feet_becomes_meters_with_a_note(rasterize, tmp_path, feedback)
     assert "EPSG:2263" in feedback.textLog()
 
 
-def test_selected_features_and_what_is_being_edited_are_burnt_as_the_canvas_shows_them(labels, tmp_path, project):
+def test_selected_and_filtered_features_up_to_a_limit_and_edits_are_burnt(labels, tmp_path, project):
     path = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "field"), (square(4, 0, 4), "water")])
     layer = QgsVectorLayer(str(path), "annotation", "ogr")
     project.addMapLayer(layer)
+    assert labels(QgsProcessingFeatureSourceDefinition(layer.id(), False, 1)).shape == (4, 4)
     layer.selectByExpression("class = 'water'")
-    made = labels(QgsProcessingFeatureSourceDefinition(layer.id(), selectedFeaturesOnly=True))
-    assert made.shape == (4, 4) and (made == 1).all()
+    selected = QgsProcessingFeatureSourceDefinition(layer.id(), selectedFeaturesOnly=True)
+    assert labels(selected).tolist() == [[1] * 4] * 4
+    selected.filterExpression = "class = 'field'"
+    assert list(layer.getFeatures(request_of(layer, selected))) == []
     layer.startEditing()
     layer.deleteFeature(2)
     assert labels(layer).shape == (4, 4)
