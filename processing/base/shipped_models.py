@@ -7,6 +7,7 @@ from typing import Any
 
 from qgis.core import (
     QgsApplication,
+    QgsProcessingAlgorithm,
     QgsProcessingContext,
     QgsProcessingFeedback,
     QgsProcessingModelAlgorithm,
@@ -97,6 +98,10 @@ class ShippedModel(QgsProcessingModelAlgorithm):
             if details.name in names:
                 context.layerToLoadOnCompletionDetails(destination).name = tr(details.name)
         return super().postProcessAlgorithm(context, feedback)
+
+    def asPythonCommand(self, parameters: dict[str, Any], context: QgsProcessingContext) -> str:
+        # QGIS has no command, and no entry in the history, for a model without a file that it may overwrite.
+        return QgsProcessingAlgorithm.asPythonCommand(self, parameters, context)
 
     def displayName(self) -> str:
         return _titles()[self.name()]

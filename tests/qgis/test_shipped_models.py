@@ -34,6 +34,7 @@ def test_a_copy_has_title_group_and_help_of_the_model_and_every_parameter(create
     assert algorithm.displayName() != name and algorithm.shortDescription() == texts.pop("ALG_DESC")
     assert algorithm.group() == file.group() and algorithm.groupId() in ("annotation", "referencedatabase")
     assert algorithm.shortDescription() in algorithm.shortHelpString() and not algorithm.icon().isNull()
+    assert f"run(\"semref:{name}\"" in algorithm.asPythonCommand({}, QgsProcessingContext())
     assert texts and [text for text in texts.values() if text not in algorithm.shortHelpString()] == []
     definitions = {definition.name(): definition for definition in algorithm.parameterDefinitions()}
     assert set(texts) <= set(definitions)
@@ -94,8 +95,7 @@ def test_help_opens_pages_that_come_with_the_plugin(provider, tmp_path):
         (tmp_path / "help" / name).write_text("", encoding="utf-8")
     assert guide_url(root=tmp_path) == (tmp_path / "help" / "index.html").as_uri()
     assert guide_url("reference/networks.md", tmp_path) == (tmp_path / "help" / "reference" / "networks.html").as_uri()
-    own = (tmp_path / "help" / "algorithms" / "builddatabase.html").as_uri()
-    assert algorithm_help_url("builddatabase", tmp_path) == own
+    assert algorithm_help_url("builddatabase", tmp_path).endswith("/help/algorithms/builddatabase.html")
     for algorithm in provider.algorithms():
         assert algorithm.helpUrl() == algorithm_help_url(algorithm.name())
 
