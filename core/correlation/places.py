@@ -14,7 +14,7 @@ from ..localization import Prior
 from ..sentences import Sentence
 from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, evidence_of_shares, reduce_level
 from .decision import fisher_z
-from .refine import ScoredPose, pose_covariance, refine
+from .refine import LEAST_TRUSTED, ScoredPose, pose_covariance, refine
 from .refine_many import refine_many
 from .search import SearchSpace, search
 
@@ -302,8 +302,14 @@ def distinct(poses: list[ScoredPose], image: EvidenceLevel, share: float, count:
     return kept
 
 
-def finest_pose(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> tuple[ScoredPose, np.ndarray]:
-    """Return the pose refined at increasingly fine pixels, at most the overview's, and its covariance at the finest."""
+def finest_pose(
+    image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, least_trusted: float = LEAST_TRUSTED
+) -> tuple[ScoredPose, np.ndarray]:
+    """Return the pose refined at increasingly fine pixels, at most the overview's, and its covariance at the finest.
+
+    Args:
+        least_trusted: As for ``inverse_without_noise``.
+    """
     height, width = image.known.shape
     first, quiet = pyramid.settings.decision_edge, pyramid.quiet
     edge = first
@@ -315,5 +321,5 @@ def finest_pose(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> 
         if moved.score > 0:
             pose = replace(moved, score=pose.score)
         if edge * 2 > max(last * 1.2, first):
-            return pose, pose_covariance(level, pyramid, pose, quiet)
+            return pose, pose_covariance(level, pyramid, pose, quiet, least_trusted)
         edge *= 2

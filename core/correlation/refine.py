@@ -35,7 +35,7 @@ the place along a straight shore that crosses the image."""
 
 LEAST_TRUSTED = 0.1
 """Least share of the slopes' information, in each direction, that is not taken for noise, so that a covariance stays
-finite. With 0.05, flights weigh poor images worse; with 0.2, the radius of single images is too small."""
+finite. With 0.2, the radius of single images is too small; flights also measure poorer images and use less."""
 
 SCALE = 3
 """Number of the parameter of the pixel size."""
@@ -149,8 +149,13 @@ def score_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet:
     return _compare(image, pyramid, pose, quiet, LEAST_KNOWN).score
 
 
-def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> np.ndarray:
+def pose_covariance(
+    image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float, least_trusted: float = LEAST_TRUSTED
+) -> np.ndarray:
     """Return the covariance of a pose from the residuals of its fit and from the slopes that image and map share.
+
+    Args:
+        least_trusted: As for ``inverse_without_noise``.
 
     Returns:
         (4, 4) of x in image pixels right, y down, heading in radians and ln pixel size; infinite if the image does not
@@ -162,12 +167,14 @@ def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose,
     (pull, normal), units = fit, parameter_units(image)
     height, width = image.known.shape
     noise = slopes_of(image, pull.residual.reshape(height, -1)).reshape(4, -1)
-    inverse = inverse_without_noise(normal, _normal(noise))
+    inverse = inverse_without_noise(normal, _normal(noise), least_trusted)
     pulls = clustered_covariance(pull.slopes * pull.residual, (height, width), pyramid.settings.blocks)
     return inverse @ pulls @ inverse * np.outer(units, units)
 
 
-def inverse_without_noise(normal: np.ndarray, noise: np.ndarray) -> np.ndarray:
+def inverse_without_noise(
+    normal: np.ndarray, noise: np.ndarray, least_trusted: float = LEAST_TRUSTED
+) -> np.ndarray:
     """Return the inverse of normal equations without the noise of their slopes.
 
     With slopes m of the map and i of the image, the sum of (m + i)(m + i)ᵀ would grow with label errors, as if these
@@ -176,12 +183,13 @@ def inverse_without_noise(normal: np.ndarray, noise: np.ndarray) -> np.ndarray:
     Args:
         normal: (P, P) products of the slopes of map and image together.
         noise: (P, P) products of the slopes of their residual.
+        least_trusted: Least share of the information in each direction that is not taken for noise.
     """
     damped = normal + DAMPING * max(float(np.trace(normal)), 1e-30) * np.eye(len(normal))
     half = np.linalg.inv(np.linalg.cholesky(damped))
     shares, directions = np.linalg.eigh(half @ noise @ half.T)
     found = half.T @ directions
-    return found / np.maximum(1 - shares, LEAST_TRUSTED) @ found.T
+    return found / np.maximum(1 - shares, least_trusted) @ found.T
 
 
 @dataclass(frozen=True)

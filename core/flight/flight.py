@@ -41,6 +41,9 @@ AGREES = 1.5
 FIRST_DEVIATIONS = (0.25, 0.2, 0.1)
 """Standard deviations of a track's first image before any measurement: share of its edge, radians, ln pixel size."""
 
+LEAST_SHARED_M2 = 1e-4
+"""Least variance of the shared displacement, m²: without a measurement, a covariance would be singular."""
+
 
 def localize_flight(
     images: Sequence[FlightImage], links: Sequence[Link], localizer: Localizer, settings: FlightSettings = FLIGHT
@@ -181,7 +184,7 @@ class FlightSolver:
     ) -> tuple[list[Estimate], float]:
         """Return the smoothed estimate of each image of a track, and the variance of the shared displacement in m²."""
         settings = self.settings
-        shared_m2 = shared_variance([one for one in measured if one is not None], settings)
+        shared_m2 = max(shared_variance([one for one in measured if one is not None], settings), LEAST_SHARED_M2)
         start = looked[0].estimate
         if start is None:
             return [], shared_m2

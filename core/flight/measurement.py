@@ -107,7 +107,7 @@ def _measure_at(
     image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, errors: SharedErrors, settings: FlightSettings
 ) -> Measurement | None:
     """Return the measurement at a place; None if class areas do not determine the whole pose."""
-    pose, spread = finest_pose(reduce_image(image, FINEST_EDGE), pyramid, pose)
+    pose, spread = finest_pose(reduce_image(image, FINEST_EDGE), pyramid, pose, settings.least_trusted)
     score = score_at(reduce_image(image, pyramid.settings.decision_edge), pyramid, pose, pyramid.quiet)
     if score < settings.least_score or not np.isfinite(spread).all():
         return None

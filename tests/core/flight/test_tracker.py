@@ -6,6 +6,7 @@ from made_flights import FEW, FRAME, errors_m, fly, link_between, own_fix, with_
 from made_labels import patches
 
 from semref.core.errors import ParameterError
+from semref.core.flight import flight, tracker
 from semref.core.flight.evidence import SeenImage
 from semref.core.flight.flight import FlightSolver, localize_flight
 from semref.core.flight.memory import NOWHERE, Past
@@ -211,3 +212,11 @@ def test_a_wrong_fix_of_one_image_is_outvoted_and_marked(flown, localizer):
     assert [pose.is_outvoted for pose in poses] == [number == 4 for number in range(len(poses))]
     assert [pose.source is PoseSource.OWN for pose in poses] == [number != 4 for number in range(len(poses))]
     assert errors_m(poses, flown.views).max() < 8
+
+
+@pytest.mark.slow
+def test_a_track_without_any_measurement_is_predicted_but_no_fix(flown, localizer, monkeypatch):
+    for module in (flight, tracker):
+        monkeypatch.setattr(module, "measure_near", lambda *_: None)
+    poses = localize_flight(flown.images, flown.links, localizer, FEW)
+    assert {(pose.is_fix, pose.source) for pose in poses} == {(False, PoseSource.PREDICTED)}
