@@ -34,7 +34,7 @@ def test_a_copy_has_title_group_and_help_of_the_model_and_every_parameter(create
     assert algorithm.displayName() != name and algorithm.shortDescription() == texts.pop("ALG_DESC")
     assert algorithm.group() == file.group() and algorithm.groupId() in ("annotation", "referencedatabase")
     assert algorithm.shortDescription() in algorithm.shortHelpString() and not algorithm.icon().isNull()
-    assert f"run(\"semref:{name}\"" in algorithm.asPythonCommand({}, QgsProcessingContext())
+    assert f'run("semref:{name}"' in algorithm.asPythonCommand({}, QgsProcessingContext())
     assert texts and [text for text in texts.values() if text not in algorithm.shortHelpString()] == []
     definitions = {definition.name(): definition for definition in algorithm.parameterDefinitions()}
     assert set(texts) <= set(definitions)
