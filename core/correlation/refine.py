@@ -172,9 +172,7 @@ def pose_covariance(
     return inverse @ pulls @ inverse * np.outer(units, units)
 
 
-def inverse_without_noise(
-    normal: np.ndarray, noise: np.ndarray, least_trusted: float = LEAST_TRUSTED
-) -> np.ndarray:
+def inverse_without_noise(normal: np.ndarray, noise: np.ndarray, least_trusted: float = LEAST_TRUSTED) -> np.ndarray:
     """Return the inverse of normal equations without the noise of their slopes.
 
     With slopes m of the map and i of the image, the sum of (m + i)(m + i)ᵀ would grow with label errors, as if these
