@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import re
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor, wait
 from html import escape
@@ -192,13 +193,22 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
                 values.require_pictures(definition.name())
         possible, reason = super().checkParameterValues(parameters, context)
         if not possible:
-            raise ParameterError("{reason}", reason=reason)
+            raise ParameterError("{reason}", reason=self._with_title(reason))
         for definition in self.parameterDefinitions():
             if values.has(definition.name()):
                 _READ.get(definition.type(), lambda *_: None)(values, definition.name())
         require_outputs_apart(self, parameters, context, self.MAY_REPLACE)
         self.check(values)
         return values
+
+    def _with_title(self, reason: str) -> str:
+        """Return a reason of QGIS with the title of the parameter that it names by its key."""
+        for definition in self.parameterDefinitions():
+            key, title = rf"(?<!\S){definition.name()}(?=[:\s]|$)", f"“{definition.description()}”"
+            reason, count = re.subn(key, lambda _, title=title: title, reason, count=1)
+            if count:
+                break
+        return reason
 
     def processAlgorithm(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback

@@ -210,7 +210,7 @@ def test_closed_streams_are_no_fault(area, repository, closed):
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no such signal")
 def test_an_interrupt_while_the_command_is_loaded_shows_no_traceback(repository):
     program = (
-        "import os, signal, sys\n"
+        "import os, signal, sys; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
         "class Loading:\n"
         "    def find_spec(self, name, *_):\n"
         "        if name == 'cv2':\n"
