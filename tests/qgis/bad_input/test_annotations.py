@@ -25,7 +25,7 @@ def test_the_good_inputs_are_good(run_algorithm, defaults):
     [
         ({"CLASS_FIELD": "klass"}, ["“klass”", "class, zorder"]),
         ({"PRIORITY_FIELD": "class"}, ["“class”", "numeric"]),
-        ({"INPUT": "/nowhere/annotation.shp"}, ["INPUT"]),
+        ({"INPUT": "/nowhere/annotation.shp"}, ["“Land-cover layer”"]),
         *(({"TARGET_CRS": f"EPSG:{crs}"}, [f"EPSG:{crs}", "meters"]) for crs in (4326, 2263)),
         ({"TARGET_CRS": "EPSG:99999"}, ["“Target CRS” is EPSG:99999", "not a known CRS"]),
     ],
