@@ -35,7 +35,7 @@ the place along a straight shore that crosses the image."""
 
 LEAST_TRUSTED = 0.1
 """Least share of the slopes' information, in each direction, that is not taken for noise, so that a covariance stays
-finite. With 0.2, the radius of single images is too small; flights also measure poorer images and use less."""
+finite. With 0.2, the radius of single images is too small. Flights use a smaller share (``FlightSettings``)."""
 
 SCALE = 3
 """Number of the parameter of the pixel size."""
