@@ -21,6 +21,7 @@ from walking import settle, start
 
 ROUNDS = 5
 DROP_S = 3
+BATCH_S = 3
 PLUGIN = "semref"
 BOW_TIE = "POLYGON((0 0, 20 20, 20 0, 0 20, 0 0))"
 logged = []
@@ -115,6 +116,20 @@ def dropped(path: str) -> dict:
     return {"asked": asked, "layers": layers}
 
 
+def failed_batch() -> int:
+    """Runs a batch whose row fails; the number of tasks that are still active some seconds later."""
+    from processing.gui.BatchAlgorithmDialog import BatchAlgorithmDialog
+
+    dialog = BatchAlgorithmDialog(provider().algorithm("rasterizeannotation").create(), qgis.utils.iface.mainWindow())
+    row = {"INPUT": "missing.gpkg", "OUTPUT": "TEMPORARY_OUTPUT"}, True
+    dialog.mainWidget().batchRowCount = lambda: 1
+    dialog.mainWidget().parametersForRow = lambda *_, **__: row
+    dialog.runAlgorithm()
+    dialog.close()
+    settle(BATCH_S)
+    return QgsApplication.taskManager().countActiveTasks()
+
+
 def session() -> dict:
     QgsApplication.messageLog().messageReceived[str, str, "Qgis::MessageLevel"].connect(
         lambda text, tag, level: logged.append(text)
@@ -126,7 +141,8 @@ def session() -> dict:
     settle()
     database, other = os.environ["SEMREF_DATABASE"], os.environ["SEMREF_OTHER"]
     drops = {"database": dropped(database), "other": dropped(other)}
-    return {"logged": logged, "rounds": rounds, "stays": stays, "check": check_annotation(), "drops": drops}
+    seen = {"logged": logged, "rounds": rounds, "stays": stays, "check": check_annotation(), "drops": drops}
+    return {**seen, "tasks": failed_batch()}
 
 
 start(session)

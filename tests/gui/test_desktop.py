@@ -29,7 +29,8 @@ def test_a_database_that_is_dropped_on_qgis_comes_without_a_question_and_other_f
     assert asked.startswith("Select Items to Add")
 
 
-def test_no_python_error_is_logged_and_qgis_quits_cleanly_with_the_plugin_loaded(desktop):
+def test_no_python_error_is_logged_and_qgis_quits_cleanly_with_the_plugin_loaded_after_a_failed_batch(desktop):
+    assert desktop["tasks"] == 0
     assert desktop["messages"] == [] and [text for text in desktop["logged"] if "Traceback" in text] == []
     assert "Traceback" not in desktop["output"]
     assert desktop["stays"] is True
