@@ -15,7 +15,7 @@ BAD = "#b3261e"
 """Errors, wrong positions and rejected positions."""
 
 WARNING = "#e08a00"
-"""Warnings and possible positions."""
+"""Amber: warnings, likely and possible positions. ``resources/styles`` and ``resources/severity`` repeat it."""
 
 FOURTH = "#a3508c"
 """The fourth series of a chart."""

@@ -33,7 +33,7 @@ from qgis.PyQt.QtWidgets import QFileDialog
 
 from semref.core.localization import Status
 from semref.processing.layers.localized_image import ERROR
-from semref.ui.canvas.marks import ORANGE, RED, RIM
+from semref.ui.canvas.marks import AMBER, RED, RIM
 from semref.ui.findings import Finding, error_text, status_text
 from semref.ui.running import localization_run
 from semref.ui.widgets.tables import sign_icon
@@ -155,7 +155,7 @@ def test_a_likely_position_is_amber_and_counted_apart(dock, iface, area, tab, mo
         bands = [item for item in iface.canvas.scene().items() if isinstance(item, QgsRubberBand)]
         return {band.strokeColor().name() for band in bands if band.numberOfVertices()} - {RIM.name()}
 
-    assert colors() == {ORANGE.name()} and shown_center(iface).x() == pytest.approx(finding.x, abs=1e-3)
+    assert colors() == {AMBER.name()} and shown_center(iface).x() == pytest.approx(finding.x, abs=1e-3)
     results.setCurrentRow(1)
     assert colors() == {RED.name()}
 

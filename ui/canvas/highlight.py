@@ -12,7 +12,7 @@ from qgis.PyQt.QtGui import QColor
 
 from ...processing.compat import LINE_GEOMETRY, POLYGON_GEOMETRY
 from ..findings import Finding
-from .marks import BLUE, ORANGE, POINTS_A_SIDE, RED, RIM, Marks, band, dots, with_opacity
+from .marks import AMBER, BLUE, POINTS_A_SIDE, RED, RIM, Marks, band, dots, with_opacity
 
 _ZOOM_MARGIN = 2.0
 """Factor by which the visible extent exceeds the footprint."""
@@ -36,7 +36,7 @@ class HitHighlight(Marks):
                 "outline": band(canvas, POLYGON_GEOMETRY, RED),
                 "heading": band(canvas, LINE_GEOMETRY, RED),
                 "error": band(canvas, POLYGON_GEOMETRY, RED),
-                "possible": band(canvas, POLYGON_GEOMETRY, ORANGE),
+                "possible": band(canvas, POLYGON_GEOMETRY, AMBER),
                 "center": _center(canvas),
             },
         )
@@ -46,7 +46,7 @@ class HitHighlight(Marks):
         if finding is None or (finding.center is None and not finding.possible):
             self.clear()
             return True
-        color = ORANGE if finding.is_likely else RED
+        color = AMBER if finding.is_likely else RED
         for name in ("outline", "heading", "error"):
             self._bands[name].setStrokeColor(color)
         self._bands["center"].setFillColor(color)
@@ -68,7 +68,7 @@ class TrackMarks(Marks):
             {
                 "track": band(canvas, LINE_GEOMETRY, with_opacity(BLUE, 180), _TRACK_PX),
                 "own": dots(canvas, BLUE, _DOT_PX),
-                "flight": dots(canvas, ORANGE, _DOT_PX),
+                "flight": dots(canvas, AMBER, _DOT_PX),
                 "outvoted": dots(canvas, RED, _DOT_PX),
             },
         )

@@ -18,12 +18,13 @@ from qgis.PyQt.QtCore import QObject
 from qgis.PyQt.QtGui import QColor
 
 from ...processing.compat import POINT_GEOMETRY, POLYGON_GEOMETRY
+from ...processing.layers.palette import WARNING
 from ...processing.layers.reference_systems import transformed_point
 
 # Red with a white rim is visible on land-cover colors, aerial images, white and black.
 RED = QColor("#e8344e")
 BLUE = QColor("#1f6fd6")
-ORANGE = QColor("#e69f00")
+AMBER = QColor(WARNING)
 RIM = QColor("#ffffff")
 
 _PLACE_MARGIN = 3.0

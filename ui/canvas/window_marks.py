@@ -8,7 +8,7 @@ from qgis.PyQt.QtCore import QObject
 
 from ...processing.compat import LINE_GEOMETRY, POLYGON_GEOMETRY
 from ...processing.inspection.window import InspectedWindow
-from .marks import BLUE, ORANGE, Marks, band, square
+from .marks import AMBER, BLUE, Marks, band, square
 
 _ZOOM_MARGIN = 1.6
 
@@ -23,7 +23,7 @@ class WindowMarks(Marks):
             {
                 "window": band(canvas, POLYGON_GEOMETRY, BLUE, width=3),
                 "star": band(canvas, LINE_GEOMETRY, BLUE, width=1),
-                "look-alikes": band(canvas, POLYGON_GEOMETRY, ORANGE),
+                "look-alikes": band(canvas, POLYGON_GEOMETRY, AMBER),
             },
         )
 
