@@ -31,7 +31,7 @@ from semref.core.assessment.squares import VERDICTS
 from semref.core.evaluation import as_json
 from semref.processing.algorithms import assess_route, compare_labels, describe_image
 from semref.processing.base import localized_layers, segmented_files
-from semref.processing.layers import styles
+from semref.processing.layers import palette, styles
 from semref.processing.layers.class_styles import COLORS, cells_renderer, route_renderer
 from semref.processing.layers.database_layers import add_database_to_map
 from semref.processing.layers.layer_metadata import Note
@@ -171,11 +171,16 @@ def test_positions_are_labeled_by_their_images_played_by_time_and_have_a_form_of
     assert positions.labelsEnabled()
     assert positions.labeling().settings().fieldName == 'base_file_name("image")'
     assert positions.temporalProperties().isActive() and positions.temporalProperties().startField() == "time"
-    form = positions.editFormConfig()
-    assert form.layout() == QgsEditFormConfig.TabLayout
-    assert [page.name() for page in form.tabs()] == ["Image", "Position", "Accuracy", "Method"]
-    shown = [child.name() for page in form.tabs() for child in page.children()]
-    assert sorted(shown) == sorted(field.name() for field in positions.fields())
+    assert positions.editFormConfig().layout() == QgsEditFormConfig.TabLayout
+
+
+@pytest.mark.parametrize("style", ["positions", "poses"])
+def test_the_form_of_positions_shows_each_column_on_one_page(qgis_app, style):
+    layer = styled(style)
+    pages = layer.editFormConfig().tabs()
+    assert {"Image", "Position", "Accuracy", "Method"} <= {page.name() for page in pages}
+    shown = [child.name() for page in pages for child in page.children()]
+    assert sorted(shown) == sorted(field.name() for field in layer.fields()), f"change the form in {style}.qml"
 
 
 @pytest.mark.parametrize(
@@ -201,9 +206,23 @@ def test_every_kind_of_position_is_drawn_by_one_rule(qgis_app, style, values, ru
     layer = layer_of(geometry, localized_layers.FLIGHT_FIELDS if style == "positions" else fields)
     Look(style).apply(layer)
     context = context_of(layer, feature_of(layer, **values))
-    rules = layer.renderer().rootRule().children()
-    drawn = [one.label() for one in rules if QgsExpression(one.filterExpression()).evaluate(context)]
+    drawn = [
+        one.label() for one in rules_of(layer.renderer()) if QgsExpression(one.filterExpression()).evaluate(context)
+    ]
     assert drawn == [rule]
+
+
+def test_a_likely_position_has_one_color_in_all_layers_and_lists(qgis_app):
+    *by_rules, places = (styles.style_renderer(style) for style in ("positions", "footprints", "trials", "places"))
+    rules = [rule for renderer in by_rules for rule in rules_of(renderer)]
+    likely = [rule.symbol() for rule in rules if rule.label().lower() == "likely position"]
+    assert [symbol.color().name() for symbol in (*likely, places.symbol())] == 4 * [palette.WARNING]
+    sign = STYLES.parent / "severity" / "likely.svg"
+    assert f'fill="{palette.WARNING}"' in sign.read_text(encoding="utf-8")
+
+
+def rules_of(renderer) -> list:
+    return renderer.rootRule().children()
 
 
 def test_keys_have_labels_in_the_attribute_table(positions):
