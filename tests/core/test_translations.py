@@ -36,7 +36,7 @@ def test_there_are_translations_and_texts():
 
 @each_file
 def test_the_file_has_the_texts_of_the_code_once_each_and_no_others(path):
-    assert [source for source, _ in pairs(path)] == TEXTS
+    assert [source for source, _ in pairs(path)] == TEXTS, "run tools/release/update_translations.py"
 
 
 @each_file

@@ -77,6 +77,9 @@ def as_text(recorded: dict) -> str:
     return "{\n" + ",\n".join(algorithms) + "\n}\n"
 
 
+RECORD = "scripts use these keys. If you added one, record it: SEMREF_RECORD=1 (CONTRIBUTING.md)"
+
+
 def test_every_recorded_key_is_there_as_it_was(algorithms, repository):
     file = repository / "tests" / "data" / "public_keys.json"
     # Values that JSON does not support are NULLs of Qt.
@@ -86,7 +89,7 @@ def test_every_recorded_key_is_there_as_it_was(algorithms, repository):
     before = json.loads(file.read_text(encoding="utf-8"))
     assert list(now) == list(before)
     for name, algorithm in before.items():
-        assert list(now[name]["parameters"]) == list(algorithm["parameters"]), name
+        assert list(now[name]["parameters"]) == list(algorithm["parameters"]), f"{name}: {RECORD}"
         for key, parameter in algorithm["parameters"].items():
             assert without_null(now[name]["parameters"][key]) == without_null(parameter), (name, key)
         assert (now[name]["group"], now[name]["outputs"]) == (algorithm["group"], algorithm["outputs"]), name

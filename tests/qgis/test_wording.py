@@ -3,11 +3,12 @@ from made_inputs import square, write_layer
 from qgis.core import QgsProcessingFeedback, QgsVectorLayer
 from qgis.PyQt.QtCore import QLocale
 
+from semref.core.annotation.findings import CHECKED_KINDS, ERROR, Finding
 from semref.core.errors import ModelError
 from semref.core.evaluation.evaluation import MAP, MIRRORED
 from semref.core.localization import Method, shown_landmarks
 from semref.core.sentences import Sentence
-from semref.processing.messages import sentences
+from semref.processing.messages import annotation_messages, sentences
 from semref.processing.messages.columns import column_words
 from semref.processing.messages.numbers import Local, count, shown
 from semref.processing.messages.sentences import worded
@@ -57,6 +58,14 @@ def test_kinds_and_methods_of_trials_have_labels(qgis_app):
     words = column_words(["kind", "road", "trial"])
     assert {MAP, MIRRORED} == set(words["kind"])
     assert {method.key for method in Method} == set(words["road"])
+
+
+def test_every_kind_of_finding_has_a_title_a_sentence_and_a_description(qgis_app, repository):
+    page = (repository / "docs" / "how-to" / "correct_a_layer.md").read_text(encoding="utf-8")
+    for kind in CHECKED_KINDS:
+        assert annotation_messages.kind_titles().get(kind), f"add {kind} to kind_titles"
+        assert annotation_messages.sentence(Finding(kind, ERROR), {}), f"add {kind} to _check_template"
+        assert f"`{kind}`" in page, f"add {kind} to the page"
 
 
 @pytest.fixture

@@ -240,7 +240,14 @@ def test_a_copy_of_core_is_all_that_is_needed(area, image, repository, tmp_path)
     assert json.loads(done.stdout)["status"] == "fix"
 
 
-@pytest.mark.parametrize("option", ["--state", "--fixes", "--gga"])
+def outputs() -> list[str]:
+    """Return the options of ``watch`` for files that it writes."""
+    (commands,) = (action for action in command_line.command_parser()._actions if action.dest == "name")
+    watch = commands.choices["watch"]._actions
+    return ["--state", *(f"--{one.dest}" for one in watch if one.metavar == "WHERE" and one.dest != "mavlink")]
+
+
+@pytest.mark.parametrize("option", outputs())
 def test_nothing_is_written_into_the_database_or_an_image(area, image, capsys, option):
     photo = image("here.png")
     for path, said in ((area, "is an input of this command"), (photo, "has the name of an image")):
