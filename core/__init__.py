@@ -1,7 +1,7 @@
 """Core of SemRef: from labels through landmarks and vectors to positions, without QGIS.
 
-It needs numpy and OpenCV only. Pixel coordinates are (column, row) floats with (0.5, 0.5) at the center of the first
-pixel.
+It needs numpy, OpenCV and Pillow; checks of land-cover layers also need shapely, and photos onnxruntime. Pixel
+coordinates are (column, row) floats with (0.5, 0.5) at the center of the first pixel.
 
 The names in ``__all__`` are the public Python API. They are in ``api``, which loads when one of them is first used:
 
