@@ -100,7 +100,6 @@ def localize(dock, database: str, images: list[str]) -> None:
 
 
 def results_of(dock) -> list[tuple[str, str]]:
-    """Return image and status of each result."""
     return [(finding.name, status_text(finding)) for finding in dock.content.localize.results.list.findings]
 
 

@@ -63,7 +63,6 @@ def module_of(name: str, classes: dict[str, object]) -> types.ModuleType:
 
 
 def core_classes(qt: dict[str, types.ModuleType], profile: str) -> dict[str, object]:
-    """Return the classes of ``qgis.core`` that painting needs."""
     style = qt["QtWidgets"].QStyle.StandardPixmap.SP_MessageBoxInformation
 
     class QgsSettings:

@@ -111,8 +111,6 @@ def slow(monkeypatch, area):
 
 
 class LosingManager:
-    """QGIS's task manager, which loses the first task."""
-
     def __init__(self, manager):
         self.manager, self.lost = manager, []
 

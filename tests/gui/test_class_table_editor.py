@@ -35,8 +35,6 @@ def editor(plugin, file):
 
 @pytest.fixture
 def accepted(editor):
-    """`accepted()`: the table that the window makes."""
-
     def accept():
         editor.accept()
         assert not editor.isVisible()
@@ -91,7 +89,6 @@ def test_a_nomenclature_fills_the_table(editor, accepted):
 
 @pytest.fixture
 def button(plugin, file):
-    """The button beside a box that names the file."""
     box = QgsFileWidget()
     made = class_table.add_edit_button(box)
     box.setFilePath(str(file))

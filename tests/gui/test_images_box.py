@@ -76,7 +76,6 @@ def test_the_report_of_training_is_opened_from_a_message_not_by_qgis(
 
 @pytest.fixture
 def photo_folder(tmp_path):
-    """Three photos and a text."""
     folder = tmp_path / "photos"
     folder.mkdir()
     for number in range(3):

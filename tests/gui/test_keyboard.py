@@ -54,7 +54,6 @@ def name_of(widget) -> str:
 
 @pytest.fixture(params=["localize", *(pytest.param(tab, marks=pytest.mark.slow) for tab in ("inspect", "correct"))])
 def filled(request, dock, area, issues, tab):
-    """The dock with something in each tab, and one of them on top."""
     choose_method(dock, CONSTELLATION)
     localize(dock, area.database, [area.image])
     dock.content.inspect.show_window("150_250")

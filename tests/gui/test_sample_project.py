@@ -29,7 +29,6 @@ def open_sample(plugin, iface, monkeypatch):
 
 
 def messages(iface) -> list:
-    """(level, text) of what the message bar shows."""
     return [(item.level(), item.text()) for item in iface.bar.items()]
 
 

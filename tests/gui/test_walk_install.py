@@ -53,7 +53,6 @@ def wheels(tmp_path_factory) -> Path | None:
 
 @pytest.fixture(scope="module")
 def walk(package, wheels, display, tmp_path_factory) -> dict:
-    """What walk_install_session.py saw."""
     home = tmp_path_factory.mktemp("walk")
     kept = Path(os.environ.get("SEMREF_PICTURES", home / "pictures"))
     variables = {"SEMREF_ZIP": str(package), "SEMREF_SAMPLE": str(home / "sample"), "SEMREF_PICTURES": str(kept)}

@@ -9,10 +9,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 from bad_input import BUILD, LABELS, WINDOWS
+from edited_database import kept_database
 from listening import listening
 from made_inputs import CLASSES_CSV, NAMES, square, write_layer, write_raster, write_text
 from made_models import write_model
 from qgis.core import QgsApplication
+
+from semref.storage.database.reader import store_checksums
 
 
 @pytest.fixture(scope="session")
@@ -62,6 +65,19 @@ def given(good, tmp_path):
     """Return a copy of these in a separate folder."""
     shutil.copytree(good, tmp_path / "given")
     return tmp_path / "given"
+
+
+@pytest.fixture
+def provider(qgis_app):
+    return QgsApplication.processingRegistry().providerById("semref")
+
+
+@pytest.fixture
+def path(tmp_path) -> str:
+    """Return a database of format 1 with checksums."""
+    path = kept_database(tmp_path / "maps" / "area.gpkg")
+    store_checksums(path)
+    return path
 
 
 @pytest.fixture

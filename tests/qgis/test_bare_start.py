@@ -16,7 +16,6 @@ TIMEOUT_S = 120
 
 @pytest.fixture(scope="module")
 def start() -> dict:
-    """Return the output of tests/data/bare_start.py."""
     environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen", "PYTHONPATH": str(DATA / "bare")}
     command = [sys.executable, str(DATA / "bare_start.py")]
     done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=TIMEOUT_S, check=False)

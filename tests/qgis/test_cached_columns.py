@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from edited_database import edit, kept_database
+from edited_database import edit
 
 from semref.core.errors import DatabaseError
 from semref.storage.database import cached_columns, reader
@@ -17,13 +17,6 @@ from semref.storage.database.reader import read_database, read_stored_database, 
 def own_cache(monkeypatch, tmp_path):
     monkeypatch.setenv("SEMREF_CACHE", str(tmp_path / "cache"))
     monkeypatch.setattr(cached_columns, "FEWEST", 100)
-
-
-@pytest.fixture
-def path(tmp_path):
-    path = kept_database(tmp_path / "maps" / "area.gpkg")
-    store_checksums(path)
-    return path
 
 
 @pytest.fixture

@@ -183,7 +183,6 @@ SAID = "The GPS position of this photo is"
 
 
 def exif(longitude: float, latitude: float, **more: str) -> dict[str, str]:
-    """Return EXIF as cameras write it."""
     found = {}
     for name, value, letters in (("Longitude", longitude, "EW"), ("Latitude", latitude, "NS")):
         whole, rest = divmod(abs(value), 1)

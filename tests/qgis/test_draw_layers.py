@@ -49,7 +49,6 @@ def model(tmp_path_factory):
 
 @pytest.fixture
 def tiles(qgis_app):
-    """`tiles(**server)` returns a layer of map tiles."""
     stack = []
 
     def make(**server):

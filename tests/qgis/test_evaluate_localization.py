@@ -78,7 +78,6 @@ def test_a_map_with_other_pixels_will_do(evaluate, tmp_path):
 
 @pytest.fixture(scope="module")
 def reported(run_algorithm, inputs, tmp_path_factory):
-    """Return (report, numbers, results) of one run."""
     folder = tmp_path_factory.mktemp("report")
     outputs = {"OUTPUT": str(folder / "t.gpkg"), "REPORT": str(folder / "r.html"), "JSON": str(folder / "n.json")}
     results = run_algorithm(EVALUATE, {**inputs, **outputs, "TRIALS": 8, "METHODS": BOTH})

@@ -25,7 +25,6 @@ COLUMNS = [("image", "text"), ("status", "text"), ("heading", "real"), ("pixel_s
 
 @pytest.fixture(scope="module")
 def localized(run_algorithm, build_area, tmp_path_factory):
-    """Return the layers of one run: a level image, a tilted one, and one from elsewhere."""
     folder = tmp_path_factory.mktemp("area")
     database = build_area(LABELS, NAMES, SIZE, 150)
     images = folder / "images"

@@ -206,23 +206,18 @@ def test_every_kind_of_position_is_drawn_by_one_rule(qgis_app, style, values, ru
     layer = layer_of(geometry, localized_layers.FLIGHT_FIELDS if style == "positions" else fields)
     Look(style).apply(layer)
     context = context_of(layer, feature_of(layer, **values))
-    drawn = [
-        one.label() for one in rules_of(layer.renderer()) if QgsExpression(one.filterExpression()).evaluate(context)
-    ]
+    rules = layer.renderer().rootRule().children()
+    drawn = [one.label() for one in rules if QgsExpression(one.filterExpression()).evaluate(context)]
     assert drawn == [rule]
 
 
 def test_a_likely_position_has_one_color_in_all_layers_and_lists(qgis_app):
     *by_rules, places = (styles.style_renderer(style) for style in ("positions", "footprints", "trials", "places"))
-    rules = [rule for renderer in by_rules for rule in rules_of(renderer)]
+    rules = [rule for renderer in by_rules for rule in renderer.rootRule().children()]
     likely = [rule.symbol() for rule in rules if rule.label().lower() == "likely position"]
     assert [symbol.color().name() for symbol in (*likely, places.symbol())] == 4 * [palette.WARNING]
     sign = STYLES.parent / "severity" / "likely.svg"
     assert f'fill="{palette.WARNING}"' in sign.read_text(encoding="utf-8")
-
-
-def rules_of(renderer) -> list:
-    return renderer.rootRule().children()
 
 
 def test_keys_have_labels_in_the_attribute_table(positions):

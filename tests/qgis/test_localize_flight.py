@@ -68,7 +68,6 @@ def localize(run_algorithm, build_area, flight, tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def found(localize, flight):
-    """Return (rows, results) of the flight with the times of its images."""
     return localize(ATTITUDE=str(flight.parent / "TIMES.CSV"))
 
 

@@ -47,8 +47,6 @@ def localize(runner, folder, tmp_path):
 
 @pytest.fixture
 def jpeg(tmp_path):
-    """`jpeg(labels)` writes a photo as JPEG."""
-
     def write(labels: np.ndarray) -> Path:
         plain = write_raster(tmp_path / "a.png", photo_of(labels), transform=None)
         gdal.Translate(str(tmp_path / "a.jpg"), str(plain), format="JPEG")

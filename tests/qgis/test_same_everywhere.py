@@ -157,7 +157,6 @@ def test_the_shipped_model_gives_the_same_database(qgis_app, repository, setting
 
 @pytest.fixture(scope="module")
 def qgis_process(repository, start_qgis_process):
-    """Return qgis_process of a new profile with the packaged plugin."""
     return start_qgis_process(lambda plugins: install_package(repository, plugins))
 
 

@@ -27,7 +27,6 @@ SETUP = "semref:setuparea"
 
 @pytest.fixture
 def given(sample, repository, tmp_path):
-    """Return the parameters of a run on the sample area with three photos."""
     photos = [str(sample / "photos" / f"photo_{n:02d}.jpg") for n in (1, 2, 3)]
     return {
         "ANNOTATION": str(sample / "landcover.shp"),

@@ -5,7 +5,6 @@ import sys
 
 import pytest
 from qgis.core import (
-    QgsApplication,
     QgsProcessingContext,
     QgsProcessingFeedback,
     QgsProcessingModelAlgorithm,
@@ -68,11 +67,6 @@ def test_help_and_names_of_parameters_have_translations(create, repository, monk
     assert {definition.description() for model in models for definition in model.parameterDefinitions()} <= texts
     helps = {text for model in models for key, text in model.helpContent().items() if key != "ALG_VERSION"}
     assert helps <= texts
-
-
-@pytest.fixture
-def provider(qgis_app):
-    return QgsApplication.processingRegistry().providerById("semref")
 
 
 def test_the_reference_page_has_every_algorithm_and_parameter(provider, repository, monkeypatch):

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from edited_database import edit, kept_database
+from edited_database import edit
 from full_disks import files_of_at_most
 from qgis.core import QgsRectangle
 
@@ -17,13 +17,6 @@ from semref.storage.database import undo
 from semref.storage.database.reader import read_database, store_checksums
 from semref.storage.database.undo import can_undo, file_before, replace_keeping, stated_checksums, undo_update
 from semref.storage.vector_files import copy_whole
-
-
-@pytest.fixture
-def path(tmp_path):
-    path = kept_database(tmp_path / "maps" / "area.gpkg")
-    store_checksums(path)
-    return path
 
 
 def larger(path, tmp_path, square_meters):

@@ -64,7 +64,6 @@ def bent_image(scene, way):
 @pytest.mark.parametrize("attitude", [Attitude(0, 0), Attitude(4, -7)], ids=["level", "tilted"])
 @pytest.mark.parametrize("lens", [PHANTOM, RATIONAL], ids=["phantom", "rational"])
 def test_what_a_lens_bent_is_straight_again(lens, attitude):
-    """Squares of 40 pixels, distorted and leveled, are squares again."""
     way = leveling(attitude, 0.75 * SHAPE[1], SHAPE, lens)
 
     def squares(x, y):

@@ -24,7 +24,6 @@ needs_full_device = pytest.mark.skipif(not os.path.exists("/dev/full"), reason="
 
 @pytest.fixture
 def watching(area, folder, repository, tmp_path):
-    """`watching(arguments)` starts a watch of `folder` as on board; the test ends it."""
     copy_core(repository, tmp_path)
     started = []
 

@@ -160,7 +160,6 @@ SHARED_VALUES = (3, 0, 7, 3)
 
 @pytest.fixture
 def seen():
-    """Return (4, 60, 90) percents."""
     return percents(np.moveaxis(np.random.default_rng(3).dirichlet(np.ones(4), (60, 90)), 2, 0))
 
 

@@ -94,7 +94,6 @@ def test_an_updated_database_is_opened_likewise(run_as_dialog, project, label_ma
 
 
 def opened(path) -> QgsProcessingOutputLayerDefinition:
-    """Return an output that QGIS opens."""
     return QgsProcessingOutputLayerDefinition(str(path), QgsProject.instance())
 
 
