@@ -141,7 +141,6 @@ OPTIONAL = (DASK, CRYPTOGRAPHY)
 
 
 def purpose(package: Package) -> str:
-    """Return the purpose of the package in the user's language."""
     return {
         OPENCV: tr("Everything: label maps, databases, localization"),
         PILLOW: tr("Everything: images and their metadata (EXIF)"),
@@ -219,17 +218,24 @@ def add_components_to_path() -> None:
 def remove_components() -> None:
     """Remove everything that SemRef installed, also for other versions of Python and numpy. Raises ComponentError."""
     root = components_root()
-    if not root.exists():
+    remove_folder(root)
+    sys.path[:] = [entry for entry in sys.path if not entry.startswith(str(root))]
+    importlib.invalidate_caches()
+
+
+def remove_folder(folder: Path, first: str = "") -> None:
+    """Remove a folder, if it exists; ``first``: its file to remove first. Raises ComponentError."""
+    if not folder.exists():
         return
     try:
-        shutil.rmtree(root)
+        if first:
+            (folder / first).unlink(missing_ok=True)
+        shutil.rmtree(folder)
     except OSError as error:
         raise ComponentError(
             "{name} cannot be removed, probably because it is in use. Restart QGIS and remove it again.",
-            name=error.filename or root,
+            name=error.filename or folder,
         ) from error
-    sys.path[:] = [entry for entry in sys.path if not entry.startswith(str(root))]
-    importlib.invalidate_caches()
 
 
 # --- what to type ---

@@ -16,6 +16,7 @@ from qgis.core import QgsApplication, QgsSettings
 
 from ...core.errors import ComponentError
 from ..translation import tr
+from .components import remove_folder
 from .install import Answer, Command, Commands, last_error, last_line, pip_variables, python_candidates
 
 PYTHON_SETTING = "semref/options/training_python"
@@ -32,7 +33,6 @@ def environment_folder() -> Path:
 
 
 def environment_python(folder: Path) -> Path:
-    """Return the Python of an environment."""
     return folder / "Scripts" / "python.exe" if os.name == "nt" else folder / "bin" / "python"
 
 
@@ -65,17 +65,7 @@ def training_python(asked: str = "") -> str:
 
 def remove_environment() -> None:
     """Remove SemRef's training environment. Raises ComponentError."""
-    folder = environment_folder()
-    if not folder.exists():
-        return
-    try:
-        (folder / _MARK).unlink(missing_ok=True)
-        shutil.rmtree(folder)
-    except OSError as error:
-        raise ComponentError(
-            "{name} cannot be removed, probably because it is in use. Restart QGIS and remove it again.",
-            name=error.filename or folder,
-        ) from error
+    remove_folder(environment_folder(), _MARK)
 
 
 # --- making one ---
