@@ -62,7 +62,7 @@ class DockEntry:
         self._add_to_menu("SemRefSetUpAction", tr("Set up an area…"), "", self._dock.set_up_area)
         self._add_to_menu("SemRefHelpAction", tr("User guide"), "/mActionHelpContents.svg", open_guide)
         copy = "SemRefDiagnosticsAction", tr("Copy diagnostics"), "/mActionEditCopy.svg"
-        self._add_to_menu(*copy, self._copy_diagnostics)
+        self._add_to_menu(*copy, lambda: self._dock.messages.success(self._diagnostics.copy()))
         # The page does not own them: an installation continues when the options are closed.
         self._installer, self._training_installer = ComponentInstaller(window), ComponentInstaller(window)
         self._options = OptionsFactory(self._installer, self._training_installer, self._dock.refresh_notice)
@@ -89,9 +89,6 @@ class DockEntry:
             self._installer.installed.connect(notice.dismiss)
             return
         self._sample_project().ask()
-
-    def _copy_diagnostics(self) -> None:
-        self._dock.messages.success(self._diagnostics.copy())
 
     def _sample_project(self):
         if self._sample is None:

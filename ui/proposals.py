@@ -74,7 +74,10 @@ def _class_names(project: QgsProject, found: dict[str, str]) -> set[str]:
     layer = project.mapLayer(found.get("INPUT", ""))
     field = found.get("CLASS_FIELD", "")
     # Reading a large layer would delay the dialog.
-    if layer is None or field not in _text_fields(layer) or layer.featureCount() > _MOST_READ:
+    if layer is None or layer.featureCount() > _MOST_READ:
+        return set()
+    texts = (one.name() for one in layer.fields() if not one.isNumeric() and one.typeName() != "Date")
+    if field not in texts:
         return set()
     values = layer.uniqueValues(layer.fields().indexOf(field))
     return {str(value).casefold() for value in values if isinstance(value, str)}
@@ -84,10 +87,6 @@ def _may_be_annotation(layer: QgsMapLayer) -> bool:
     if not isinstance(layer, QgsVectorLayer) or layer.geometryType() != POLYGON_GEOMETRY:
         return False
     return not database_file(layer)
-
-
-def _text_fields(layer: QgsVectorLayer) -> list[str]:
-    return [field.name() for field in layer.fields() if not field.isNumeric() and field.typeName() != "Date"]
 
 
 def _table_beside(layer: QgsVectorLayer) -> str:

@@ -124,7 +124,7 @@ class AssessDatabase(AssessAlgorithm):
             footprint = assessment.footprint
             results.append(AssessedFootprint(footprint, estimates, trials, correlated, assessment.model))
         check_canceled(feedback)
-        if outputs.wants(self.REPORT):
+        if values.has(self.REPORT):
             outputs.text(self.REPORT, self._report(values, database, cells, results))
         self._write_cells(values, outputs, database, cells, results, crs)
         threshold = self.threshold(values)

@@ -185,10 +185,10 @@ class AssessRoute(AssessAlgorithm):
         inside = _inside(database.parameters.extent, points.places)
         if not inside.any():
             raise ParameterError("The route is outside the map of the database. Select another route or database.")
-        below = self._picture_below(values, points, crs, feedback) if outputs.wants(self.REPORT) else b""
+        below = self._picture_below(values, points, crs, feedback) if values.has(self.REPORT) else b""
         assessment = self.assessment(values, database, self.localizer(database, feedback), footprint, feedback)
         count = values.integer(self.TRIALS)
-        part = route_flights.share_before(values)
+        part = route_flights.FLOWN_PERCENT / 100 if values.integer(route_flights.FLIGHTS) else 1.0
         estimates = self._estimate(
             assessment, points.places, min(spacing, footprint / 10), count, feedback, (5, 65 * part)
         )
@@ -207,7 +207,7 @@ class AssessRoute(AssessAlgorithm):
         )
         route = replace(route, flown=flown)
         check_canceled(feedback)
-        if outputs.wants(self.REPORT):
+        if values.has(self.REPORT):
             outputs.text(self.REPORT, self._report(values, database, route, assessment, below))
         self._write_points(outputs, route, crs)
         longest = max((gap.length for gap in stretches), default=0.0)

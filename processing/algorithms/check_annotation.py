@@ -105,7 +105,7 @@ class CheckAnnotation(AnnotationAlgorithm):
         feedback.pushInfo(
             tr("{issues} findings, {errors} of them are errors.").format(issues=len(findings), errors=errors)
         )
-        if outputs.wants(self.REPORT):
+        if values.has(self.REPORT):
             outputs.text(self.REPORT, annotation_html(self._source.name, self._source.count, findings, names))
         return {self.ISSUE_COUNT: len(findings), self.ERROR_COUNT: errors}
 

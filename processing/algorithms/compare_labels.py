@@ -122,7 +122,7 @@ class CompareLabels(SemRefAlgorithm):
         from ..reports.comparison_report import comparison_html
 
         require_one_crs(*self._layers)
-        if outputs.wants(self.MODEL_OUTPUT) and not values.file(self.MODEL):
+        if values.has(self.MODEL_OUTPUT) and not values.file(self.MODEL):
             raise ParameterError("“Model with class offset” is a copy of the model. Select the model as well.")
         paths = [layer.path for layer in self._layers]
         pair = LabelMapPair(*paths)
@@ -133,7 +133,7 @@ class CompareLabels(SemRefAlgorithm):
             polygons = follow(disagreements.polygons(values.number(self.MINIMUM_AREA)), feedback, 40, 96)
         feedback.setProgressText(tr("Comparing landmarks"))
         shifts = measure_shifts(pair, match, comparison, self._layers[0].crs, feedback)
-        if outputs.wants(self.REPORT):
+        if values.has(self.REPORT):
             errors = measure_errors(pair, match, comparison, shifts, values.number(self.MINIMUM_AREA), feedback)
             outputs.text(self.REPORT, comparison_html(comparison, match, shifts, errors, *paths))
         self._write_model(values, outputs, shifts)
@@ -149,7 +149,7 @@ class CompareLabels(SemRefAlgorithm):
     def _write_model(self, values: Values, outputs: Outputs, shifts: MeasuredShifts) -> None:
         from ..base.compared_landmarks import model_with_biases
 
-        if outputs.wants(self.MODEL_OUTPUT):
+        if values.has(self.MODEL_OUTPUT):
             sun_deg = values.optional_number(self.SUN_DIRECTION)
             content = model_with_biases(values.file(self.MODEL), shifts, sun_deg)
             with outputs.file(self.MODEL_OUTPUT) as temporary, open(temporary, "wb") as file:

@@ -120,7 +120,7 @@ class DescribeImage(SemRefAlgorithm):
         check_canceled(feedback)
         count = len(described.objects)
         self._write_points(outputs, described, transform, table)
-        if outputs.wants(self.VECTOR):
+        if values.has(self.VECTOR):
             outputs.text(self.VECTOR, json.dumps(_vector(described, table, length), indent=1))
         feedback.pushInfo(
             tr("{count} landmarks in the centered square of {size} pixels.").format(count=count, size=described.size)

@@ -35,11 +35,9 @@ from ..translation import tr
 
 if TYPE_CHECKING:
     from ...core.database.model import ReferenceDatabase
-    from ...core.evaluation.evaluation import Evaluation, TrialRanges, WindowQuery
+    from ...core.evaluation.evaluation import Evaluation, TrialRanges
     from ...core.evaluation.trial import Trial
     from ...storage.label_maps import GdalLabels
-
-    Job = tuple[WindowQuery, list[Method]]
 
 USUAL: dict[str, tuple[float, float]] = {
     "SCALE": (0.8, 1.25),
@@ -209,8 +207,10 @@ class EvaluateLocalization(SemRefAlgorithm):
         evaluation, database, crs = self._evaluation(values, feedback)
         for method in methods:
             evaluation.localizer.check(method)
-        is_reported = outputs.wants(self.REPORT) or outputs.wants(self.JSON)
-        jobs = self._jobs(values, evaluation, list(methods), is_reported)
+        is_reported = values.has(self.REPORT) or values.has(self.JSON)
+        mirrored = values.number(self.MIRRORED) / 100
+        # Reports need additional trials.
+        jobs = evaluation.plan(list(methods), values.integer(self.TRIALS), mirrored, is_reported)
         feedback.pushInfo(tr("{count} images to localize.").format(count=len(jobs)))
         feedback.pushInfo(tried_ground(evaluation.tried_windows, values.integer(self.MINIMUM_REFERENCES)))
         feedback.setProgressText(tr("Localizing"))
@@ -233,11 +233,6 @@ class EvaluateLocalization(SemRefAlgorithm):
             self.MEDIAN_ERROR: first.median_error,
             self.FALSE_ACCEPT_RATE: first.false_accepts.share,
         }
-
-    def _jobs(self, values: Values, evaluation: Evaluation, methods: list[Method], is_reported: bool) -> list[Job]:
-        """Return the trials with their methods; reports need additional trials."""
-        mirrored = values.number(self.MIRRORED) / 100
-        return evaluation.plan(methods, values.integer(self.TRIALS), mirrored, is_reported)
 
     def _methods(self, values: Values) -> dict[Method, str]:
         """Return the selected methods with their titles, the one of the outputs first."""
@@ -301,12 +296,12 @@ class EvaluateLocalization(SemRefAlgorithm):
 
         names = os.path.basename(self._job.database), os.path.basename(self._layer.path)
         given = self._settings(values)
-        if outputs.wants(self.REPORT):
+        if values.has(self.REPORT):
             titles = {p.name(): p.description() for p in self.parameterDefinitions()}
             settings = [(titles[key], _setting_text(value)) for key, value in given.items()]
             ground = tried_ground(evaluation.tried_windows, values.integer(self.MINIMUM_REFERENCES))
             outputs.text(self.REPORT, EvaluationReport(*names, trials, methods, settings, ground).html())
-        if outputs.wants(self.JSON):
+        if values.has(self.JSON):
             settings = {self.DATABASE: names[0], self.LABELS: names[1], **given}
             outputs.text(self.JSON, evaluation_json(trials, list(methods), settings, evaluation.tried_windows))
 

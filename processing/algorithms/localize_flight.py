@@ -159,7 +159,7 @@ class LocalizeFlight(LocalizeAlgorithm):
             write_tracks(outputs, self.TRACK, flown, crs)
             write_footprints(outputs, self.FOOTPRINTS, flown, crs)
             write_matches(outputs, self.MATCHES, flown, database, crs)
-            if outputs.wants(self.REPORT):
+            if values.has(self.REPORT):
                 outputs.text(self.REPORT, self._report(values, database, flown, reader.motion_sentences(links)))
         placed = sum(item.is_placed for item in flown)
         tracks = len(tracks_of(flown))

@@ -171,7 +171,7 @@ class SegmentImage(SemRefAlgorithm):
         image = self._source.apply_mask(image, photo, transform)
         overlap = values.optional_number(self.OVERLAP)
         overlap = model.settings.overlap if overlap is None else overlap / 100
-        wanted = Certainty(outputs.wants(self.CONFIDENCE), outputs.wants(self.PROBABILITIES))
+        wanted = Certainty(values.has(self.CONFIDENCE), values.has(self.PROBABILITIES))
         classes = model.classes
         grid = SeenGrid(image.shape_hw, transform, wkt_for_gdal(photo.crs))
         feedback.setProgressText(tr("Segmenting"))

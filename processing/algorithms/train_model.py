@@ -223,7 +223,7 @@ class TrainModel(AnnotationAlgorithm):
                 if run.can_go_on:
                     raise CanceledKeeping(run.folder) from None
                 raise
-        if outputs.wants(self.REPORT):
+        if values.has(self.REPORT):
             outputs.text(self.REPORT, report.html())
         return {} if report.mean_iou is None else {self.MEAN_IOU: report.mean_iou}
 

@@ -102,5 +102,4 @@ def _event(line: bytes) -> dict | None:
 
 
 def failure(event: dict) -> Sentence:
-    """Return the sentence of an event “failed”."""
     return Sentence(event["template"], **event["values"])

@@ -213,7 +213,6 @@ class LocalizeAlgorithm(SemRefAlgorithm):
 
 
 def require_images(paths: Sequence[str]) -> None:
-    """Raises ParameterError without images."""
     if not paths:
         raise ParameterError("“Images” is empty. Select at least one image or a folder with images.")
 

@@ -127,10 +127,6 @@ class Outputs:
         if self._values.switch(parameters.OPEN_OUTPUT):
             self._opened.append(key)
 
-    def wants(self, key: str) -> bool:
-        """Return whether an optional output is selected."""
-        return self._values.has(key)
-
     def text(self, key: str, text: str) -> None:
         """Write a text in UTF-8."""
         with self.file(key) as temporary, open(temporary, "w", encoding="utf-8") as file:

@@ -163,7 +163,6 @@ def validation_fraction(optional: bool = False, advanced: bool = False) -> QgsPr
 
 
 def seed(default: int = 1) -> QgsProcessingParameterDefinition:
-    """Return the seed of random numbers."""
     return with_help(
         QgsProcessingParameterNumber(SEED, "Seed", INTEGER, default, minValue=0),
         "Start value of the random numbers. The same number gives the same trials again.",

@@ -22,7 +22,6 @@ SCALE_MINIMUM, SCALE_MAXIMUM = "SCALE_MINIMUM", "SCALE_MAXIMUM"
 
 
 def parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
-    """Return the optional parameters of the prior position, heading and scale."""
     return (
         with_help(
             QgsProcessingParameterPoint(PRIOR_POINT, "Prior position", optional=True),

@@ -37,7 +37,6 @@ FLOWN_PERCENT, DONE_PERCENT = 70, 97
 
 
 def parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
-    """Return the parameters of simulated flights."""
     return (
         with_help(
             QgsProcessingParameterNumber(FLIGHTS, "Simulated flights", INTEGER, 0, minValue=0, maxValue=100),
@@ -63,16 +62,10 @@ def parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
 
 
 def outputs() -> tuple[QgsProcessingOutputNumber, ...]:
-    """Return the result numbers."""
     return (
         QgsProcessingOutputNumber(FIRST_POSITION, "Distance to the first position of a flight"),
         QgsProcessingOutputNumber(LARGEST_RADIUS, "Largest 95 % radius of a flight"),
     )
-
-
-def share_before(values: Values) -> float:
-    """Return the share of the progress before the flights."""
-    return FLOWN_PERCENT / 100 if values.integer(FLIGHTS) else 1.0
 
 
 def simulate(

@@ -27,8 +27,6 @@ from .values import Values
 if TYPE_CHECKING:
     from ...core.database.model import ReferenceDatabase
 
-__all__ = ["SCHEDULER", "Workers", "with_progress", "require_scheduler", "scheduler", "workers"]
-
 SCHEDULER = "SCHEDULER"
 
 _ASKED_TO_END_MS = 700

@@ -141,7 +141,7 @@ def write_polygons(
     Raises:
         LabelMapError: They cannot be made.
     """
-    if not outputs.wants(key):
+    if not values.has(key):
         return
     from ...core.annotation.outlines import areas_and_wkb, can_simplify
     from ...storage.polygonize import polygonize

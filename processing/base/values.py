@@ -45,7 +45,8 @@ class Values:
     ) -> None:
         self._algorithm, self.context = algorithm, context
         # QGIS's batch dialog gives an output that is left empty as a definition without a destination.
-        empty = {key for key, value in parameters.items() if _is_empty_output(value)}
+        outputs = {key: one for key, one in parameters.items() if isinstance(one, QgsProcessingOutputLayerDefinition)}
+        empty = (key for key, output in outputs.items() if output.sink.staticValue() == "")
         self._parameters = {**parameters, **dict.fromkeys(empty)}
 
     @property
@@ -278,10 +279,6 @@ class Values:
         """
         parameters = {**self._parameters, key: with_destination(self.raw(key), target)} if target else self._parameters
         return self._algorithm.parameterAsSink(parameters, key, self.context, fields, geometry, crs, flags)
-
-
-def _is_empty_output(value: Any) -> bool:
-    return isinstance(value, QgsProcessingOutputLayerDefinition) and value.sink.staticValue() == ""
 
 
 def _finite(number: float, title: str) -> float:

@@ -15,21 +15,6 @@ def status_words() -> dict[str, str]:
     return {**{status.key: worded(status.title) for status in Status}, "error": tr("cannot be read")}
 
 
-def method_words() -> dict[str, str]:
-    """Return the words for each key of ``method``."""
-    return {method.key: worded(method.title) for method in Method}
-
-
-def source_words() -> dict[str, str]:
-    """Return the words for each key of ``source`` of a flight."""
-    return {"own": tr("own position"), "flight": tr("flight")}
-
-
-def trial_words() -> dict[str, str]:
-    """Return the words for each key of ``kind`` of a trial."""
-    return {"map": tr("image of the map"), "mirrored": tr("mirrored image")}
-
-
 def verdict_words() -> dict[str, str]:
     """Return the words for each key of ``verdict``, from the worst to the best."""
     return {
@@ -43,13 +28,15 @@ def verdict_words() -> dict[str, str]:
 
 def column_words(names: Collection[str]) -> dict[str, dict[str, str]]:
     """Return the words by key of each column with keys; ``names``: columns of a layer."""
+    methods = {method.key: worded(method.title) for method in Method}
+    trials = {"map": tr("image of the map"), "mirrored": tr("mirrored image")}
     words = {
         "status": status_words(),
-        "method": method_words(),
-        "source": source_words(),
+        "method": methods,
+        "source": {"own": tr("own position"), "flight": tr("flight")},
         "verdict": verdict_words(),
         "severity": severity_words(),
-        "kind": kind_titles() if "severity" in names else trial_words(),
-        "road": method_words(),
+        "kind": kind_titles() if "severity" in names else trials,
+        "road": methods,
     }
     return {name: found for name, found in words.items() if name in names}

@@ -206,10 +206,11 @@ class EvaluationReport:
             added = [tr("Error"), *([tr("Distance")] if _has_distances(trials) else []), tr("Confidence")]
             numbers += range(len(header) + 1, len(header) + 1 + len(added))
             header += [name, *added]
-        order = {id(o): n for n, o in enumerate(by_method[0])}
+        # By descending scale and ascending angle, as in the paper.
+        order = {id(o): (-o.query.scale, o.query.view.heading_deg, n) for n, o in enumerate(by_method[0])}
         rows = [
             [value_of(same[0].query), same[0].query.window, *self._result_cells(same, by_method)]
-            for same in sorted(zip(*by_method), key=lambda same: (_turn_order(same[0].query), order[id(same[0])]))
+            for same in sorted(zip(*by_method), key=lambda same: order[id(same[0])])
         ]
         return page.table(header, rows, numbers)
 
@@ -257,11 +258,6 @@ def _has_distances(trials: Sequence[Trial]) -> bool:
 
 def _decimal(value: float | None, decimals: int) -> str:
     return page.NOTHING if value is None else shown(value, f".{decimals}f")
-
-
-def _turn_order(query) -> tuple[float, float]:
-    """Return the sort key of rows: descending scale, ascending angle, as in the paper."""
-    return -query.scale, query.view.heading_deg
 
 
 def _thin(x: np.ndarray, y: np.ndarray, most: int = 400) -> tuple[np.ndarray, np.ndarray]:

@@ -158,10 +158,6 @@ class SemRefDock(QgsDockWidget):
 
     # --- the project ---
 
-    def _state_now(self) -> DockState | None:
-        """Return the state; for a dock that was never opened, the state that its project had."""
-        return self._wanted_state if self._content is None else self._content.localize.state_now()
-
     def _restore(self, *_document) -> None:
         """Restore the state of the opened project."""
         state = read_state(QgsProject.instance())
@@ -171,7 +167,8 @@ class SemRefDock(QgsDockWidget):
             self._content.localize.show_state(state)
 
     def _write(self, *_document) -> None:
-        state = self._state_now()
+        # A dock that was never opened has the state of its project.
+        state = self._wanted_state if self._content is None else self._content.localize.state_now()
         if state is not None:
             write_state(QgsProject.instance(), state)
 
