@@ -109,7 +109,6 @@ def save_database(database: ReferenceDatabase, path: str) -> None:
     """Write a database as an onboard file, without longitude and latitude, which only QGIS can compute.
 
     Args:
-        database: The database.
         path: Path of the file (.npz).
 
     Raises:

@@ -32,7 +32,6 @@ def write_draped(image: str, target: str, crs_wkt: str, corners_xy: np.ndarray) 
 
     Args:
         target: The VRT; a second one is written beside it.
-        crs_wkt: WKT of the map's CRS.
         corners_xy: (4, 2) map coordinates of the image's upper left, upper right, lower right and lower left corner.
 
     Raises:
@@ -55,7 +54,6 @@ def write_geotiff(
     its colors, and is 0 outside.
 
     Args:
-        crs_wkt: WKT of the map's CRS.
         corners_xy: As in ``write_draped``.
         going_on: Called repeatedly; False ends the work with an UnwritableError.
 
@@ -130,7 +128,6 @@ def write_world_file(image: str, target: str, crs_wkt: str, corners_xy: np.ndarr
     """Copy an image, write its world file beside it, and write the CRS to ``.aux.xml``.
 
     Args:
-        crs_wkt: WKT of the map's CRS.
         corners_xy: (4, 2) map coordinates of the image's upper left, upper right, lower right and lower left corner.
 
     Raises:
@@ -195,7 +192,6 @@ def write_points(image: str, target: str, crs_wkt: str, points: Sequence[Control
     """Copy an image and write its ``.points`` file, which QGIS's Georeferencer loads with the image.
 
     Args:
-        crs_wkt: WKT of the map's CRS.
         points: At least four for a tilted image, three for a level one.
 
     Raises:

@@ -322,5 +322,4 @@ def _pixmap(pixels_hw3: np.ndarray) -> QPixmap:
 
 
 def _file_name(name: str) -> str:
-    """Return a file name for a model's name."""
     return "".join(c if c.isalnum() or c in "-_" else "_" for c in name.strip())[:100] or "model"

@@ -95,7 +95,6 @@ class ClassTableEditor(QDialog):
         self.buttons.rejected.connect(self.reject)
 
     def show_classes(self, classes: Sequence[ClassRow]) -> None:
-        """Replace the shown classes."""
         self.rows.setRowCount(0)
         for one in classes:
             self._add_row(one)
@@ -107,7 +106,6 @@ class ClassTableEditor(QDialog):
         self.rows.editItem(self.rows.currentItem())
 
     def remove_classes(self) -> None:
-        """Remove the selected classes."""
         for row in sorted({index.row() for index in self.rows.selectedIndexes()}, reverse=True):
             self.rows.removeRow(row)
 
@@ -122,7 +120,6 @@ class ClassTableEditor(QDialog):
         super().accept()
 
     def classes(self) -> list[ClassRow]:
-        """Return the classes as shown."""
         columns = range(self.rows.columnCount())
         return [[self._cell(row, column) for column in columns] for row in range(self.rows.rowCount())]
 

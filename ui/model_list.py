@@ -75,7 +75,6 @@ class ModelsDialog(QDialog):
         return "" if card is None or card.fault is not None else card.file
 
     def select(self, path: str) -> None:
-        """Select the model with this path, if it is listed."""
         for row in range(self.list.topLevelItemCount()):
             item = self.list.topLevelItem(row)
             if item.data(0, _CARD).file == path:

@@ -140,7 +140,6 @@ class SetUpAreaDialog(QDialog):
         self.deleteLater()
 
     def parameters(self) -> dict:
-        """Return the parameters of the algorithm."""
         photos = QgsFileWidget.splitFilePaths(self.photos.filePath().strip())
         return {
             SetUpArea.PHOTOS: [path for path in photos if path],

@@ -33,7 +33,6 @@ def cached_index(references: MapLandmarks, pixel_size_m: float, settings: Conste
 
     Args:
         pixel_size_m: Pixel size of their label map.
-        settings: Settings that the index is built with.
     """
     if len(references) < FEWEST:
         return build_index(references, pixel_size_m, settings)

@@ -122,7 +122,6 @@ def cluster(portions: Sequence[Poses], capped: bool, count: int) -> Seeds:
     """Return the means of the poses in the fullest cells of two lattices, so that one of them does not cut a cluster.
 
     Args:
-        portions: The poses.
         capped: Copied to the result.
         count: Cells of each lattice.
     """

@@ -336,7 +336,6 @@ def weigh_all(
 
     Args:
         query: The image's ``telling_objects``.
-        poses: S poses.
         factors: (S,) ratio of the noise to the assumed one.
         matcher: Of these poses; None to make one.
     """

@@ -42,7 +42,6 @@ def full_pose_covariance(  # noqa: PLR0913 - a fit, what it was made on, and wha
     """Return the covariance of a pose with all its sources of error.
 
     Args:
-        pose: With its score.
         covariance: (4, 4) of ``pose_covariance``, with that of leaning roofs.
         edge_m: Of the ground that the image shows.
         overview_pixel_m: Pixel size of the map's overview.

@@ -91,7 +91,6 @@ def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: f
     """Return the best pose of a few Gauss–Newton steps, with its score.
 
     Args:
-        image: Its evidence.
         pose: Start pose.
         quiet: Energy per pixel that is added to the map's own in the score.
         steps: Most steps.
@@ -115,7 +114,6 @@ def is_held_by_edge(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose,
     """Return whether a refined pose would move beyond the map's edge; then the right place is farther out.
 
     Args:
-        image: Its evidence.
         quiet: As in ``refine``.
     """
     fit = _compare(image, pyramid, pose, quiet)

@@ -63,7 +63,6 @@ def turn_image(image: EvidenceLevel, heading_deg: float, edge: int, pixel: float
     """Return the image in its direction on the map: a square template around its center.
 
     Args:
-        image: Its evidence.
         heading_deg: Of its top, clockwise from up.
         edge: Of the template, in its own pixels.
         pixel: Edge of such a pixel, in image pixels.

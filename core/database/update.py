@@ -60,7 +60,6 @@ def update_by_tasks(  # noqa: PLR0913 - the map, the database, and how to run
 
     Args:
         source: The corrected label map; the same pieces are read several times.
-        frame: Its grid.
         database: With the landmarks' bounds and the windows' distinctiveness.
         areas: Rectangles that contain every changed pixel; parts beyond the map are ignored. None to find changes by
             comparing block hashes, which reads the whole map. Blocks outside the areas count as unchanged and keep
@@ -205,7 +204,6 @@ def require_same_grid(shape_hw: tuple[int, int], frame: MapFrame, database: Refe
 
     Args:
         shape_hw: (height, width) of the label map.
-        frame: Its grid.
 
     Raises:
         DatabaseError: The database lacks data that an update needs.

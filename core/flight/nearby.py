@@ -63,7 +63,6 @@ def places_near(
     """Return places near an expected one where class areas agree, most probable first, with their probabilities.
 
     Args:
-        image: Its evidence.
         state: (4,) expected.
         covariance: (4, 4) of it.
 
@@ -93,7 +92,6 @@ def log_odds(poses: Sequence[ScoredPose], state: np.ndarray, known: np.ndarray, 
     """Return (n,) ln likelihood of poses from agreement and distance, up to a common constant.
 
     Args:
-        poses: With their scores.
         state: (4,) expected.
         known: (4, 4) covariance of the distance from it.
     """

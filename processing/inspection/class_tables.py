@@ -24,7 +24,6 @@ def read_rows(path: str) -> list[ClassRow]:
 
 
 def role_titles() -> dict[str, str]:
-    """Return the titles of the roles, by the role in the file."""
     return {REFERENCE: tr("landmarks"), BACKGROUND: tr("background")}
 
 

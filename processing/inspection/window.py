@@ -105,7 +105,6 @@ def window_at_point(database: ReferenceDatabase, x: float, y: float) -> int | No
 
 
 def inspect_window(database: ReferenceDatabase, index: int) -> InspectedWindow:
-    """Describe one window of a database."""
     windows, found = database.windows, describe_window(database, index)
     vector = windows.vectors[index] if windows.described[index] else None
     look_alikes = tuple(

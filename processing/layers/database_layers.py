@@ -113,7 +113,6 @@ def database_file(layer: QgsMapLayer) -> str:
 
 
 def database_layers(path: str, project: QgsProject) -> list[QgsMapLayer]:
-    """Return the layers of a database in the project."""
     wanted = os.path.realpath(path)
     found = [(layer, database_file(layer)) for layer in project.mapLayers().values()]
     return [layer for layer, file in found if file and os.path.realpath(file) == wanted]

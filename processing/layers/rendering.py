@@ -87,7 +87,6 @@ def plan_drawing(
 
     Args:
         layer: Result of ``drawable``.
-        pixel_size_m: Pixel size in m.
 
     Raises:
         ImageError: The extent can't be transformed to a metric CRS, or is too large.

@@ -62,7 +62,6 @@ def apply_style(layer: QgsVectorLayer, name: str, is_timed: bool = False) -> Non
 
 
 def style_renderer(name: str) -> QgsFeatureRenderer:
-    """Return the renderer of a style file."""
     element = style_document(name).documentElement().firstChildElement("renderer-v2")
     return QgsFeatureRenderer.load(element, QgsReadWriteContext())
 

@@ -85,7 +85,6 @@ class Axis:
 
 
 def percent_axis(title: str) -> Axis:
-    """Return an axis from 0 to 100 %."""
     return Axis(title, (0.0, 1.0), [(n / 4, f"{25 * n} %") for n in range(5)])
 
 

@@ -122,7 +122,6 @@ def _kinds(success: np.ndarray, classes: Sequence[SuccessClass]) -> np.ndarray:
 
 
 def route_ground(points: RoutePoints) -> Ground:
-    """Return the map of a route."""
     return Ground(*points.places.min(0), *points.places.max(0), ROUTE_HEIGHT)
 
 
@@ -151,7 +150,6 @@ def route_map(
 
 
 def flight_legend() -> str:
-    """Return a legend of the kinds of positions."""
     texts = tr("Own position"), tr("Position from the flight"), tr("Own position outvoted")
     return page.macros().legend([([_mark(6, 6, 4, kind)], text) for kind, text in enumerate(texts)])
 

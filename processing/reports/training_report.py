@@ -44,7 +44,6 @@ class TrainingReport:
         return self.result["mean_iou"] if np.any(self.result["confusion"]) else None
 
     def html(self) -> str:
-        """Return the page."""
         return page.page(
             tr("Training of a model"),
             self.model,

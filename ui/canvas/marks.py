@@ -61,11 +61,9 @@ class Marks(QObject):
         return self._place()
 
     def clear(self) -> None:
-        """Remove all shapes."""
         self.draw({}, self._crs)
 
     def set_visible(self, visible: bool) -> None:
-        """Hide or show the marks."""
         self._visible = visible
         self._place()
 

@@ -46,7 +46,6 @@ class TrainingGroup(QGroupBox):
         self._show_state()
 
     def apply(self) -> None:
-        """Store the Python for training."""
         QgsSettings().setValue(PYTHON_SETTING, self.python.filePath().strip())
 
     def _lay_out(self) -> None:

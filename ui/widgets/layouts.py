@@ -60,6 +60,5 @@ class InputBox(FoldingBox):
 
 
 def narrow(layout: QBoxLayout, margin: int = MARGIN_PX) -> QBoxLayout:
-    """Return the layout with narrow margins."""
     layout.setContentsMargins(margin, margin, margin, margin)
     return layout

@@ -104,7 +104,6 @@ class PlacesTable(QTableWidget):
         return number
 
     def id_of(self, row: int) -> int:
-        """Return the id of a row's feature."""
         return self.item(row, 0).data(Qt.ItemDataRole.UserRole)
 
     def selectRow(self, row: int) -> None:
@@ -171,7 +170,6 @@ def has_severity(layer: QgsVectorLayer) -> bool:
 
 
 def places_of(layer: QgsVectorLayer) -> Iterator[PlaceRow]:
-    """Yield the places of a layer."""
     fields, kinds = shown_fields(layer), kind_titles()
     for feature in layer.getFeatures():
         first, second, area, position = _texts(feature, layer, kinds)

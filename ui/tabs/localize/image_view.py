@@ -79,7 +79,6 @@ class ImageView(QWidget):
         self._apply()
 
     def clear(self, text: str) -> None:
-        """Show a text instead of a picture."""
         self.canvas.clear(text)
 
     def _apply(self) -> None:

@@ -94,11 +94,9 @@ class ImageBox(InputBox):
         self._look()
 
     def paths(self) -> list[str]:
-        """Return the listed files and folders."""
         return self.list.paths()
 
     def shut_down(self) -> None:
-        """Close the list of models."""
         self._close_models()
 
     def _look(self) -> None:
