@@ -55,7 +55,10 @@ def _install_translator():
     """Install and return the translation for QGIS's language; None without one."""
     settings = QgsSettings()
     overridden = settings.value("locale/overrideFlag", False, type=bool)
-    locale = settings.value("locale/userLocale", "", type=str) if overridden else ""
+    # Desktop QGIS states its language, also that of the option --lang; qgis_process does not.
+    locale = QgsApplication.instance().translation()
+    if not locale and overridden:
+        locale = settings.value("locale/userLocale", "", type=str)
     translator = QTranslator()
     if not translator.load(QLocale(locale) if locale else QLocale.system(), "semref", "_", str(_TRANSLATIONS), ".qm"):
         return None

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from qgis.core import QgsApplication
-from qgis.PyQt.QtCore import QCoreApplication
+from qgis.PyQt.QtCore import QCoreApplication, QTranslator
 
 from semref.core.errors import ComponentError
 from semref.plugin import SemRefPlugin
@@ -250,3 +250,13 @@ def test_the_plugin_adds_what_is_installed_to_the_end_of_the_path(root, without_
     plugin.initProcessing()
     plugin.unload()
     assert sys.path[-1] == str(folder)
+
+
+def test_the_plugin_follows_the_language_that_qgis_was_started_with(qgis_app, without_provider, monkeypatch):
+    plugin, before, asked = SemRefPlugin(None), qgis_app.translation(), []
+    monkeypatch.setattr(QTranslator, "load", lambda _self, locale, *_names: asked.append(locale.name()))
+    qgis_app.setTranslation("de")
+    plugin.initProcessing()
+    qgis_app.setTranslation(before)
+    plugin.unload()
+    assert asked == ["de_DE"]
