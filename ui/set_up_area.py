@@ -13,8 +13,19 @@ from qgis.core import (
     QgsVectorLayer,
 )
 from qgis.gui import QgsFileWidget, QgsProcessingMapLayerComboBox
-from qgis.PyQt.QtCore import Qt, QTimer, pyqtSignal
-from qgis.PyQt.QtWidgets import QDialog, QDoubleSpinBox, QFileDialog, QFormLayout, QPushButton, QVBoxLayout, QWidget
+from qgis.PyQt.QtCore import QSize, Qt, QTimer, pyqtSignal
+from qgis.PyQt.QtWidgets import (
+    QDialog,
+    QDoubleSpinBox,
+    QFileDialog,
+    QFormLayout,
+    QFrame,
+    QPushButton,
+    QScrollArea,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
 
 from ..core.errors import SemRefError
 from ..processing.algorithms.set_up_area import SetUpArea
@@ -52,7 +63,6 @@ class SetUpAreaDialog(QDialog):
         super().__init__(parent)
         self.setObjectName("SemRefSetUpArea")
         self.setWindowTitle(tr("Set up an area"))
-        self.resize(_WIDTH_PX, self.sizeHint().height())
         # It owns the definitions that the widgets use.
         self._asked = _algorithm()
         self._definition = self._asked.parameterDefinition
@@ -82,6 +92,7 @@ class SetUpAreaDialog(QDialog):
         self._used: dict = {}
         self._is_other_project = False
         self._lay_out()
+        self.resize(self.sizeHint().expandedTo(QSize(_WIDTH_PX, 0)))
         self._connect()
         self._read_soon()
 
@@ -103,13 +114,19 @@ class SetUpAreaDialog(QDialog):
             widget.setAccessibleName(definition.description())
             row = row_of((widget, 1), self.add_files) if widget is self.photos else widget
             form.addRow(definition.description(), row)
-        self.summary.setMinimumHeight(5 * self.fontMetrics().height())
         self.summary.setAlignment(Qt.AlignmentFlag.AlignTop)
+        # Without it, a long summary would squeeze the fields on a small screen.
+        scrolled = QScrollArea()
+        scrolled.setFrameShape(QFrame.Shape.NoFrame)
+        scrolled.setWidgetResizable(True)
+        scrolled.setMinimumHeight(5 * self.fontMetrics().height())
+        scrolled.setWidget(self.summary)
+        self._inputs.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         self.progress.setVisible(False)
         self.start.setDefault(True)
         layout = QVBoxLayout(self)
         layout.addWidget(self._inputs)
-        layout.addWidget(self.summary, 1)
+        layout.addWidget(scrolled, 1)
         for widget in (self.progress, self.state):
             layout.addWidget(widget)
         layout.addLayout(row_of((QWidget(), 1), self.start, self.close_button))

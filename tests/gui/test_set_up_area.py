@@ -3,7 +3,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from dock_area import messages, wait_until
+from dock_area import messages, settle, wait_until
 from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
 from qgis.PyQt.QtWidgets import QCheckBox, QFileDialog
 
@@ -48,6 +48,14 @@ def test_it_asks_for_what_is_missing_and_shows_sizes(project_map, dialog, sample
     assert not dialog.start.isEnabled()
     dialog.folder.setFilePath(str(tmp_path / "results"))
     wait_until(dialog.start.isEnabled, "the button Run")
+
+
+def test_a_long_summary_cuts_off_no_field_on_a_small_screen(dialog):
+    dialog.summary.setText("A long warning.\n" * 40)
+    dialog.resize(dialog.width(), 480)
+    settle()
+    assert dialog.height() < 650
+    assert dialog.map.height() >= dialog.map.sizeHint().height()
 
 
 def test_the_only_map_and_orthophoto_of_the_project_are_chosen(project_map, dock, sample):
