@@ -5849,7 +5849,7 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   </message>
   <message>
    <source>error {probability}</source>
-   <translation>Irrtumswahrscheinlichkeit {probability}</translation>
+   <translation>Irrtum {probability}</translation>
   </message>
   <message>
    <source>expected success {threshold} or more</source>
@@ -6852,6 +6852,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>{path} ist beschädigt, unvollständig oder keine Onboard-Datei von SemRef ({reason}). Kopieren oder exportieren Sie die Datei noch einmal.</translation>
   </message>
   <message>
+   <source>{path} is empty (0 bytes). Copy the file again.</source>
+   <translation>{path} ist leer (0 Bytes). Kopieren Sie die Datei erneut.</translation>
+  </message>
+  <message>
    <source>{path} is in {crs}, which is not in meters. Rasterize or warp it to a projected CRS in meters.</source>
    <translation>{path} hat das KBS {crs}, das nicht in Metern ist. Rastern oder transformieren Sie die Datei in ein projiziertes KBS in Metern.</translation>
   </message>
@@ -6918,6 +6922,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>{path} is not an ONNX model, or it is damaged or incomplete; copy or export it again.</source>
    <translation>{path} ist kein ONNX-Modell oder ist beschädigt oder unvollständig; kopieren oder exportieren Sie es noch einmal.</translation>
+  </message>
+  <message>
+   <source>{path} is not an image that QGIS can read. Copy a damaged file again. Save photos in other formats, such as RAW or HEIC, as JPEG with their camera data.</source>
+   <translation>{path} ist kein Bild, das QGIS lesen kann. Kopieren Sie eine beschädigte Datei erneut. Speichern Sie Fotos in anderen Formaten, wie RAW oder HEIC, als JPEG mit ihren Kameradaten.</translation>
   </message>
   <message>
    <source>{path} is not an onboard file of SemRef. Choose one made by “Export for onboard use”.</source>

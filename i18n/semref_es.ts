@@ -6852,6 +6852,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>{path} está dañado, incompleto o no es un archivo de a bordo de SemRef ({reason}). Cópielo o expórtelo de nuevo.</translation>
   </message>
   <message>
+   <source>{path} is empty (0 bytes). Copy the file again.</source>
+   <translation>{path} está vacío (0 bytes). Vuelva a copiar el archivo.</translation>
+  </message>
+  <message>
    <source>{path} is in {crs}, which is not in meters. Rasterize or warp it to a projected CRS in meters.</source>
    <translation>{path} está en {crs}, que no está en metros. Rasterícelo o reproyéctelo a un SRC proyectado en metros.</translation>
   </message>
@@ -6918,6 +6922,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>{path} is not an ONNX model, or it is damaged or incomplete; copy or export it again.</source>
    <translation>{path} no es un modelo ONNX, o está dañado o incompleto; cópielo o expórtelo de nuevo.</translation>
+  </message>
+  <message>
+   <source>{path} is not an image that QGIS can read. Copy a damaged file again. Save photos in other formats, such as RAW or HEIC, as JPEG with their camera data.</source>
+   <translation>{path} no es una imagen que QGIS pueda leer. Vuelva a copiar un archivo dañado. Guarde las fotos en otros formatos, como RAW o HEIC, como JPEG con los datos de la cámara.</translation>
   </message>
   <message>
    <source>{path} is not an onboard file of SemRef. Choose one made by “Export for onboard use”.</source>

@@ -6852,6 +6852,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>{path} est endommagé, incomplet ou n’est pas un fichier embarqué de SemRef ({reason}). Copiez-le ou exportez-le de nouveau.</translation>
   </message>
   <message>
+   <source>{path} is empty (0 bytes). Copy the file again.</source>
+   <translation>{path} est vide (0 octet). Copiez de nouveau le fichier.</translation>
+  </message>
+  <message>
    <source>{path} is in {crs}, which is not in meters. Rasterize or warp it to a projected CRS in meters.</source>
    <translation>{path} est en {crs}, qui n’est pas en mètres. Rastérisez-le ou reprojetez-le dans un SCR projeté en mètres.</translation>
   </message>
@@ -6918,6 +6922,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>{path} is not an ONNX model, or it is damaged or incomplete; copy or export it again.</source>
    <translation>{path} n’est pas un modèle ONNX, ou il est endommagé ou incomplet ; copiez-le ou exportez-le de nouveau.</translation>
+  </message>
+  <message>
+   <source>{path} is not an image that QGIS can read. Copy a damaged file again. Save photos in other formats, such as RAW or HEIC, as JPEG with their camera data.</source>
+   <translation>{path} n’est pas une image que QGIS peut lire. Copiez de nouveau un fichier endommagé. Enregistrez les photos dans d’autres formats, comme RAW ou HEIC, en JPEG avec les données de l’appareil photo.</translation>
   </message>
   <message>
    <source>{path} is not an onboard file of SemRef. Choose one made by “Export for onboard use”.</source>

@@ -6852,6 +6852,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>{path} 已损坏、不完整或不是 SemRef 的机载文件（{reason}）。请重新复制或导出。</translation>
   </message>
   <message>
+   <source>{path} is empty (0 bytes). Copy the file again.</source>
+   <translation>{path} 是空文件（0 字节）。请重新复制该文件。</translation>
+  </message>
+  <message>
    <source>{path} is in {crs}, which is not in meters. Rasterize or warp it to a projected CRS in meters.</source>
    <translation>{path} 采用 {crs}，不以米为单位。请栅格化或重投影到以米为单位的投影坐标参照系。</translation>
   </message>
@@ -6918,6 +6922,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>{path} is not an ONNX model, or it is damaged or incomplete; copy or export it again.</source>
    <translation>{path} 不是 ONNX 模型，或已损坏、不完整；请重新复制或导出。</translation>
+  </message>
+  <message>
+   <source>{path} is not an image that QGIS can read. Copy a damaged file again. Save photos in other formats, such as RAW or HEIC, as JPEG with their camera data.</source>
+   <translation>{path} 不是 QGIS 能读取的图像。如果文件已损坏，请重新复制。其他格式（如 RAW 或 HEIC）的照片，请连同相机数据另存为 JPEG。</translation>
   </message>
   <message>
    <source>{path} is not an onboard file of SemRef. Choose one made by “Export for onboard use”.</source>

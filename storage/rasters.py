@@ -12,10 +12,14 @@ from ..core import limits
 from ..core.errors import LabelMapError, UnwritableError
 from ..core.labels import image_files as core_images
 from ..core.labels.image_files import require_kind_of_name
+from ..core.sentences import Sentence
 from .gdal_errors import gdal_failure, gdal_failures
 
-IMAGE_EXTENSIONS = (".tif", ".tiff", ".png", ".jpg", ".jpeg", ".jp2", ".bmp", ".gif", ".webp", ".vrt", ".img", ".asc")
-
+IMAGE_EXTENSIONS = (
+    *(".tif", ".tiff", ".png", ".jpg", ".jpeg", ".jp2", ".heic", ".heif", ".bmp", ".gif", ".webp"),
+    *(".vrt", ".img", ".asc"),
+)
+"""Suffixes of the images of a folder. Not every GDAL reads HEIC: without it, the photo of a phone gets a reason."""
 
 _OWN_PIXELS = (
     *("GTiff", "PNG", "JPEG", "JP2OpenJPEG", "JP2KAK", "JP2ECW", "JP2MrSID", "JPEGXL", "BMP", "GIF", "BIGGIF", "WEBP"),
@@ -98,11 +102,11 @@ def open_raster(path: str) -> gdal.Dataset:
         # GDAL reads damaged keys only now, and may raise an error here as well.
         transform = None if dataset is None else dataset.GetGeoTransform(can_return_null=True)
     except RuntimeError as error:
-        raise LabelMapError("{path} can't be read: {reason}.", path=path, reason=gdal_failure(error)) from None
+        raise _unreadable(path, gdal_failure(error)) from None
     finally:
         gdal.PopErrorHandler()
     if dataset is None or dataset.RasterCount == 0:
-        raise LabelMapError("{path} can't be read: {reason}.", path=path, reason=gdal_failure())
+        raise _unreadable(path, gdal_failure())
     if drivers and dataset.GetMetadataItem(*_OVERVIEW_FILE):
         raise LabelMapError(
             "{path} names another file for its overviews ({name}), which SemRef does not open; remove {path}.aux.xml, "
@@ -116,6 +120,18 @@ def open_raster(path: str) -> gdal.Dataset:
             "{path} has an impossible georeference ({numbers}). Georeference it again.", path=path, numbers=numbers
         )
     return dataset
+
+
+def _unreadable(path: str, reason: str | Sentence) -> LabelMapError:
+    if not drivers_for(path) or _driver_of(path):
+        return LabelMapError("{path} can't be read: {reason}.", path=path, reason=reason)
+    if not os.path.getsize(path):
+        return LabelMapError("{path} is empty (0 bytes). Copy the file again.", path=path)
+    return LabelMapError(
+        "{path} is not an image that QGIS can read. Copy a damaged file again. Save photos in other formats, such as "
+        "RAW or HEIC, as JPEG with their camera data.",
+        path=path,
+    )
 
 
 def _start(path: str) -> bytes:

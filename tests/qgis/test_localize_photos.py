@@ -110,6 +110,14 @@ def test_a_photo_that_was_cut_short_is_unreadable_and_one_with_other_warnings_is
     assert localize([photo])[0]["status"] != "error"
 
 
+def test_files_of_no_image_get_a_reason_with_a_next_step(localize, jpeg):
+    for content, words in ((b"", "is empty (0 bytes). Copy"), (b"my notes", "or HEIC, as JPEG with their camera")):
+        for name in ("a.jpg", "a.heic"):
+            (photo := jpeg(LABELS).with_name(name)).write_bytes(content)
+            assert words in localize([photo.parent])[0]["reason"]
+            photo.unlink()
+
+
 @pytest.mark.parametrize(
     ("names", "words"),
     [
