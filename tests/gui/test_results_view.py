@@ -54,7 +54,7 @@ def test_a_row_has_two_lines_with_position_radius_and_error_probability(dock, if
     first, second = (results.item(row).text().split("\n") for row in range(2))
     assert first[0] == "on_window.tif · Position · error below 1 in 10,000"
     assert first[1].startswith("7.6") and " ± " in first[1] and first[1].endswith(" m")
-    assert second[0] == "broken.tif · Unreadable" and "can't be read" in second[1]
+    assert second[0] == "broken.tif · Unreadable" and "is not an image" in second[1]
 
 
 @pytest.mark.parametrize("odds", ["error below 1 in 10,000", "Irrtum unter 1 : 10.000"])
@@ -226,7 +226,7 @@ def test_the_selected_image_is_shown_with_its_landmarks(dock, area, tab):
 
 def test_the_view_shows_why_an_image_cannot_be_shown(dock, area, tab):
     localize(dock, area.database, [area.unreadable])
-    wait_until(lambda: "can't be read" in tab.results.image.canvas._text, "the reason")
+    wait_until(lambda: "is not an image" in tab.results.image.canvas._text, "the reason")
 
 
 def test_a_photo_is_shown_with_what_the_model_makes_of_it(dock, area, tmp_path, tab):

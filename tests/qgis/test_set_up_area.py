@@ -159,7 +159,7 @@ def test_lines_that_cannot_be_used_are_refused(run_algorithm, tagged, repository
     [
         ({"PHOTO_WIDTH": None}, "enter the ground width of a typical photo"),
         ({"PHOTO_WIDTH": None, "PHOTOS": "photo"}, "do not state the height of the camera"),
-        ({"PHOTOS": "damaged"}, "bad.onnx can't be read"),
+        ({"PHOTOS": "damaged"}, "bad.onnx is not an image that QGIS can read"),
         ({"FOLDER": "a:b"}, "“Expected success” is"),
         ({"PHOTOS": "photo"}, "All photos with a GPS position were taken outside “map”"),
         ({"EXTENT": "0,100,0,100 [EPSG:32632]"}, "the extent do not overlap"),
