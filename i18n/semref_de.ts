@@ -32,6 +32,10 @@
    <translation>1 zu {count:,.0f}</translation>
   </message>
   <message>
+   <source>1 of {images} images has a position.</source>
+   <translation>1 von {images} Bildern hat eine Position.</translation>
+  </message>
+  <message>
    <source>2 % of the footprint width</source>
    <translation>2 % der Breite der Bildfläche</translation>
   </message>
@@ -4672,12 +4676,20 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Das Bild kann nicht gelesen werden. Wählen Sie ein Foto oder Orthofoto.</translation>
   </message>
   <message>
+   <source>The image has a position.</source>
+   <translation>Das Bild hat eine Position.</translation>
+  </message>
+  <message>
    <source>The image has no georeference, so the mask cannot be applied. Leave “Mask” empty.</source>
    <translation>Das Bild hat keine Georeferenz, deshalb lässt sich die Maske nicht anwenden. Lassen Sie „Maske“ leer.</translation>
   </message>
   <message>
    <source>The image has no pixels.</source>
    <translation>Das Bild hat keine Pixel.</translation>
+  </message>
+  <message>
+   <source>The image has no position.</source>
+   <translation>Das Bild hat keine Position.</translation>
   </message>
   <message>
    <source>The image has the same color everywhere, so a network can't learn from it. Choose another image.</source>

@@ -32,6 +32,10 @@
    <translation>1 de cada {count:,.0f}</translation>
   </message>
   <message>
+   <source>1 of {images} images has a position.</source>
+   <translation>1 de {images} imágenes tiene posición.</translation>
+  </message>
+  <message>
    <source>2 % of the footprint width</source>
    <translation>2 % del ancho de la huella</translation>
   </message>
@@ -4672,12 +4676,20 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>No se puede leer la imagen. Elija una foto o una ortofoto.</translation>
   </message>
   <message>
+   <source>The image has a position.</source>
+   <translation>La imagen tiene una posición.</translation>
+  </message>
+  <message>
    <source>The image has no georeference, so the mask cannot be applied. Leave “Mask” empty.</source>
    <translation>La imagen no tiene georreferencia, por lo que no se puede aplicar la máscara. Deje “Máscara” vacío.</translation>
   </message>
   <message>
    <source>The image has no pixels.</source>
    <translation>La imagen no tiene píxeles.</translation>
+  </message>
+  <message>
+   <source>The image has no position.</source>
+   <translation>La imagen no tiene posición.</translation>
   </message>
   <message>
    <source>The image has the same color everywhere, so a network can't learn from it. Choose another image.</source>

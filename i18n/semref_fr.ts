@@ -32,6 +32,10 @@
    <translation>1 sur {count:,.0f}</translation>
   </message>
   <message>
+   <source>1 of {images} images has a position.</source>
+   <translation>1 image sur {images} a une position.</translation>
+  </message>
+  <message>
    <source>2 % of the footprint width</source>
    <translation>2 % de la largeur de l’emprise au sol</translation>
   </message>
@@ -4672,12 +4676,20 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>L’image ne peut pas être lue. Choisissez une photo ou une orthophoto.</translation>
   </message>
   <message>
+   <source>The image has a position.</source>
+   <translation>L’image a une position.</translation>
+  </message>
+  <message>
    <source>The image has no georeference, so the mask cannot be applied. Leave “Mask” empty.</source>
    <translation>L’image n’a pas de géoréférencement ; le masque ne peut donc pas être appliqué. Laissez « Masque » vide.</translation>
   </message>
   <message>
    <source>The image has no pixels.</source>
    <translation>L’image n’a aucun pixel.</translation>
+  </message>
+  <message>
+   <source>The image has no position.</source>
+   <translation>L’image n’a pas de position.</translation>
   </message>
   <message>
    <source>The image has the same color everywhere, so a network can't learn from it. Choose another image.</source>

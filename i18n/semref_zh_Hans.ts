@@ -32,6 +32,10 @@
    <translation>{count:,.0f} 分之一</translation>
   </message>
   <message>
+   <source>1 of {images} images has a position.</source>
+   <translation>{images} 幅影像中有 1 幅有位置。</translation>
+  </message>
+  <message>
    <source>2 % of the footprint width</source>
    <translation>覆盖范围宽度的 2 %</translation>
   </message>
@@ -4672,12 +4676,20 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>无法读取影像。请选择照片或正射影像。</translation>
   </message>
   <message>
+   <source>The image has a position.</source>
+   <translation>该影像有位置。</translation>
+  </message>
+  <message>
    <source>The image has no georeference, so the mask cannot be applied. Leave “Mask” empty.</source>
    <translation>影像没有地理参考，因此无法应用掩膜。请将“掩膜”留空。</translation>
   </message>
   <message>
    <source>The image has no pixels.</source>
    <translation>影像没有像元。</translation>
+  </message>
+  <message>
+   <source>The image has no position.</source>
+   <translation>该影像没有位置。</translation>
   </message>
   <message>
    <source>The image has the same color everywhere, so a network can't learn from it. Choose another image.</source>
@@ -6925,7 +6937,7 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   </message>
   <message>
    <source>{path} is not an image that QGIS can read. Copy a damaged file again. Save photos in other formats, such as RAW or HEIC, as JPEG with their camera data.</source>
-   <translation>{path} 不是 QGIS 能读取的图像。如果文件已损坏，请重新复制。其他格式（如 RAW 或 HEIC）的照片，请连同相机数据另存为 JPEG。</translation>
+   <translation>{path} 不是 QGIS 能读取的影像。如果文件已损坏，请重新复制。其他格式（如 RAW 或 HEIC）的照片，请连同相机数据另存为 JPEG。</translation>
   </message>
   <message>
    <source>{path} is not an onboard file of SemRef. Choose one made by “Export for onboard use”.</source>

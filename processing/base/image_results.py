@@ -150,8 +150,13 @@ def count_sentence(statuses: Sequence[str]) -> str:
     Args:
         statuses: Of all images.
     """
-    counted = tr("{fixes} of {images} images have a position.")
-    text = counted.format(fixes=statuses.count(Status.FIX), images=len(statuses))
+    fixes = statuses.count(Status.FIX)
+    if len(statuses) == 1:
+        text = tr("The image has a position.") if fixes else tr("The image has no position.")
+    elif fixes == 1:
+        text = tr("1 of {images} images has a position.").format(images=len(statuses))
+    else:
+        text = tr("{fixes} of {images} images have a position.").format(fixes=fixes, images=len(statuses))
     likely = statuses.count(Status.LIKELY)
     return f"{text} {tr('Likely positions: {likely}.').format(likely=likely)}" if likely else text
 

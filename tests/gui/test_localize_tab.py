@@ -54,7 +54,7 @@ def test_an_image_cut_from_a_window_is_found_there_and_its_position_can_be_copie
     localize(dock, area.database, [area.image])
     assert results_of(dock) == [("on_window.tif", "Unverified match")]
     assert tab.results.list.selected().window == "150_250"
-    assert tab.state.text() == "1 of 1 images have a position."
+    assert tab.state.text() == "The image has a position."
     details = tab.results.details.toPlainText()
     assert "x, y: 400250.00, 5399650.00 (EPSG:25832)" in details and "lon, lat: 7.6" in details
     tab.results.copy.click()
@@ -81,7 +81,7 @@ def test_an_unreadable_image_has_a_row_with_its_reason_and_no_outline(dock, ifac
     localize(dock, area.database, [area.image, area.unreadable])
     tab.results.list.setCurrentRow(1)
     assert results_of(dock)[1] == ("broken.tif", "Unreadable")
-    assert "broken.tif can't be read" in tab.results.details.toPlainText()
+    assert "broken.tif is not an image" in tab.results.details.toPlainText()
     assert (shown_outline(iface), shown_center(iface)) == (None, None)
     assert not tab.results.copy.isEnabled()
     assert messages(iface) == []
@@ -139,7 +139,7 @@ def test_a_likely_position_is_amber_and_counted_apart(dock, iface, area, tab, mo
     monkeypatch.setattr(localization_run, "SHOWN_RISK", float(np.sqrt(np.prod(risks))))
     localize(dock, area.database, [])
     assert [status for _, status in results_of(dock)] == ["Likely position", "Position"]
-    assert tab.state.text() == "1 of 2 images have a position. Likely positions: 1."
+    assert tab.state.text() == "1 of 2 images has a position. Likely positions: 1."
     finding = results.selected()
     assert finding.is_likely and finding.error_95 > 0 and finding.reason
     assert (finding.x, finding.y) == pytest.approx((ORIGIN[0] + column + 50, ORIGIN[1] - row - 50), abs=3)
@@ -184,7 +184,7 @@ def test_only_the_circle_drawn_on_the_map_is_searched(dock, area, away_m, fixes,
     tab.prior.set_circle(middle, QgsPointXY(middle.x() + 60, middle.y()))
     assert tab.prior.text.text_shown == "Search area: radius 60 m"
     localize(dock, area.database, [area.image])
-    assert tab.state.text().startswith(f"{fixes} of 1")
+    assert tab.state.text() == ("The image has a position." if fixes else "The image has no position.")
     tab.prior.clear.click()
     assert tab.prior.parameters() == {}
 
@@ -274,4 +274,4 @@ def test_messages_of_a_run_are_in_the_log_panel_and_a_hidden_dock_reports_the_re
         dock.close()
         wait_until(lambda: not tab.run.running, "the end of the run")
     assert any("on_window.tif: 400250.0" in text for text in texts)
-    assert messages(iface) == ["1 of 1 images have a position."]
+    assert messages(iface) == ["The image has a position."]

@@ -209,5 +209,5 @@ def test_a_project_of_version_1_can_be_worked_with(dock, tab, kept):
     settle()
     tab.localize_button.click()
     wait_until(lambda: not tab.run.running, "the end of the run")
-    assert tab.state.text_shown == "1 of 2 images have a position."
+    assert tab.state.text_shown == "1 of 2 images has a position."
     assert dock.content.database.path() == str(kept / "database.gpkg")

@@ -202,7 +202,7 @@ def test_a_likely_position_is_shown_with_a_reason_and_counted_apart(localize, ru
     assert rows(results["ALTERNATIVES"]) == []
     assert results["FIX_COUNT"] == 1
     log = feedback.textLog()
-    assert "1 of 3 images have a position. Likely positions: 1." in log
+    assert "1 of 3 images has a position. Likely positions: 1." in log
     assert "a.png: Likely position. " in log and "b.png: Likely position" not in log
     given = {"POSITIONS": str(tmp_path / "positions.gpkg"), "OUTPUT": str(tmp_path / "placed"), "IMAGES": str(tmp_path)}
     assert run_algorithm("semref:georeferenceimages", given, feedback)["IMAGE_COUNT"] == 1
