@@ -8,7 +8,6 @@ from math import hypot
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransformContext,
-    QgsDistanceArea,
     QgsPalettedRasterRenderer,
     QgsPointXY,
     QgsRasterLayer,
@@ -22,7 +21,7 @@ from ...storage.images import GdalImage
 from ...storage.label_maps import GdalLabels, RasterFile, require_map_grid
 from ...storage.rasters import open_raster
 from ..compat import is_metric, wkt_for_gdal
-from .reference_systems import describe_crs
+from .reference_systems import describe_crs, ellipsoidal_measure
 
 
 @dataclass(frozen=True)
@@ -123,10 +122,7 @@ def pixel_size_m(image: GdalImage, crs: QgsCoordinateReferenceSystem) -> tuple[f
     height, width = image.shape_hw
     x = x0 + dx_column * width / 2 + dx_row * height / 2
     y = y0 + dy_column * width / 2 + dy_row * height / 2
-    measure = QgsDistanceArea()
-    measure.setSourceCrs(crs, QgsCoordinateTransformContext())
-    measure.setEllipsoid(crs.ellipsoidAcronym() or "EPSG:7030")
-    middle = QgsPointXY(x, y)
+    measure, middle = ellipsoidal_measure(crs, QgsCoordinateTransformContext()), QgsPointXY(x, y)
     along_row = measure.measureLine(middle, QgsPointXY(x + dx_column, y + dy_column))
     return along_row, measure.measureLine(middle, QgsPointXY(x + dx_row, y + dy_row))
 

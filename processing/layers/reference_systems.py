@@ -106,6 +106,17 @@ def utm_zone(
     return QgsCoordinateReferenceSystem(f"EPSG:{code}")
 
 
+def ellipsoidal_measure(
+    crs: QgsCoordinateReferenceSystem, transform_context: QgsCoordinateTransformContext
+) -> QgsDistanceArea:
+    """Return a measure of distances in m on the ellipsoid of a CRS; in a plane for an invalid one."""
+    measure = QgsDistanceArea()
+    measure.setSourceCrs(crs, transform_context)
+    # Not the project's ellipsoid, which may be none: degrees would be taken for meters.
+    measure.setEllipsoid(crs.ellipsoidAcronym() or "EPSG:7030" if crs.isValid() else "NONE")
+    return measure
+
+
 def meters_from(
     lon_lat: tuple[float, float],
     extent: tuple[float, float, float, float],
@@ -125,10 +136,7 @@ def meters_from(
     box = transformed_box(transform, QgsRectangle(*extent)) if transform.isValid() else QgsRectangle()
     if box.isEmpty() or not box.isFinite():
         return None
-    measure = QgsDistanceArea()
-    measure.setSourceCrs(degrees, transform_context)
-    measure.setEllipsoid("EPSG:7030")
-    longitude, latitude = lon_lat
+    measure, (longitude, latitude) = ellipsoidal_measure(degrees, transform_context), lon_lat
     nearest_latitude = min(max(latitude, box.yMinimum()), box.yMaximum())
     found = []
     for turned in (longitude - 360, longitude, longitude + 360):

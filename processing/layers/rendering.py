@@ -14,7 +14,6 @@ from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
     QgsCoordinateTransformContext,
-    QgsDistanceArea,
     QgsMapLayer,
     QgsMapRendererSequentialJob,
     QgsMapSettings,
@@ -32,7 +31,7 @@ from ...core.geometry.frame import MapFrame
 from ...storage.pictures import ColorPicture
 from ..compat import MAP_TILE, is_metric, wkt_for_gdal
 from .downloads import Downloads, install, watched_downloads
-from .reference_systems import describe_crs, transformed_box, utm_zone
+from .reference_systems import describe_crs, ellipsoidal_measure, transformed_box, utm_zone
 
 TILE_PX = 1024
 """Edge of a drawn tile; a cancel takes effect within CANCEL_EVERY_MS."""
@@ -275,8 +274,5 @@ def _true_crs(
 
 def _scale(place: QgsPointXY, crs: QgsCoordinateReferenceSystem, context: QgsCoordinateTransformContext) -> float:
     """Return the ground length, m, of a map unit to the east."""
-    measure = QgsDistanceArea()
-    measure.setSourceCrs(crs, context)
-    measure.setEllipsoid(crs.ellipsoidAcronym() or "EPSG:7030")
     step = 100.0
-    return measure.measureLine(place, QgsPointXY(place.x() + step, place.y())) / step
+    return ellipsoidal_measure(crs, context).measureLine(place, QgsPointXY(place.x() + step, place.y())) / step

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsDistanceArea, QgsPointXY, QgsProject
+from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsPointXY, QgsProject
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtWidgets import QWidget
 
-from ....processing.layers.reference_systems import transformed_point
+from ....processing.layers.reference_systems import ellipsoidal_measure, transformed_point
 from ....processing.messages.numbers import LocalTemplate
 from ....processing.translation import tr
 from ...canvas.map_tools import CircleTool
@@ -70,7 +70,7 @@ class PriorRow(QWidget):
             return
         self.circle = circle
         middle, edge = QgsPointXY(*circle[:2]), QgsPointXY(*circle[2:4])
-        self._radius_m = _ground_distance_m(middle, edge, crs)
+        self._radius_m = _distance_m(middle, edge, crs)
         self._mark.show(middle, self._radius_m, crs)
         self.text.show_text(LocalTemplate(tr("Search area: radius {radius:.0f} m")).format(radius=self._radius_m))
         self.clear.setEnabled(True)
@@ -84,13 +84,8 @@ class PriorRow(QWidget):
 
     def _preview(self, middle: QgsPointXY, edge: QgsPointXY) -> None:
         crs = self._canvas.mapSettings().destinationCrs()
-        self._mark.show(middle, _ground_distance_m(middle, edge, crs), crs)
+        self._mark.show(middle, _distance_m(middle, edge, crs), crs)
 
 
-def _ground_distance_m(first: QgsPointXY, second: QgsPointXY, crs: QgsCoordinateReferenceSystem) -> float:
-    """Return the distance on the ellipsoid; in a plane without a valid CRS."""
-    measure = QgsDistanceArea()
-    measure.setSourceCrs(crs, QgsProject.instance().transformContext())
-    # Not the project's ellipsoid, which may be none: degrees would be taken for meters.
-    measure.setEllipsoid(crs.ellipsoidAcronym() or "EPSG:7030" if crs.isValid() else "NONE")
-    return measure.measureLine(first, second)
+def _distance_m(first: QgsPointXY, second: QgsPointXY, crs: QgsCoordinateReferenceSystem) -> float:
+    return ellipsoidal_measure(crs, QgsProject.instance().transformContext()).measureLine(first, second)
