@@ -301,7 +301,9 @@ class AssessRoute(AssessAlgorithm):
         with outputs.layer(self.OUTPUT, FIELDS, POINT, crs, "route", renderer=renderer) as sink:
             for n, (x, y) in enumerate(route.points.places.tolist()):
                 attributes = _values(route, n, *gap_of.get(n, (None, None)))
-                attributes["stretch"] = _wkt(stretch(route.points, n))
+                line = QgsGeometry.fromPolylineXY([QgsPointXY(*place) for place in stretch(route.points, n).tolist()])
+                # Rounded to 1 cm.
+                attributes["stretch"] = line.asWkt(2)
                 attributes.update({} if route.flown is None else route_flights.columns(route.flown, int(nearest[n])))
                 sink.add(QgsGeometry.fromPointXY(QgsPointXY(x, y)), attributes)
 
@@ -320,11 +322,6 @@ class AssessRoute(AssessAlgorithm):
 def _plain(value: Any) -> Any:
     """Return the value without the wrapper that a dialog adds for “selected features only”."""
     return value.source.staticValue() if isinstance(value, QgsProcessingFeatureSourceDefinition) else value
-
-
-def _wkt(line_xy: np.ndarray) -> str:
-    """Return a line as Well-Known Text, rounded to 1 cm."""
-    return QgsGeometry.fromPolylineXY([QgsPointXY(x, y) for x, y in line_xy.tolist()]).asWkt(2)
 
 
 def _inside(extent: Sequence[float], places: np.ndarray) -> np.ndarray:

@@ -13,24 +13,17 @@ if TYPE_CHECKING:
 def camera_read(camera: Camera, shape_hw: tuple[int, int]) -> str:
     """Return the known camera data in one line; empty if nothing is known."""
     known = camera.lens is not None and camera.lens.fits(shape_hw)
-    attitude = camera.attitude
+    attitude, distortion = camera.attitude, camera.distortion if known else None
+    shift = None if distortion is None else 100 * distortion.shift(shape_hw[0] / shape_hw[1])
     parts = (
         (camera.focal_length_px(shape_hw) if known else None, tr("focal length {value:.0f} px")),
         (camera.height and camera.height.meters, tr("height {value:.1f} m")),
         (camera.heading_deg, tr("heading {value:.1f}°")),
         (attitude and attitude.roll_deg, tr("roll {value:.1f}°")),
         (attitude and attitude.pitch_deg, tr("pitch {value:.1f}°")),
-        (
-            _most_shift(camera, shape_hw) if known else None,
-            tr("lens distortion up to {value:.1f} % of the width corrected"),
-        ),
+        (shift, tr("lens distortion up to {value:.1f} % of the width corrected")),
     )
     return ", ".join(text.format(value=_tenths(value)) for value, text in parts if value is not None)
-
-
-def _most_shift(camera: Camera, shape_hw: tuple[int, int]) -> float | None:
-    """Return the largest shift by the lens in percent of the width; None if its distortion is unknown."""
-    return None if camera.distortion is None else 100 * camera.distortion.shift(shape_hw[0] / shape_hw[1])
 
 
 def camera_remark(camera: Camera, shape_hw: tuple[int, int]) -> str:

@@ -82,12 +82,12 @@ _SHOWN_ROWS = {
     ),
     "reference_bounds rows": ("SELECT count(*), min(fid), max(fid), total(fid) FROM reference_bounds",),
 }
-"""Queries for the data that ``checksums_of`` omits. Landmarks are many, so they are summarized by class."""
+"""Queries for the data that ``checksums_of`` omits. Landmarks are many, so they are summarized by class.
+
+Databases have these checksums from version 1.4 on: all or none of them.
+"""
 
 _NUMBERS = {int, float, type(None)}
-
-_LATER = tuple(_SHOWN_ROWS)
-"""Checksums that databases have from version 1.4 on: all or none of them."""
 
 
 def shown_checksums(connection: sqlite3.Connection) -> dict[str, str]:
@@ -132,7 +132,7 @@ def has_checksums(connection: sqlite3.Connection) -> bool:
 
 def keeps_shown(connection: sqlite3.Connection) -> bool:
     """Whether a database has checksums of the data that only QGIS reads."""
-    return any(name in stated for stated in _stored_checksums(connection) for name in _LATER)
+    return any(name in stated for stated in _stored_checksums(connection) for name in _SHOWN_ROWS)
 
 
 def _stored_checksums(connection: sqlite3.Connection) -> list[dict]:
