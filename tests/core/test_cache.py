@@ -45,7 +45,6 @@ def assert_same(found, expected):
 
 
 def loaded(seed=0, key=KEY):
-    """Return arrays of the cache, or those of the seed if they are built."""
     return load_or_build("index", key, lambda: arrays(seed))
 
 

@@ -30,10 +30,6 @@ def pairs(path: Path) -> list[tuple[str, str]]:
     return [(message.findtext("source", ""), message.findtext("translation", "")) for message in messages]
 
 
-def test_there_are_translations_and_texts():
-    assert FILES and TEXTS
-
-
 @each_file
 def test_the_file_has_the_texts_of_the_code_once_each_and_no_others(path):
     assert [source for source, _ in pairs(path)] == TEXTS, "run tools/release/update_translations.py"

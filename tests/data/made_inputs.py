@@ -29,7 +29,6 @@ _FIELD_TYPES = {"text": ogr.OFTString, "integer": ogr.OFTInteger, "real": ogr.OF
 
 
 def spatial_reference(crs) -> osr.SpatialReference | None:
-    """Return the spatial reference of an EPSG number or WKT; None for None."""
     if crs is None:
         return None
     srs = osr.SpatialReference()

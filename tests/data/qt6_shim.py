@@ -50,8 +50,6 @@ def install(profile: str) -> None:
 
 
 def module_of(name: str, classes: dict[str, object]) -> types.ModuleType:
-    """Return a module with these names; all other names are ``StandIn``."""
-
     def __getattr__(asked: str) -> object:
         if asked.startswith("__"):
             raise AttributeError(asked)

@@ -7,14 +7,9 @@ from pathlib import Path
 
 
 @functools.cache
-def tree_of(path: Path) -> ast.Module:
-    """Return the file's tree; callers must not change it."""
-    return ast.parse(path.read_text(encoding="utf-8"))
-
-
-@functools.cache
 def nodes_of(path: Path) -> tuple[ast.AST, ...]:
-    return tuple(ast.walk(tree_of(path)))
+    """Return the nodes of a file's tree; callers must not change them."""
+    return tuple(ast.walk(ast.parse(path.read_text(encoding="utf-8"))))
 
 
 def for_each(items: Iterable) -> Callable:

@@ -22,7 +22,6 @@ def reachable(page) -> list:
 
 
 def has_focus(widget) -> bool:
-    """Whether its window is active and it has the focus; asks for both."""
     widget.window().activateWindow()
     widget.setFocus()
     settle()
@@ -110,7 +109,6 @@ def language(request, qgis_app, repository):
 
 
 def widest(widget) -> list[str]:
-    """Return the widest widgets, to explain a failure."""
     parts = [part for part in widget.findChildren(QWidget) if part.isVisibleTo(widget)]
     parts.sort(key=lambda part: -part.minimumSizeHint().width())
     return [f"{type(p).__name__} {p.objectName()} {p.minimumSizeHint().width()}" for p in parts[:12]]

@@ -33,7 +33,6 @@ def messages(iface) -> list:
 
 
 def layers() -> dict:
-    """Whether each layer of the project is shown, by name."""
     return {node.name(): node.isVisible() for node in QgsProject.instance().layerTreeRoot().findLayers()}
 
 

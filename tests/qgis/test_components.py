@@ -159,7 +159,6 @@ def test_a_python_without_pip_is_explained(root, installer, use_python):
 
 
 def answers(pip=True, version=sys.version, ending=EXT_SUFFIX):
-    """Return a shell command that answers like a Python of that build."""
     return "echo " + shlex.quote(json.dumps({"build": [version, ending], "pip": pip}).replace("\\", "\\\\"))
 
 

@@ -31,7 +31,6 @@ def project():
 
 
 def content(folder: Path) -> dict[str, bytes]:
-    """Return the content of each file by its path; links are not followed."""
     return {
         str(path.relative_to(folder)): path.read_bytes() if not path.is_symlink() else os.readlink(path).encode()
         for path in sorted(folder.rglob("*"))

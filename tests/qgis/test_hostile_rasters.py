@@ -38,7 +38,6 @@ ERS = (
 
 
 def doors():
-    """Return readers of a raster by its path."""
     return (
         lambda path: GdalImage(path, (30, 30)).read(0, 0, 30, 30),
         lambda path: GdalLabels(path).read(0, 0, 80, 80),

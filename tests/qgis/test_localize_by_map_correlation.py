@@ -12,7 +12,6 @@ SIZE = 400
 
 
 def landscape(seed: int) -> np.ndarray:
-    """Return (1400, 1600) labels in patches of all sizes."""
     noise = np.random.default_rng(seed).normal(size=(1400, 1600)).astype(np.float32)
     fields = [cv2.GaussianBlur(noise, (0, 0), sigma) for sigma in (8, 25, 60)]
     height = sum(field / field.std() for field in fields)

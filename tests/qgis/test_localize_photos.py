@@ -26,7 +26,6 @@ CLASSES = ["ground", "building", "water", "bare_land"]
 
 @pytest.fixture(scope="module")
 def folder(build_area, tmp_path_factory):
-    """Return a folder with the database area.gpkg and the model colors.onnx."""
     folder = tmp_path_factory.mktemp("area")
     shutil.copy(build_area(LABELS, NAMES, SIZE, 40), folder / "area.gpkg")
     write_model(folder / "colors.onnx", ground_and_colors(), metadata=metadata(class_names=CLASSES))

@@ -39,8 +39,6 @@ def report(run_algorithm, tmp_path_factory):
 
 @pytest.fixture
 def conditions(qgis_app):
-    """`conditions(id, parameters)`: the simulated conditions."""
-
     def of(name: str, parameters: dict):
         algorithm = QgsApplication.processingRegistry().createAlgorithmById(name)
         return algorithm.conditions(Values(algorithm, parameters, QgsProcessingContext()))

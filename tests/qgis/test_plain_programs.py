@@ -73,7 +73,6 @@ print("SEEN " + json.dumps({"layers": layers, "semref": [name for name in sys.mo
 
 @pytest.fixture(scope="module")
 def written(run_algorithm, tmp_path_factory) -> Path:
-    """Return a folder with an output of each kind."""
     folder = tmp_path_factory.mktemp("written")
 
     def at(name: str) -> str:

@@ -13,7 +13,6 @@ PHOTO = np.random.default_rng(4).integers(0, 256, (3, 300, 230)).astype(np.uint8
 
 @pytest.fixture
 def segment(runner, tmp_path):
-    """`segment(image, **parameters)` returns the results."""
     model = write_model(tmp_path / "colors.onnx")
     return runner(SEGMENT, "INPUT", MODEL=model, OUTPUT=tmp_path / "labels.tif")
 

@@ -16,7 +16,6 @@ SEEN = np.where(LABELS == 0, 1, LABELS)
 
 @pytest.fixture
 def segment(runner, tmp_path):
-    """`segment(image, **parameters)` returns the path of the label map."""
     model = write_model(tmp_path / "colors.onnx")
     run = runner(SEGMENT, "INPUT", MODEL=model, OUTPUT=tmp_path / "labels.tif")
     return lambda image, **parameters: run(image, **parameters)["OUTPUT"]

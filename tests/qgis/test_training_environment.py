@@ -34,8 +34,6 @@ def drive(commands, answer):
 
 
 def making(folder):
-    """Simulate Python, pip and the training without errors."""
-
     def answer(command):
         if "venv" in command.arguments:
             python = training_environment.environment_python(folder)

@@ -13,7 +13,6 @@ MOST_WORDS = 5_000
 
 @pytest.fixture(scope="module")
 def benchmarks():
-    """``benchmarks("page")`` returns that module of benchmarks/."""
     sys.path.append(str(ROOT / "tools"))
     importlib.import_module("plugin_package").load_plugin_package()
     return lambda name: importlib.import_module(f"benchmarks.{name}")

@@ -26,7 +26,6 @@ FEWEST_LETTERS = 6
 
 @pytest.fixture(scope="module")
 def texts() -> set[str]:
-    """Return all texts of the screen, with the labels of the models."""
     models = [path.read_text(encoding="utf-8") for path in (ROOT / "models").glob("*.model3")]
     labels = {label for text in models for label in re.findall(r'"description" type="QString" value="([^"]+)"', text)}
     return {*all_texts(), *labels}

@@ -180,7 +180,6 @@ def test_a_base_model_that_training_makes_poorer_stays_as_it_is(training_python,
 
 
 def with_encoder(path: Path, base: Path, encoder: str) -> Path:
-    """Return the same model with the name of another encoder."""
     import onnx
 
     if path.suffix == ".pt":

@@ -35,10 +35,6 @@ def as_features(done, features) -> list:
     ]
 
 
-def classes_of(done, features) -> np.ndarray:
-    return np.array([features[polygon.feature].class_value for polygon in done.polygons])
-
-
 def kinds(findings) -> Counter:
     return Counter(finding.kind for finding in findings)
 
@@ -78,7 +74,8 @@ def test_each_place_keeps_its_top_polygon_unless_a_change_is_reported(kind, seed
     for n in sorted(range(len(features)), key=lambda n: (features[n].priority, -areas[n], -features[n].class_value)):
         expected[shapely.contains(sources[n], points)] = features[n].class_value
     made = np.zeros(len(points), int)
-    for polygon, value in zip(polygons_of(done), classes_of(done, features)):
+    classes = [features[polygon.feature].class_value for polygon in done.polygons]
+    for polygon, value in zip(polygons_of(done), classes):
         made[shapely.contains(polygon, points)] = value
     reported = shapely.union_all(shapely.from_wkb([c.wkb for c in done.changes if c.kind in (GAP, SLIVER)]))
     edges = shapely.union_all(shapely.boundary(sources))

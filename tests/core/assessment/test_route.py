@@ -78,13 +78,10 @@ ALONG = np.array([(600110.0, 5199700.0), (600880.0, 5199700.0)])
 """Route from the landmarks of the west over the empty east."""
 
 
-def flown(database, localizer, plan, line=ALONG, spacing=70.0):
-    return result_of(FlownRoutes(database, localizer, CLEAR, plan).fly(route_points([line], spacing)))
-
-
 @pytest.fixture(scope="module")
 def result(assessed_database, localizer):
-    return flown(assessed_database, localizer, FlightPlan(2, 220.0, 0.02, 5))
+    routes = FlownRoutes(assessed_database, localizer, CLEAR, FlightPlan(2, 220.0, 0.02, 5))
+    return result_of(routes.fly(route_points([ALONG], 70.0)))
 
 
 @pytest.mark.slow

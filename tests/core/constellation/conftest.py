@@ -17,7 +17,6 @@ EDGE = 640
 
 @pytest.fixture(scope="package")
 def catalogue():
-    """Return 600 randomly placed landmarks of three classes."""
     rng = np.random.default_rng(11)
     positions = rng.uniform(0, EXTENT, (600, 2)) + ORIGIN
     classes = rng.choice(np.array([1, 2, 5], np.uint8), 600)

@@ -49,14 +49,10 @@ def assert_same(index, references):
         np.testing.assert_array_equal(found, wanted)
 
 
-def never_built(monkeypatch):
-    monkeypatch.setattr(cached, "index_parts", lambda *_: pytest.fail("it was built"))
-
-
 def test_an_index_is_built_once_and_then_loaded_to_the_last_bit(monkeypatch):
     references = landmarks()
     assert_same(loaded(references), references)
-    never_built(monkeypatch)
+    monkeypatch.setattr(cached, "index_parts", lambda *_: pytest.fail("it was built"))
     index = loaded(references)
     assert_same(index, references)
     assert not index.keys.flags.owndata and not index.keys.flags.writeable

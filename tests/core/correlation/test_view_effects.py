@@ -26,7 +26,6 @@ def seen(patches, patch_pyramid, **camera):
 
 
 def away(pose):
-    """Return the distance from the true place in meters."""
     return math.dist((pose.x, -pose.y), PLACE)
 
 

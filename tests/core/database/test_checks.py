@@ -17,7 +17,6 @@ def database():
 
 
 def changed(columns, name, value):
-    """Return the columns with another value in their last row."""
     array = getattr(columns, name).astype(np.float64)
     array[-1] = value
     return replace(columns, **{name: array})

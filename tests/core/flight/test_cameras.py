@@ -10,8 +10,6 @@ PHOTO = Camera(Attitude(1, 2), Lens("field_of_view", 60, 1.5), "a.jpg", 7.0, Non
 
 @pytest.fixture
 def table(tmp_path):
-    """`table(text)` writes a camera table and returns its path."""
-
     def write(text):
         (tmp_path / "cameras.csv").write_text(text, encoding="utf-8")
         return str(tmp_path / "cameras.csv")

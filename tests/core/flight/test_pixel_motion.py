@@ -30,7 +30,6 @@ def scene(seed, size=1100):
 
 @functools.cache
 def class_map(seed, size=1100):
-    """Return (size, size) labels of four classes."""
     levels = np.digitize(cv2.GaussianBlur(scene(seed, size), (0, 0), 3), [80, 120, 160])
     return (levels + 1).astype(np.uint8)
 

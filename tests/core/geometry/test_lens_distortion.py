@@ -51,7 +51,6 @@ def test_an_impossible_lens_is_not_used(lens):
 
 
 def bent_image(scene, way):
-    """Return the scene of a level camera as its lens distorts it, pixel by pixel."""
     height, width = SHAPE
     rows, columns = np.mgrid[0:height, 0:width]
     straight = way.bent.straight(np.column_stack([columns.ravel(), rows.ravel()]) + 0.5)

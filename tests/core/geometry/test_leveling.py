@@ -31,7 +31,6 @@ def attitude_of(tilt_deg: float, direction_deg: float) -> Attitude:
 
 
 def blocks() -> ArrayLabels:
-    """Return a map of 10 × 10 squares of random classes."""
     small = np.random.default_rng(3).integers(1, 6, (100, 100), dtype=np.uint8)
     return ArrayLabels(np.kron(small, np.ones((10, 10), np.uint8)))
 

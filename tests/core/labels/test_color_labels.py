@@ -15,7 +15,6 @@ GREEN = LandCoverClass(3, "forest", "#00ff00")
 
 
 def image_of(*colors_rgb):
-    """Return a (1, N, 3) BGR image."""
     return np.array([[color[::-1] for color in colors_rgb]], np.uint8).reshape(1, -1, 3)
 
 

@@ -23,7 +23,6 @@ def entry(tag, kind, count, value):
 
 
 def exif(model=b"FC300S", focal=(361, 100), film=20):
-    """Return an EXIF block, big-endian: model, and a directory with focal lengths."""
     head = b"MM\0*" + struct.pack(">I", 8)
     first = 8 + 2 + 2 * 12 + 4
     text, rational = first, first + 16
@@ -36,8 +35,6 @@ def exif(model=b"FC300S", focal=(361, 100), film=20):
 
 
 def jpeg(exif_block=None, xmp=XMP, shape_hw=(2250, 4000)):
-    """Return the beginning of a JPEG: EXIF, XMP, size."""
-
     def segment(marker, content):
         return bytes([0xFF, marker]) + struct.pack(">H", len(content) + 2) + content
 

@@ -73,7 +73,6 @@ HOUSE, POND, FIELD = 1, 2, 3
 
 
 def ground(rng, size=500, is_sparse=False):
-    """Return houses and ponds on a field, apart from each other."""
     labels = np.full((size, size), FIELD, np.uint8)
     for row in range(10, size - 40, 40):
         for column in range(10, size - 40, 40):
@@ -118,7 +117,6 @@ AREA_PX = 50
 
 
 def errors(noise, pieces=6):
-    """Return the errors of several pieces of ground, of all classes together."""
     rng = np.random.default_rng(7)
     total = LandmarkErrors()
     for _ in range(pieces):

@@ -13,7 +13,6 @@ PLACES = [(20, 10, 55, 41), (90, 50, 121, 75), (0, 100, 30, 120), (140, 0, 150, 
 
 
 def winding():
-    """Return a line across the map, a ring and a speck, all of class 5."""
     labels = np.zeros((120, 150), np.uint8)
     cv2.polylines(labels, [np.array([(0, 5), (140, 20), (10, 60), (149, 110)], np.int32)], False, 5, 2)
     cv2.circle(labels, (40, 95), 12, 5, 2)

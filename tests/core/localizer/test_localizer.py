@@ -22,7 +22,6 @@ def localizer_of(labels, settings=SETTINGS):
 
 
 def with_blocks(shape, *blocks):
-    """Return labels with blocks (column, row, size, value)."""
     labels = np.zeros(shape, np.uint8)
     for column, row, size, value in blocks:
         labels[row : row + size, column : column + size] = value

@@ -30,7 +30,6 @@ FIRST = (90, 60)
 
 
 def center(number):
-    """Return the map (x, y) of an image's center."""
     row, column = FIRST[0] + 8 * number, FIRST[1] + STEP * number
     return 600000 + column + SIZE / 2, 5200000 - row - SIZE / 2
 
@@ -359,7 +358,6 @@ def row(number):
 
 @pytest.fixture
 def blind(monkeypatch):
-    """Disable motion from pixels."""
     from semref.core.flight.pixel_motion import Motion
 
     monkeypatch.setattr("semref.core.onboard.flight.motion_between", lambda before, now: Motion(None))

@@ -40,6 +40,5 @@ def database(built):
 
 @pytest.fixture
 def query(database):
-    """`query(sql)` returns rows read with Python's sqlite3."""
     with contextlib.closing(sqlite3.connect(f"file:{database}?mode=ro", uri=True)) as connection:
         yield lambda sql: connection.execute(sql).fetchall()

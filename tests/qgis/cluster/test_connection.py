@@ -175,7 +175,6 @@ def test_every_port_refuses_who_has_no_certificate_and_has_no_pages(workers):
 
 
 def answer(port, page):
-    """Return the status of a web page, or None from another kind of server."""
     try:
         with urllib.request.urlopen(f"http://127.0.0.1:{port}/{page}", timeout=5) as found:
             return found.status
