@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
 from qgis.core import (
@@ -54,13 +54,13 @@ def read_features(
 ) -> Iterator[int]:
     """Fill ``reading`` with geometries in the metric ``crs``; yield the number of features read."""
     transform = QgsCoordinateTransform(source.crs, crs, transform_context) if crs != source.crs else None
-    area = _AreaOfUse(source, transform_context)
+    is_inside = _is_in_area_of_use(source, transform_context)
     request = QgsFeatureRequest(source.request)
     if with_attributes:
         request.setSubsetOfAttributes(list(range(len(source.features.fields()))))
     for number, feature in enumerate(source.features.getFeatures(request), start=1):
         geometry = feature.geometry()
-        outside = not geometry.isNull() and not geometry.isEmpty() and not area.touches(geometry.boundingBox())
+        outside = not geometry.isNull() and not geometry.isEmpty() and not is_inside(geometry.boundingBox())
         placed = _reproject(geometry, transform)
         wkb = None if placed is None else placed.asWkb().data()
         about = {"wkb": wkb, "feature_id": feature.id(), "area": placed.area() if placed else None}
@@ -109,15 +109,13 @@ def _reproject(geometry: QgsGeometry, transform: QgsCoordinateTransform | None) 
     return placed
 
 
-class _AreaOfUse:
-    """Area of use of a layer's CRS."""
-
-    def __init__(self, source: AnnotationSource, transform_context: QgsCoordinateTransformContext) -> None:
-        self._bounds = source.crs.bounds()
-        self._to_degrees = QgsCoordinateTransform(source.crs, QgsCoordinateReferenceSystem(WGS84), transform_context)
+def _is_in_area_of_use(
+    source: AnnotationSource, transform_context: QgsCoordinateTransformContext
+) -> Callable[[QgsRectangle], bool]:
+    """Return a function that returns whether a box touches the area of use of the layer's CRS."""
+    bounds = source.crs.bounds()
+    to_degrees = QgsCoordinateTransform(source.crs, QgsCoordinateReferenceSystem(WGS84), transform_context)
+    if bounds.isEmpty() or bounds.contains(transformed_box(to_degrees, source.extent)):
         # Usually the whole layer is inside, and no feature must be checked.
-        whole = transformed_box(self._to_degrees, source.extent)
-        self._all_inside = self._bounds.isEmpty() or self._bounds.contains(whole)
-
-    def touches(self, box: QgsRectangle) -> bool:
-        return self._all_inside or self._bounds.intersects(transformed_box(self._to_degrees, box))
+        return lambda _box: True
+    return lambda box: bounds.intersects(transformed_box(to_degrees, box))

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from qgis.core import (
@@ -145,37 +147,40 @@ def open_when_done(path: str, output: str, context: QgsProcessingContext) -> Non
     details = QgsProcessingContext.LayerDetails(
         tr("Landmarks"), context.project(), output, QgsProcessingUtils.LayerHint.Vector
     )
-    set_post_processor(details, _Opener(path))
+    when_loaded(details, partial(_open_others, path))
     context.addLayerToLoadOnCompletion(_table_source(path, REFERENCES), details)
 
 
-def set_post_processor(
-    details: QgsProcessingContext.LayerDetails, processor: QgsProcessingLayerPostProcessorInterface
+def when_loaded(
+    details: QgsProcessingContext.LayerDetails, process: Callable[[QgsMapLayer, QgsProject | None], None]
 ) -> None:
-    """Set the post-processor that QGIS calls after opening a layer, and keep it alive until then."""
+    """Call a function with a layer and its project after QGIS opened the layer."""
+    processor = _PostProcessor(process)
     _KEPT.append(processor)
     del _KEPT[:-_MOST_KEPT]
     details.setPostProcessor(processor)
 
 
-class _Opener(QgsProcessingLayerPostProcessorInterface):
-    """Opens the other layers of a database after QGIS opened the references."""
-
-    def __init__(self, path: str) -> None:
+class _PostProcessor(QgsProcessingLayerPostProcessorInterface):
+    def __init__(self, process: Callable[[QgsMapLayer, QgsProject | None], None]) -> None:
         super().__init__()
-        self._path = path
+        self._process = process
 
     def postProcessLayer(self, layer, context, feedback):
-        project = context.project()
-        others = [other for other in database_layers(self._path, project) if other.id() != layer.id()]
-        if others:
-            # The project already has this database, which was updated.
-            if any(_file_and_table(other)[1] == REFERENCES for other in others):
-                project.removeMapLayer(layer.id())
-            reload_database(self._path, project)
-        else:
-            add_database_to_map(self._path, project, layer)
-        OPENED.database.emit(self._path)
+        self._process(layer, context.project())
+
+
+def _open_others(path: str, references: QgsVectorLayer, project: QgsProject) -> None:
+    """Open the other layers of a database after QGIS opened the references."""
+    others = [other for other in database_layers(path, project) if other.id() != references.id()]
+    if others:
+        # The project already has this database, which was updated.
+        if any(_file_and_table(other)[1] == REFERENCES for other in others):
+            project.removeMapLayer(references.id())
+        reload_database(path, project)
+    else:
+        add_database_to_map(path, project, references)
+    OPENED.database.emit(path)
 
 
 def _file_and_table(layer: QgsMapLayer) -> tuple[str, str]:

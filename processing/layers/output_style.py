@@ -5,19 +5,21 @@ from __future__ import annotations
 import contextlib
 import sqlite3
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsFeatureRenderer,
+    QgsMapLayer,
     QgsProcessingContext,
-    QgsProcessingLayerPostProcessorInterface,
+    QgsProject,
     QgsVectorLayer,
 )
 from qgis.PyQt.QtXml import QDomDocument
 
 from ...storage.vector_files import STYLE_OF_SEMREF, leave_wal
-from .database_layers import place_at_bottom, set_post_processor
+from .database_layers import place_at_bottom, when_loaded
 from .layer_metadata import Note, save_in_file
 from .styles import apply_style, name_columns
 
@@ -105,34 +107,25 @@ def _has_style(path: str) -> bool:
 def style_when_loaded(destination: str, look: Look, context: QgsProcessingContext) -> None:
     """Style the layer that QGIS will load."""
     if context.willLoadLayerOnCompletion(destination):
-        set_post_processor(context.layerToLoadOnCompletionDetails(destination), _Styler(look))
+        own = replace(look, renderer=look.renderer and look.renderer.clone())
+        when_loaded(context.layerToLoadOnCompletionDetails(destination), partial(_style, own))
 
 
 def raster_style_when_loaded(path: str, qml: str, context: QgsProcessingContext) -> None:
     """Style the raster that QGIS will load, also if another style is beside it."""
     if context.willLoadLayerOnCompletion(path):
-        set_post_processor(context.layerToLoadOnCompletionDetails(path), _RasterStyler(qml))
+        when_loaded(context.layerToLoadOnCompletionDetails(path), partial(_style_raster, qml))
 
 
-class _RasterStyler(QgsProcessingLayerPostProcessorInterface):
-    def __init__(self, qml: str) -> None:
-        super().__init__()
-        self._qml = qml
+def _style_raster(qml: str, layer: QgsMapLayer, project: QgsProject | None) -> None:
+    document = QDomDocument()
+    document.setContent(qml)
+    layer.importNamedStyle(document)
+    place_at_bottom(layer, project)
+    layer.triggerRepaint()
 
-    def postProcessLayer(self, layer, context, feedback):
-        document = QDomDocument()
-        document.setContent(self._qml)
-        layer.importNamedStyle(document)
-        place_at_bottom(layer, context.project())
+
+def _style(look: Look, layer: QgsMapLayer, _project: QgsProject | None) -> None:
+    if isinstance(layer, QgsVectorLayer):
+        look.apply(layer)
         layer.triggerRepaint()
-
-
-class _Styler(QgsProcessingLayerPostProcessorInterface):
-    def __init__(self, look: Look) -> None:
-        super().__init__()
-        self._look = replace(look, renderer=look.renderer and look.renderer.clone())
-
-    def postProcessLayer(self, layer, context, feedback):
-        if isinstance(layer, QgsVectorLayer):
-            self._look.apply(layer)
-            layer.triggerRepaint()
