@@ -19,7 +19,7 @@ from ..processing.translation import tr
 from .diagnostics import Diagnostics
 from .dock.dock import SemRefDock
 from .packages.component_installer import ComponentInstaller
-from .running.background import end_idle_threads, shut_down
+from .running.background import end_idle_threads, keep_threads, shut_down
 from .running.localization_run import named_results
 from .widgets.messages import open_guide
 
@@ -40,6 +40,7 @@ class DockEntry:
 
     def __init__(self, iface: QgisInterface) -> None:
         self._iface = iface
+        keep_threads()
         window = iface.mainWindow()
         self._action = QAction(QIcon(str(ICON_PATH)), "SemRef", window)
         self._action.setObjectName("SemRefDockAction")

@@ -1,14 +1,15 @@
 import threading
+import time
 
 import pytest
 from dock_area import logged, settle, wait_until
-from qgis.core import QgsVectorLayer
+from qgis.core import QgsCoordinateReferenceSystem, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject
 
 from semref.core.errors import LabelMapError
 from semref.processing.algorithms.rasterize_annotation import RasterizeAnnotation
 from semref.ui.running.algorithm_run import AlgorithmRun
-from semref.ui.running.background import Reader
+from semref.ui.running.background import Reader, task_threads
 
 ALGORITHM = "semref:rasterizeannotation"
 SUCCEEDS = "native:centroids"
@@ -91,6 +92,22 @@ def answer_of(reader) -> list:
     wait_until(lambda: reader.said, "an answer")
     settle()
     return reader.said
+
+
+@pytest.fixture
+def short_lived_threads(qgis_app):
+    """Threads that end after 20 ms without a task, as QGIS's do after 30 s."""
+    before = task_threads().expiryTimeout()
+    task_threads().setExpiryTimeout(20)
+    yield
+    task_threads().setExpiryTimeout(before)
+
+
+def test_a_crs_stays_whole_after_the_task_that_used_it_first(short_lived_threads, loaded, reader):
+    reader.read("Reading", lambda: QgsCoordinateReferenceSystem("EPSG:31370"))
+    ((_, crs),) = answer_of(reader)
+    time.sleep(0.2)
+    assert crs.isValid() and crs.toWkt()
 
 
 def test_errors_are_for_the_user_and_bugs_are_logged(reader):

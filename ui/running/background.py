@@ -8,7 +8,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Callable
 
 from qgis.core import QgsApplication, QgsTask
-from qgis.PyQt.QtCore import QObject, QTimer, pyqtSignal
+from qgis.PyQt.QtCore import QObject, QThreadPool, QTimer, pyqtSignal
 
 from ...core.errors import SemRefError
 from ...processing.messages.sentences import worded
@@ -29,6 +29,21 @@ def shut_down(whole: QObject) -> None:
     for part in whole.findChildren(QObject):
         if hasattr(part, "shut_down"):
             part.shut_down()
+
+
+def keep_threads() -> None:
+    """Let QGIS's threads wait for a task without end, instead of 30 s.
+
+    When a thread ends, QGIS loses the definitions of all CRS that this thread used first, also for the main thread: a
+    CRS stays valid, but its WKT is empty, and transforms return the coordinates unchanged (seen in 3.22).
+    """
+    task_threads().setExpiryTimeout(-1)
+
+
+def task_threads() -> QThreadPool:
+    """Return the threads that run QGIS's tasks."""
+    manager = QgsApplication.taskManager()
+    return manager.threadPool() if hasattr(manager, "threadPool") else QThreadPool.globalInstance()
 
 
 def end_idle_threads() -> None:
