@@ -36,6 +36,10 @@
    <translation>1 von {images} Bildern hat eine Position.</translation>
   </message>
   <message>
+   <source>1 photo.</source>
+   <translation>1 Foto.</translation>
+  </message>
+  <message>
    <source>2 % of the footprint width</source>
    <translation>2 % der Breite der Bildfläche</translation>
   </message>
@@ -5668,6 +5672,10 @@ Alle Einstellungen kommen aus der Datenbank. Unveränderte Zeilen behalten ihre 
    <translation>Fenstergröße und Schrittweite wurden auf ganze Pixel gerundet: Fenstergröße {size:g} m, Schrittweite {stride:g} m.</translation>
   </message>
   <message>
+   <source>Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² ({classes}), about {per_photo} in a typical photo. {training}, database about {size:.2g} MB.</source>
+   <translation>Fenster {window:g} m, Pixel von {pixel:g} m, {landmarks} Polygone mit mindestens {area:g} m² ({classes}), etwa {per_photo} in einem typischen Foto. {training}, Datenbank etwa {size:.2g} MB.</translation>
+  </message>
+  <message>
    <source>Windows</source>
    <translation>Fenster</translation>
   </message>
@@ -7040,8 +7048,8 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>{path} würde als Teil der neuen Datei {name} gelten, gehört aber zu einer anderen; entfernen Sie die Datei oder wählen Sie einen anderen Namen.</translation>
   </message>
   <message>
-   <source>{photos} photos. Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² ({classes}), about {per_photo} in a typical photo. {training}, database about {size:.2g} MB.</source>
-   <translation>{photos} Fotos. Fenster {window:g} m, Pixel von {pixel:g} m, {landmarks} Polygone mit mindestens {area:g} m² ({classes}), etwa {per_photo} in einem typischen Foto. {training}, Datenbank etwa {size:.2g} MB.</translation>
+   <source>{photos} photos.</source>
+   <translation>{photos} Fotos.</translation>
   </message>
   <message>
    <source>{placed} of {images} images have a position. Tracks: {tracks}.</source>

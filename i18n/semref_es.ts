@@ -36,6 +36,10 @@
    <translation>1 de {images} imágenes tiene posición.</translation>
   </message>
   <message>
+   <source>1 photo.</source>
+   <translation>1 foto.</translation>
+  </message>
+  <message>
    <source>2 % of the footprint width</source>
    <translation>2 % del ancho de la huella</translation>
   </message>
@@ -5668,6 +5672,10 @@ Todos los parámetros provienen de la base de datos. Las filas sin cambios conse
    <translation>El tamaño de ventana y el paso se redondearon a píxeles enteros: tamaño de ventana {size:g} m, paso {stride:g} m.</translation>
   </message>
   <message>
+   <source>Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² ({classes}), about {per_photo} in a typical photo. {training}, database about {size:.2g} MB.</source>
+   <translation>Ventana de {window:g} m, píxeles de {pixel:g} m, {landmarks} polígonos de al menos {area:g} m² ({classes}), unos {per_photo} en una foto típica. {training}, base de datos de unos {size:.2g} MB.</translation>
+  </message>
+  <message>
    <source>Windows</source>
    <translation>Ventanas</translation>
   </message>
@@ -7040,8 +7048,8 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>{path} se tomaría por una parte del nuevo {name}, pero pertenece a otro archivo; elimínelo o elija otro nombre.</translation>
   </message>
   <message>
-   <source>{photos} photos. Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² ({classes}), about {per_photo} in a typical photo. {training}, database about {size:.2g} MB.</source>
-   <translation>{photos} fotos. Ventana de {window:g} m, píxeles de {pixel:g} m, {landmarks} polígonos de al menos {area:g} m² ({classes}), unos {per_photo} en una foto típica. {training}, base de datos de unos {size:.2g} MB.</translation>
+   <source>{photos} photos.</source>
+   <translation>{photos} fotos.</translation>
   </message>
   <message>
    <source>{placed} of {images} images have a position. Tracks: {tracks}.</source>

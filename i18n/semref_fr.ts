@@ -36,6 +36,10 @@
    <translation>1 image sur {images} a une position.</translation>
   </message>
   <message>
+   <source>1 photo.</source>
+   <translation>1 photo.</translation>
+  </message>
+  <message>
    <source>2 % of the footprint width</source>
    <translation>2 % de la largeur de l’emprise au sol</translation>
   </message>
@@ -5668,6 +5672,10 @@ Tous les paramètres viennent de la base de données. Les lignes inchangées gar
    <translation>La taille de fenêtre et le pas ont été arrondis à des pixels entiers : taille de fenêtre {size:g} m, pas {stride:g} m.</translation>
   </message>
   <message>
+   <source>Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² ({classes}), about {per_photo} in a typical photo. {training}, database about {size:.2g} MB.</source>
+   <translation>Fenêtre de {window:g} m, pixels de {pixel:g} m, {landmarks} polygones d’au moins {area:g} m² ({classes}), environ {per_photo} dans une photo typique. {training}, base de données d’environ {size:.2g} Mo.</translation>
+  </message>
+  <message>
    <source>Windows</source>
    <translation>Fenêtres</translation>
   </message>
@@ -7040,8 +7048,8 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>{path} serait pris pour une partie du nouveau fichier {name}, mais appartient à un autre fichier ; supprimez-le ou choisissez un autre nom.</translation>
   </message>
   <message>
-   <source>{photos} photos. Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² ({classes}), about {per_photo} in a typical photo. {training}, database about {size:.2g} MB.</source>
-   <translation>{photos} photos. Fenêtre de {window:g} m, pixels de {pixel:g} m, {landmarks} polygones d’au moins {area:g} m² ({classes}), environ {per_photo} dans une photo typique. {training}, base de données d’environ {size:.2g} Mo.</translation>
+   <source>{photos} photos.</source>
+   <translation>{photos} photos.</translation>
   </message>
   <message>
    <source>{placed} of {images} images have a position. Tracks: {tracks}.</source>

@@ -36,6 +36,10 @@
    <translation>{images} 幅影像中有 1 幅有位置。</translation>
   </message>
   <message>
+   <source>1 photo.</source>
+   <translation>1 张照片。</translation>
+  </message>
+  <message>
    <source>2 % of the footprint width</source>
    <translation>覆盖范围宽度的 2 %</translation>
   </message>
@@ -5668,6 +5672,10 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
    <translation>窗口大小和步长已取整为整像元：窗口大小 {size:g} m，步长 {stride:g} m。</translation>
   </message>
   <message>
+   <source>Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² ({classes}), about {per_photo} in a typical photo. {training}, database about {size:.2g} MB.</source>
+   <translation>窗口 {window:g} m，像元 {pixel:g} m，{landmarks} 个不小于 {area:g} m² 的多边形（{classes}），典型照片中约 {per_photo} 个。{training}，数据库约 {size:.2g} MB。</translation>
+  </message>
+  <message>
    <source>Windows</source>
    <translation>窗口</translation>
   </message>
@@ -7040,8 +7048,8 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>{path} 会被当作新文件 {name} 的一部分，但它属于另一个文件；请将其删除或选择其他名称。</translation>
   </message>
   <message>
-   <source>{photos} photos. Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² ({classes}), about {per_photo} in a typical photo. {training}, database about {size:.2g} MB.</source>
-   <translation>{photos} 张照片。窗口 {window:g} m，像元 {pixel:g} m，{landmarks} 个不小于 {area:g} m² 的多边形（{classes}），典型照片中约 {per_photo} 个。{training}，数据库约 {size:.2g} MB。</translation>
+   <source>{photos} photos.</source>
+   <translation>{photos} 张照片。</translation>
   </message>
   <message>
    <source>{placed} of {images} images have a position. Tracks: {tracks}.</source>

@@ -28,7 +28,8 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ..core.errors import SemRefError
-from ..processing.algorithms.set_up_area import SetUpArea
+from ..processing.algorithms.classify_openstreetmap import POLYGONS_OF_OSM
+from ..processing.algorithms.set_up_area import SetUpArea, layer_of_extract
 from ..processing.base.values import Values
 from ..processing.layers.database_layers import add_database_to_map, database_layers, place_on_top
 from ..processing.messages.sentences import worded
@@ -264,7 +265,8 @@ def add_area(results: dict, given: dict, project: QgsProject) -> str:
     """
     area = given[SetUpArea.ANNOTATION]
     if isinstance(area, str) and os.path.exists(area.partition("|")[0]):
-        project.addMapLayer(QgsVectorLayer(area, os.path.splitext(os.path.basename(area))[0], "ogr"))
+        name = os.path.splitext(os.path.basename(area))[0]
+        project.addMapLayer(layer_of_extract(area, POLYGONS_OF_OSM) or QgsVectorLayer(area, name, "ogr"))
     if not database_layers(results[SetUpArea.DATABASE], project):
         add_database_to_map(results[SetUpArea.DATABASE], project)
     positions = results.get(SetUpArea.POSITIONS, "").partition("|")[0]

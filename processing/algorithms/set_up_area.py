@@ -210,11 +210,8 @@ class SetUpArea(SemRefAlgorithm):
     def _layer(self, values: Values, key: str, layer_of_osm: str) -> QgsVectorLayer | None:
         """Return a layer of polygons or lines; of an OpenStreetMap extract, its layer with this name."""
         path = values.raw(key)
-        if isinstance(path, str) and os.path.isfile(path):
-            layer = QgsVectorLayer(f"{path}|layername={layer_of_osm}", Path(path).stem, "ogr")
-            if layer.isValid():
-                return layer
-        return values.vector(key)
+        layer = layer_of_extract(path, layer_of_osm) if isinstance(path, str) else None
+        return layer or values.vector(key)
 
     def read(self, values: Values, feedback: QgsProcessingFeedback) -> AreaSetup:
         """Return what the map and the photos need, after ``read_layers``; for any thread. Raises SemRefError."""
@@ -402,6 +399,12 @@ class SetUpArea(SemRefAlgorithm):
         results = {self.DATABASE: str(folder / DATABASE_FILE), self.REPORT: str(folder / REPORT_FILE)}
         results[self.TRAINED_MODEL] = str(folder / MODEL_FILE) if self._trains(values) else self._model(values)
         return {**results, **({self.POSITIONS: positions} if rows else {})}
+
+
+def layer_of_extract(path: str, layer_of_osm: str) -> QgsVectorLayer | None:
+    """Return the layer of an OpenStreetMap extract with this name; None for other files."""
+    layer = QgsVectorLayer(f"{path}|layername={layer_of_osm}", Path(path).stem, "ogr") if os.path.isfile(path) else None
+    return layer if layer is not None and layer.isValid() else None
 
 
 def _tables(path: str) -> dict[str, str]:

@@ -225,13 +225,14 @@ class AreaSetup:
     def summary(self, minutes: float) -> str:
         """Return one sentence for the user, before anything starts."""
         plan = self.plan
+        photos = len(self.photos.files)
+        counted = tr("1 photo.") if photos == 1 else tr("{photos} photos.").format(photos=photos)
         text = tr(
-            "{photos} photos. Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² "
+            "Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² "
             "({classes}), about {per_photo} in a typical photo. {training}, database about {size:.2g} MB."
         )
         training = tr("Training about {minutes:g} minutes").format(minutes=minutes) if minutes else tr("No training")
-        return text.format(
-            photos=len(self.photos.files),
+        numbers = text.format(
             window=plan.window_m,
             pixel=plan.pixel_size_m,
             area=plan.minimum_area_m2,
@@ -241,6 +242,7 @@ class AreaSetup:
             training=training,
             size=plan.megabytes,
         )
+        return f"{counted} {numbers}"
 
 
 def read_area(

@@ -4,8 +4,10 @@ from pathlib import Path
 
 import pytest
 from dock_area import messages, settle, wait_until
-from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
+from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer, QgsWkbTypes
 from qgis.PyQt.QtWidgets import QCheckBox, QFileDialog
+
+from semref.ui.set_up_area import add_area
 
 
 @pytest.fixture
@@ -108,6 +110,17 @@ def test_a_run_shows_map_landmarks_and_positions(dock, iface, started, tmp_path)
     assert dock.content.localize.state.text_shown.startswith("2 of 2 images have a position")
     assert any("The area is set up" in text for text in messages(iface))
     assert Path(started.folder.filePath(), "report.html").is_file()
+
+
+def test_the_polygons_of_an_extract_join_the_project(loaded, area, tmp_path):
+    corners = ((1, 0, 0), (2, 0, 1), (3, 1, 0))
+    nodes = "".join(f'<node id="{n}" lat="{y}" lon="{x}"><tag k="name" v="a"/></node>' for n, y, x in corners)
+    way = "".join(f'<nd ref="{n}"/>' for n in (1, 2, 3, 1))
+    extract = tmp_path / "town.osm"
+    extract.write_text(f'<osm version="0.6">{nodes}<way id="9">{way}<tag k="building" v="yes"/></way></osm>')
+    add_area({"DATABASE": area.database}, {"ANNOTATION": str(extract)}, QgsProject.instance())
+    (layer,) = QgsProject.instance().mapLayersByName("town")
+    assert layer.geometryType() == QgsWkbTypes.GeometryType.PolygonGeometry
 
 
 @pytest.mark.slow
