@@ -3256,6 +3256,10 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
    <translation>Fotos</translation>
   </message>
   <message>
+   <source>Photos with a GPS position outside the map: {count} of {all}.</source>
+   <translation>Fotos mit GPS-Position außerhalb der Karte: {count} von {all}.</translation>
+  </message>
+  <message>
    <source>Photos with a position</source>
    <translation>Fotos mit Position</translation>
   </message>
@@ -6310,10 +6314,6 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>{count} landmarks, center {x:.0f} {y:.0f}</source>
    <translation>{count} Landmarken, Mitte {x:.0f} {y:.0f}</translation>
-  </message>
-  <message>
-   <source>{count} of {all} photos with a GPS position were taken outside the map.</source>
-   <translation>{count} von {all} Fotos mit GPS-Position wurden außerhalb der Karte aufgenommen.</translation>
   </message>
   <message>
    <source>{count} other position fits almost as well as the best one.</source>

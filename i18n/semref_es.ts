@@ -3256,6 +3256,10 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
    <translation>Fotos</translation>
   </message>
   <message>
+   <source>Photos with a GPS position outside the map: {count} of {all}.</source>
+   <translation>Fotos con posición GPS fuera del mapa: {count} de {all}.</translation>
+  </message>
+  <message>
    <source>Photos with a position</source>
    <translation>Fotos con posición</translation>
   </message>
@@ -6310,10 +6314,6 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>{count} landmarks, center {x:.0f} {y:.0f}</source>
    <translation>{count} hitos, centro {x:.0f} {y:.0f}</translation>
-  </message>
-  <message>
-   <source>{count} of {all} photos with a GPS position were taken outside the map.</source>
-   <translation>{count} de {all} fotos con posición GPS se tomaron fuera del mapa.</translation>
   </message>
   <message>
    <source>{count} other position fits almost as well as the best one.</source>

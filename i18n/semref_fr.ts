@@ -3256,6 +3256,10 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
    <translation>Photos</translation>
   </message>
   <message>
+   <source>Photos with a GPS position outside the map: {count} of {all}.</source>
+   <translation>Photos avec une position GPS hors de la carte : {count} sur {all}.</translation>
+  </message>
+  <message>
    <source>Photos with a position</source>
    <translation>Photos avec une position</translation>
   </message>
@@ -6310,10 +6314,6 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>{count} landmarks, center {x:.0f} {y:.0f}</source>
    <translation>{count} repères visuels, centre {x:.0f} {y:.0f}</translation>
-  </message>
-  <message>
-   <source>{count} of {all} photos with a GPS position were taken outside the map.</source>
-   <translation>{count} photos sur {all} avec une position GPS ont été prises hors de la carte.</translation>
   </message>
   <message>
    <source>{count} other position fits almost as well as the best one.</source>

@@ -3256,6 +3256,10 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation>照片</translation>
   </message>
   <message>
+   <source>Photos with a GPS position outside the map: {count} of {all}.</source>
+   <translation>GPS 位置在地图之外的照片：{count}/{all}。</translation>
+  </message>
+  <message>
    <source>Photos with a position</source>
    <translation>有位置的照片</translation>
   </message>
@@ -6310,10 +6314,6 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>{count} landmarks, center {x:.0f} {y:.0f}</source>
    <translation>{count} 个地标，中心 {x:.0f} {y:.0f}</translation>
-  </message>
-  <message>
-   <source>{count} of {all} photos with a GPS position were taken outside the map.</source>
-   <translation>{all} 张带 GPS 位置的照片中，有 {count} 张拍摄于地图之外。</translation>
   </message>
   <message>
    <source>{count} other position fits almost as well as the best one.</source>

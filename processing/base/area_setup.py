@@ -354,18 +354,21 @@ def _extent(
     if not points:
         return whole, []
     inside = [point for point in points if whole.contains(point)]
-    if not inside:
+    if not inside and len(points) == len(photos.files):
         raise ParameterError(
             "All photos with a GPS position were taken outside “{layer}”. Choose a map of the place of the photos.",
             layer=area.name,
         )
+    text = tr("Photos with a GPS position outside the map: {count} of {all}.")
+    outside = len(points) - len(inside)
+    warnings = [text.format(count=outside, all=len(points))] if outside else []
+    if not inside:
+        return whole, warnings
     extent = QgsRectangle(inside[0], inside[0])
     for point in inside:
         extent.include(point)
     extent.grow(max(LEAST_MARGIN_M, MARGIN_PHOTOS * photos.size_m[0]))
-    text = tr("{count} of {all} photos with a GPS position were taken outside the map.")
-    outside = len(points) - len(inside)
-    return extent.intersect(whole), [text.format(count=outside, all=len(points))] if outside else []
+    return extent.intersect(whole), warnings
 
 
 def camera_table(photos: AreaPhotos) -> str:

@@ -24,6 +24,8 @@ from semref.processing.reports.setup_report import expectation_of
 
 SETUP = "semref:setuparea"
 
+FAR_PLACE = {"GPSLongitude": "(9) (0) (0)", "GPSLongitudeRef": "E", "GPSLatitude": "(9) (0) (0)", "GPSLatitudeRef": "N"}
+
 
 @pytest.fixture
 def given(sample, repository, tmp_path):
@@ -175,10 +177,9 @@ def test_lines_that_cannot_be_used_are_refused(run_algorithm, tagged, repository
 def test_bad_input_is_one_sentence_and_leaves_nothing(run_algorithm, small, tmp_path, monkeypatch, change, message):
     monkeypatch.setattr(set_up_area, "DEFAULT_MODEL", tmp_path / "missing.onnx")
     monkeypatch.setattr(training_environment, "training_python", lambda *_: "python")
-    place = {"GPSLongitude": "(9) (0) (0)", "GPSLongitudeRef": "E", "GPSLatitude": "(9) (0) (0)", "GPSLatitudeRef": "N"}
     far = (600000.0, 1.0, 0.0, 5000000.0, 0.0, -1.0)
     made = {
-        "photo": lambda: [write_photo(tmp_path / "photo.jpg", **place)],
+        "photo": lambda: [write_photo(tmp_path / "photo.jpg", **FAR_PLACE)],
         "far": lambda: str(write_raster(tmp_path / "far.tif", np.zeros((3, 50, 50), np.uint8), transform=far)),
         "decimals": lambda: str(write_raster(tmp_path / "decimals.tif", np.ones((3, 9, 9)), kind=gdal.GDT_Float32)),
         "damaged": lambda: str(write_text(tmp_path / "bad.onnx", "no model")),
@@ -190,6 +191,12 @@ def test_bad_input_is_one_sentence_and_leaves_nothing(run_algorithm, small, tmp_
     assert files_in(given["FOLDER"]) == set()
     gc.collect()
     assert not any(isinstance(one, QgsVectorLayer) and one.name() == "map" for one in gc.get_objects())
+
+
+def test_a_photo_of_another_place_does_not_stop_photos_without_gps(run_algorithm, small, tmp_path, feedback):
+    photos = [write_photo(tmp_path / "far.jpg", **FAR_PLACE), write_photo(tmp_path / "unknown.jpg")]
+    assert Path(run_algorithm(SETUP, {**small, "PHOTOS": photos}, feedback)["POSITIONS"].partition("|")[0]).is_file()
+    assert "Photos with a GPS position outside the map: 1 of 1." in feedback.textLog()
 
 
 def test_files_of_others_and_of_other_values_are_not_replaced(run_algorithm, small):
