@@ -94,16 +94,10 @@ def answer_of(reader) -> list:
     return reader.said
 
 
-@pytest.fixture
-def short_lived_threads(qgis_app):
-    """Threads that end after 20 ms without a task, as QGIS's do after 30 s."""
-    before = task_threads().expiryTimeout()
+def test_a_crs_stays_whole_after_the_task_that_used_it_first(iface, reader, request):
+    # QGIS's threads end after 30 s without a task.
     task_threads().setExpiryTimeout(20)
-    yield
-    task_threads().setExpiryTimeout(before)
-
-
-def test_a_crs_stays_whole_after_the_task_that_used_it_first(short_lived_threads, loaded, reader):
+    request.getfixturevalue("loaded")
     reader.read("Reading", lambda: QgsCoordinateReferenceSystem("EPSG:31370"))
     ((_, crs),) = answer_of(reader)
     time.sleep(0.2)

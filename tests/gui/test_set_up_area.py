@@ -56,8 +56,7 @@ def test_a_long_summary_cuts_off_no_field_on_a_small_screen(dialog):
     dialog.summary.setText("A long warning.\n" * 40)
     dialog.resize(dialog.width(), 480)
     settle()
-    assert dialog.height() < 650
-    assert dialog.map.height() >= dialog.map.sizeHint().height()
+    assert dialog.height() < 650 and dialog.map.height() >= dialog.map.sizeHint().height()
 
 
 def test_the_only_map_and_orthophoto_of_the_project_are_chosen(project_map, dock, sample):
