@@ -5648,6 +5648,10 @@ Alle Einstellungen kommen aus der Datenbank. Unveränderte Zeilen behalten ihre 
    <translation>Warnungen können die Zahl der Landmarken verringern. Prüfen Sie die an wichtigen Stellen der Karte.</translation>
   </message>
   <message>
+   <source>What SemRef will do</source>
+   <translation>Was SemRef machen wird</translation>
+  </message>
+  <message>
    <source>Where the maps overlap, the reference map has no labels; choose maps of the same ground.</source>
    <translation>Wo sich die Karten überlappen, hat die Referenzkarte keine Klassen; wählen Sie Karten desselben Geländes.</translation>
   </message>

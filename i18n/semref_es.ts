@@ -5648,6 +5648,10 @@ Todos los parámetros provienen de la base de datos. Las filas sin cambios conse
    <translation>Las advertencias pueden reducir el número de hitos. Revise las de lugares importantes del mapa.</translation>
   </message>
   <message>
+   <source>What SemRef will do</source>
+   <translation>Lo que hará SemRef</translation>
+  </message>
+  <message>
    <source>Where the maps overlap, the reference map has no labels; choose maps of the same ground.</source>
    <translation>Donde los mapas se solapan, el mapa de referencia no tiene etiquetas; elija mapas del mismo terreno.</translation>
   </message>

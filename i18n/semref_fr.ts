@@ -5648,6 +5648,10 @@ Tous les paramètres viennent de la base de données. Les lignes inchangées gar
    <translation>Les avertissements peuvent réduire le nombre de repères visuels. Vérifiez ceux des endroits importants de la carte.</translation>
   </message>
   <message>
+   <source>What SemRef will do</source>
+   <translation>Ce que SemRef va faire</translation>
+  </message>
+  <message>
    <source>Where the maps overlap, the reference map has no labels; choose maps of the same ground.</source>
    <translation>Là où les cartes se recouvrent, la carte de référence n’a pas d’étiquettes ; choisissez des cartes du même terrain.</translation>
   </message>

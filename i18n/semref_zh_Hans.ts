@@ -5648,6 +5648,10 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
    <translation>警告可能会减少地标数量。请检查地图重要位置的警告。</translation>
   </message>
   <message>
+   <source>What SemRef will do</source>
+   <translation>SemRef 将要执行的操作</translation>
+  </message>
+  <message>
    <source>Where the maps overlap, the reference map has no labels; choose maps of the same ground.</source>
    <translation>在两张地图重叠之处，参考地图没有标签；请选择同一地面的地图。</translation>
   </message>

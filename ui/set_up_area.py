@@ -118,6 +118,7 @@ class SetUpAreaDialog(QDialog):
         self.summary.setAlignment(Qt.AlignmentFlag.AlignTop)
         # Without it, a long summary would squeeze the fields on a small screen.
         scrolled = QScrollArea()
+        scrolled.setAccessibleName(tr("What SemRef will do"))
         scrolled.setFrameShape(QFrame.Shape.NoFrame)
         scrolled.setWidgetResizable(True)
         scrolled.setMinimumHeight(5 * self.fontMetrics().height())
