@@ -66,7 +66,6 @@ class Area:
 
 
 def settle() -> None:
-    """Process queued signals and deleteLater."""
     for _ in range(5):
         QCoreApplication.processEvents()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)

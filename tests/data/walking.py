@@ -24,7 +24,6 @@ messages = []
 
 
 def settle(seconds: float = 0.3) -> None:
-    """Let queued signals and deleteLater happen."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:
         QCoreApplication.processEvents()

@@ -235,7 +235,6 @@ def annotation(qgis_app, tmp_path):
 
 @pytest.fixture
 def found(annotation, run_algorithm):
-    """What “Check land-cover layer” finds in it."""
     context = QgsProcessingContext()
     checked = QgsApplication.processingRegistry().createAlgorithmById("semref:checkannotation")
     parameters = {"INPUT": annotation, "CLASS_FIELD": "class", "MINIMUM_AREA": 1, "ISSUES": "memory:"}

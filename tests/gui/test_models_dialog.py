@@ -114,7 +114,6 @@ def test_the_dock_takes_the_model_that_is_chosen(dock, tab, folder):
 
 @pytest.fixture
 def models(plugin, tmp_path):
-    """The list of models of an empty folder."""
     choose_models_folder(str(tmp_path / "models"))
     made = ModelsDialog()
     made.show()

@@ -34,7 +34,6 @@ pytestmark = pytest.mark.slow  # a dock is made for each test; test_localize_tab
 
 @pytest.fixture
 def found(dock, area, tab):
-    """The dock with a fix and an unreadable image."""
     choose_method(dock, AUTOMATIC)
     localize(dock, area.database, [area.image, area.unreadable])
     return tab

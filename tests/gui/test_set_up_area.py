@@ -84,7 +84,6 @@ def test_only_the_selected_polygons_are_read_if_the_user_wants_that(project_map,
 
 @pytest.fixture
 def started(project_map, dialog, sample, repository, tmp_path):
-    """The dialog with a run on two photos."""
     photos = tmp_path / "photos"
     photos.mkdir()
     for n in (1, 2):

@@ -36,7 +36,6 @@ def tool(repository, display):
 
 @pytest.fixture(scope="module", params=["stand-in", "torch"])
 def walk(request, tool, repository, tmp_path_factory) -> dict:
-    """What walk_session.py saw."""
     home = tmp_path_factory.mktemp("walk")
     python = os.environ.get("SEMREF_TRAINING_PYTHON", "")
     if request.param == "stand-in":

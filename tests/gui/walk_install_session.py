@@ -49,7 +49,6 @@ def can_reach_anything():
 
 
 def picture(name):
-    """Save a picture of the whole screen."""
     settle()
     file = os.path.join(os.environ["SEMREF_PICTURES"], f"{name}.png")
     QApplication.primaryScreen().grabWindow(0).save(file)

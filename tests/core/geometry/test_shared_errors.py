@@ -48,7 +48,6 @@ def tried(rng, count, displaced=0.0, shift=0j, errors=USUAL, bend=0.0, own=0.6, 
 
 
 def held(results):
-    """Return the share of errors within the 95 % ellipse."""
     inside = 0
     for pose, known in results:
         off = pose.center - TRUE.center

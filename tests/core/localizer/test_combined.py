@@ -94,7 +94,6 @@ def test_a_part_that_shows_another_place_is_named_by_either_method(localizer, bu
 
 
 def test_landmarks_that_class_areas_speak_against_are_no_fix(localizer):
-    """Use the houses of one place over the ground of another."""
     image = view(patches(9), HOUSES)
     assert localizer.localize_by_constellation(image).status == Status.FIX
     found = localizer.localize(image, Method.AUTOMATIC)

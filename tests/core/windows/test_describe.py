@@ -66,7 +66,6 @@ def plain_windows(labels_hw, size, stride, minimum_area, references_per_vector):
 
 
 def described_windows(labels_hw, size, stride, minimum_area, references_per_vector=10):
-    """Return the same from SemRef."""
     height, width = labels_hw.shape
     objects = extract_landmarks(labels_hw, VALUES, minimum_area)
     grid = WindowGrid(width, height, size, stride)
