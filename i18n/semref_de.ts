@@ -964,8 +964,8 @@ Die Eingabe kann ein Auszug (.osm, .osm.pbf), ein QuickOSM-Layer, ein Geofabrik-
    <translation>Diagnose kopieren</translation>
   </message>
   <message>
-   <source>Copy longitude and latitude (WGS 84)</source>
-   <translation>Geografische Länge und Breite kopieren (WGS 84)</translation>
+   <source>Copy latitude and longitude (WGS 84), as web maps read them</source>
+   <translation>Geografische Breite und Länge kopieren (WGS 84), wie Webkarten sie lesen</translation>
   </message>
   <message>
    <source>Copy of the model with the class offset, in meters, in its metadata.</source>
@@ -5968,6 +5968,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>Landmarken</translation>
   </message>
   <message>
+   <source>lat, lon</source>
+   <translation>Breite, Länge</translation>
+  </message>
+  <message>
    <source>left part</source>
    <translation>linken Teil</translation>
   </message>
@@ -5982,10 +5986,6 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>likely position</source>
    <translation>wahrscheinliche Position</translation>
-  </message>
-  <message>
-   <source>lon, lat</source>
-   <translation>Länge, Breite</translation>
   </message>
   <message>
    <source>longest gap: {count} images</source>

@@ -964,8 +964,8 @@ La entrada puede ser un extracto (.osm, .osm.pbf), una capa de QuickOSM, un shap
    <translation>Copiar diagnóstico</translation>
   </message>
   <message>
-   <source>Copy longitude and latitude (WGS 84)</source>
-   <translation>Copiar longitud y latitud (WGS 84)</translation>
+   <source>Copy latitude and longitude (WGS 84), as web maps read them</source>
+   <translation>Copiar latitud y longitud (WGS 84), como las leen los mapas web</translation>
   </message>
   <message>
    <source>Copy of the model with the class offset, in meters, in its metadata.</source>
@@ -5968,6 +5968,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>hitos</translation>
   </message>
   <message>
+   <source>lat, lon</source>
+   <translation>lat, lon</translation>
+  </message>
+  <message>
    <source>left part</source>
    <translation>parte izquierda</translation>
   </message>
@@ -5982,10 +5986,6 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>likely position</source>
    <translation>posición probable</translation>
-  </message>
-  <message>
-   <source>lon, lat</source>
-   <translation>lon, lat</translation>
   </message>
   <message>
    <source>longest gap: {count} images</source>

@@ -964,8 +964,8 @@ L’entrée peut être un extrait (.osm, .osm.pbf), une couche QuickOSM, un shap
    <translation>Copier le diagnostic</translation>
   </message>
   <message>
-   <source>Copy longitude and latitude (WGS 84)</source>
-   <translation>Copier la longitude et la latitude (WGS 84)</translation>
+   <source>Copy latitude and longitude (WGS 84), as web maps read them</source>
+   <translation>Copier la latitude et la longitude (WGS 84), comme les lisent les cartes web</translation>
   </message>
   <message>
    <source>Copy of the model with the class offset, in meters, in its metadata.</source>
@@ -5968,6 +5968,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>repères visuels</translation>
   </message>
   <message>
+   <source>lat, lon</source>
+   <translation>lat, lon</translation>
+  </message>
+  <message>
    <source>left part</source>
    <translation>partie gauche</translation>
   </message>
@@ -5982,10 +5986,6 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>likely position</source>
    <translation>position probable</translation>
-  </message>
-  <message>
-   <source>lon, lat</source>
-   <translation>lon, lat</translation>
   </message>
   <message>
    <source>longest gap: {count} images</source>

@@ -964,8 +964,8 @@ The input may be an extract (.osm, .osm.pbf), a QuickOSM layer, a Geofabrik shap
    <translation>复制诊断信息</translation>
   </message>
   <message>
-   <source>Copy longitude and latitude (WGS 84)</source>
-   <translation>复制经度和纬度（WGS 84）</translation>
+   <source>Copy latitude and longitude (WGS 84), as web maps read them</source>
+   <translation>复制纬度和经度（WGS 84），与网络地图的顺序一致</translation>
   </message>
   <message>
    <source>Copy of the model with the class offset, in meters, in its metadata.</source>
@@ -5968,6 +5968,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>地标</translation>
   </message>
   <message>
+   <source>lat, lon</source>
+   <translation>纬度, 经度</translation>
+  </message>
+  <message>
    <source>left part</source>
    <translation>左侧</translation>
   </message>
@@ -5982,10 +5986,6 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>likely position</source>
    <translation>可能位置</translation>
-  </message>
-  <message>
-   <source>lon, lat</source>
-   <translation>经度, 纬度</translation>
   </message>
   <message>
    <source>longest gap: {count} images</source>

@@ -176,14 +176,15 @@ def _read_matches(layer: QgsVectorLayer | None) -> dict[str, MatchPoints]:
     return {image: MatchPoints(*zip(*rows)) for image, rows in found.items()}
 
 
-def lon_lat_text(finding: Finding, decimals: int = 7) -> str:
-    """Return longitude and latitude with a decimal point in every language, as programs read them; empty if unknown.
+def lat_lon_text(finding: Finding, decimals: int = 7) -> str:
+    """Return latitude and longitude with a decimal point in every language, as programs read them; empty if unknown.
 
-    Seven decimals of a degree are about 1 cm, five are about 1 m.
+    The latitude is first, as in EPSG:4326, web maps, and QGIS's locator bar. Seven decimals of a degree are about 1 cm,
+    five are about 1 m.
     """
     if finding.longitude is None or finding.latitude is None:
         return ""
-    return f"{finding.longitude:.{decimals}f}, {finding.latitude:.{decimals}f}"
+    return f"{finding.latitude:.{decimals}f}, {finding.longitude:.{decimals}f}"
 
 
 def x_y_text(finding: Finding) -> str:

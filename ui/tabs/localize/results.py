@@ -11,7 +11,7 @@ from qgis.PyQt.QtWidgets import QFrame, QMenu, QPushButton, QSplitter, QTextEdit
 
 from ....processing.messages.numbers import LocalTemplate
 from ....processing.translation import tr
-from ...findings import Finding, error_text, lon_lat_text, status_text, x_y_text
+from ...findings import Finding, error_text, lat_lon_text, status_text, x_y_text
 from ...widgets.controls import remember, shortcut, tool_button
 from ...widgets.layouts import FoldingBox, narrow, row_of
 from .image_view import ImageView
@@ -48,7 +48,7 @@ class ResultsBox(FoldingBox):
             shortcut(keys, self).activated.connect(button.click)
         self.drape = tool_button("/mActionAddLayer.svg", tr("Add image to map"))
         self.copy = QPushButton(tr("Copy position"))
-        self.copy.setToolTip(tr("Copy longitude and latitude (WGS 84)"))
+        self.copy.setToolTip(tr("Copy latitude and longitude (WGS 84), as web maps read them"))
         self.save = QPushButton(tr("Save results…"))
         self.save.setToolTip(
             tr(
@@ -137,7 +137,7 @@ def _lines(finding: Finding) -> list[str]:
             escape(tr("The search was limited: common patterns were left out, so a better place may have been missed."))
         )
     if finding.center is not None:
-        lines.append(f"{tr('lon, lat')}: {lon_lat_text(finding)}")
+        lines.append(f"{tr('lat, lon')}: {lat_lon_text(finding)}")
         lines.append(f"x, y: {x_y_text(finding)} ({escape(finding.crs.authid())})")
     lines += _measures(finding)
     if finding.camera:

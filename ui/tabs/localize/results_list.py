@@ -14,7 +14,7 @@ from ....core.localization import Status
 from ....processing.layers.localized_image import ERROR as UNREAD
 from ....processing.layers.palette import WARNING
 from ....processing.translation import tr
-from ...findings import Finding, error_text, lon_lat_text, status_text
+from ...findings import Finding, error_text, lat_lon_text, status_text
 from ...widgets.tables import LIKELY, paint_placeholder, sign_icon
 from ...widgets.texts import number_text, plain_tip
 
@@ -162,7 +162,7 @@ def _draw_icon(name: str) -> QIcon:
 
 def _text(finding: Finding) -> str:
     """Return two lines: name, status and error probability; position and 95 % radius, or the reason."""
-    position, error = lon_lat_text(finding, _DEGREE_DECIMALS), error_text(finding)
+    position, error = lat_lon_text(finding, _DEGREE_DECIMALS), error_text(finding)
     if position and finding.error_95 is not None:
         position = f"{position} ± {number_text(finding.error_95, 1)} m"
     sure = tr("error {probability}").format(probability=error) if error else ""

@@ -17,7 +17,7 @@ from ....processing.base.image_results import count_sentence
 from ....processing.layers.results_file import save_results
 from ....processing.messages.sentences import worded
 from ....processing.translation import tr
-from ...findings import Finding, lon_lat_text, read_findings, x_y_text
+from ...findings import Finding, lat_lon_text, read_findings, x_y_text
 from ...project_state import DockState
 from ...running.background import Reader
 from ...running.localization_run import LocalizationRun, named_results
@@ -288,8 +288,9 @@ class LocalizeTab(QWidget):
             self.results.earlier.addAction(tr("No results yet")).setEnabled(False)
 
     def _copy_position(self) -> None:
-        """Copy longitude and latitude; without them, as with a local CRS, x and y."""
+        """Copy latitude and longitude; without them, as with a local CRS, x and y."""
         finding = self.results.list.selected()
-        text = lon_lat_text(finding) or x_y_text(finding)
+        text = lat_lon_text(finding)
+        label, text = (tr("lat, lon"), text) if text else ("x, y", x_y_text(finding))
         QgsApplication.clipboard().setText(text)
-        self.state.show_text(tr("Copied: {command}").format(command=text))
+        self.state.show_text(tr("Copied: {command}").format(command=f"{text} ({label})"))
