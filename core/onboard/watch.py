@@ -16,8 +16,8 @@ from typing import Any, Callable
 from ..errors import ParameterError, reason_of
 from ..labels.image_files import is_image_name
 from ..localization import Status
-from ..localizer.record import gga_sentence
 from .log import json_line, log_event
+from .nmea import gga_sentence
 from .sinks import Sink, open_sink
 
 LOOK_EVERY_S = 0.2

@@ -1,12 +1,11 @@
 from dataclasses import replace
-from datetime import datetime, timezone
 
 import pytest
 
 from semref.core.geometry.pose import Ellipse, PoseCovariance
 from semref.core.localization import Localization, Method, Place, Status
 from semref.core.localizer.network_reason import name_network
-from semref.core.localizer.record import error_probability, gga_sentence, record
+from semref.core.localizer.record import error_probability, record
 from semref.core.sentences import Sentence
 
 PLACE = Place((600250.0, 5199600.0), heading_deg=90.0, pixel_size_m=0.5, log_odds=12.5, inliers=7)
@@ -74,19 +73,6 @@ def test_a_fix_has_the_parts_of_its_radius():
     )
     both = record(replace(FIX, covariance=known, reason=remark))["reason"]
     assert both.startswith("In the left part of the image only 0 of 24 landmarks agree") and both.endswith(said)
-
-
-def test_a_sentence_has_its_checksum_never_sixty_minutes_and_no_place_without_a_position():
-    moment = datetime(2026, 5, 1, 12, 34, 56, 789_000, timezone.utc)
-    # Checked by hand: the checksum is the exclusive or of all characters between $ and *.
-    text = gga_sentence(moment, -9.99999999999, 46.9999999999, 150)
-    assert text.startswith("$GPGGA,123456.78,4700.00000,N,01000.00000,W,6,99,,,M,,M,,*")
-    total = 0
-    for character in text[1:-3]:
-        total ^= ord(character)
-    assert text.endswith(f"*{total:02X}")
-    assert gga_sentence(moment, 0.5, -0.25).split(",")[2:6] == ["0015.00000", "S", "00030.00000", "E"]
-    assert gga_sentence(moment).startswith("$GPGGA,123456.78,,,,,0,00,,,M,,M,,*")
 
 
 PLACES, CLASSES = ("made-up areas", "Banepa"), ("building", "water")

@@ -7,6 +7,7 @@ import subprocess
 import sys
 import threading
 import time
+from datetime import datetime, timezone
 from pathlib import Path
 
 import cv2
@@ -17,6 +18,7 @@ from semref.core.errors import ParameterError
 from semref.core.onboard import watch
 from semref.core.onboard.command_line import ALL_FIXED, REFUSED, SOME_WITHOUT_FIX, main
 from semref.core.onboard.log import start_log
+from semref.core.onboard.nmea import gga_sentence
 from semref.core.onboard.sinks import open_sink
 
 needs_full_device = pytest.mark.skipif(not os.path.exists("/dev/full"), reason="this system has no full device")
@@ -63,6 +65,15 @@ def test_watch_writes_json_lines_and_sentences_into_files(area, folder, tmp_path
     # 9.003125° E, 46.996396…° N
     assert re.fullmatch(r"\$GPGGA,\d{6}\.\d\d,4659\.78\d{3},N,00900\.18\d{3},E,6,\d\d,,,M,,M,,\*[0-9A-F]{2}", first)
     assert re.fullmatch(r"\$GPGGA,\d{6}\.\d\d,,,,,0,00,,,M,,M,,\*[0-9A-F]{2}", second)
+
+
+def test_a_sentence_has_its_checksum_never_sixty_minutes_and_no_place_without_a_position():
+    moment = datetime(2026, 5, 1, 12, 34, 56, 789_000, timezone.utc)
+    # The checksum is the exclusive or of all characters between $ and *.
+    found = gga_sentence(moment, -9.99999999999, 46.9999999999, 150)
+    assert found == "$GPGGA,123456.78,4700.00000,N,01000.00000,W,6,99,,,M,,M,,*6D"
+    assert gga_sentence(moment, 0.5, -0.25).split(",")[2:6] == ["0015.00000", "S", "00030.00000", "E"]
+    assert gga_sentence(moment).startswith("$GPGGA,123456.78,,,,,0,00,,,M,,M,,*")
 
 
 def test_a_likely_position_is_in_the_json_lines_but_not_in_the_sentences(area, folder, tmp_path):
