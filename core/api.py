@@ -260,11 +260,7 @@ def _prepared(  # noqa: PLR0913 - what is known of the images
     """Return the pipeline for images, and (name, camera) of each; the name of an array is its number."""
     names = [image if isinstance(image, str) else f"image {number}" for number, image in enumerate(images)]
     arrays = {name: image for name, image in zip(names, images) if not isinstance(image, str)}
-    found = read_cameras([name for name in names if name not in arrays], cameras)
-    if search.method is Method.TOPOLOGY_VECTOR:
-        # The published method does not level images.
-        found = [camera.without_leveling() for camera in found]
-    of_files = iter(found)
+    of_files = iter(read_cameras([name for name in names if name not in arrays], cameras))
     known = [(name, Camera() if name in arrays else next(of_files)) for name in names]
     localizer = Localizer(database, replace(LOCALIZER, allowed_risk=risk))
     localizer.check(search.method)

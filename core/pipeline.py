@@ -88,6 +88,9 @@ class Pipeline:
         Raises:
             SemRefError: The image or the data of its camera can't be used.
         """
+        if self.search.method is Method.TOPOLOGY_VECTOR:
+            # The published method does not level images.
+            camera = camera.without_leveling()
         seen = self.read(path, camera, with_pixels)
         seen = seen if self.looks_again else replace(seen, look_again=None)
         return localize_labels(self.localizer, self.search, seen, camera)

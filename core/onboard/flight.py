@@ -84,7 +84,7 @@ class FlightFinder(ImageFinder):
 
     def localize(self, path: str) -> dict[str, Any]:
         """Return the columns of the record of the next image. Raises SemRefError."""
-        camera = self.camera_of(path)
+        camera = self.cameras.of(path)
         result = self.pipeline.run(path, camera, with_pixels=True)
         taken_s = self.cameras.time_s(path, camera)
         link = self._link(path, taken_s, result)

@@ -16,7 +16,7 @@ from ..geometry.camera import Camera
 from ..labels.class_shares import SeenLabels
 from ..labels.class_table import ClassTable
 from ..labels.image_files import read_label_image
-from ..localization import Localization, Method
+from ..localization import Localization
 from ..localizer.record import record
 from ..pipeline import LabelReader, Pipeline
 from ..segmentation.devices import AUTO
@@ -65,14 +65,9 @@ class ImageFinder:
     pipeline: Pipeline
     cameras: Cameras = field(default_factory=Cameras)
 
-    def camera_of(self, path: str) -> Camera:
-        """Return the camera of an image, without leveling for the published method."""
-        camera = self.cameras.of(path)
-        return camera.without_leveling() if self.pipeline.search.method == Method.TOPOLOGY_VECTOR else camera
-
     def localize(self, path: str) -> dict[str, Any]:
         """Return the columns of the record of an image. Raises SemRefError."""
-        return self.as_record(self.pipeline.run(path, self.camera_of(path)).localization)
+        return self.as_record(self.pipeline.run(path, self.cameras.of(path)).localization)
 
     def as_record(self, result: Localization) -> dict[str, Any]:
         """Return a result as a record, with longitude and latitude if they are known."""
