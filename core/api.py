@@ -149,6 +149,7 @@ def localize(  # noqa: PLR0913 - what is known of the images
     prior: Prior | None = None,
     cameras: str = "",
     risk: float = RISK,
+    sun_deg: float | None = None,
 ) -> list[Localization]:
     """Localize images independently of each other. All images of one call share the search index.
 
@@ -160,6 +161,7 @@ def localize(  # noqa: PLR0913 - what is known of the images
         prior: What is known of all images.
         cameras: Path of a camera table (CSV); EXIF and XMP of the files are read without it, too.
         risk: Maximum error probability of a fix.
+        sun_deg: Direction of the sun, clockwise from grid north; for a model with class offsets that turn with it.
 
     Returns:
         One result for each image, in order: ``status``, ``position``, ``error_95_m``, ``risk``, ``reason``, … A likely
@@ -170,7 +172,7 @@ def localize(  # noqa: PLR0913 - what is known of the images
         ValueError: The method does not exist, or an array is not an image.
     """
     search = Search(_method(method), prior or Prior())
-    pipeline, known = _prepared(images, database, model, search, cameras, risk)
+    pipeline, known = _prepared(images, database, model, search, cameras, risk, sun_deg)
     return [pipeline.run(name, camera).localization for name, camera in known]
 
 
@@ -181,6 +183,7 @@ def localize_flight(  # noqa: PLR0913 - as of ``localize``
     prior: Prior | None = None,
     cameras: str = "",
     risk: float = RISK,
+    sun_deg: float | None = None,
 ) -> list[Localization]:
     """Localize the images of one flight together; the overlap of consecutive images gives the motion.
 
@@ -191,6 +194,7 @@ def localize_flight(  # noqa: PLR0913 - as of ``localize``
         prior: As for ``localize``.
         cameras: As for ``localize``.
         risk: Maximum error probability of a track.
+        sun_deg: As for ``localize``.
 
     Returns:
         One result for each image, in order.
@@ -200,7 +204,7 @@ def localize_flight(  # noqa: PLR0913 - as of ``localize``
         SemRefError: A file can't be used.
     """
     search = Search(Method.AUTOMATIC, prior or Prior())
-    pipeline, known = _prepared(images, database, model, search, cameras, risk)
+    pipeline, known = _prepared(images, database, model, search, cameras, risk, sun_deg)
     pipeline = replace(pipeline, looks_again=False)
     results, flown, links = [], [], []
     before: Features | None = None
@@ -255,14 +259,20 @@ def evaluate(
 
 
 def _prepared(  # noqa: PLR0913 - what is known of the images
-    images: Sequence[Image], database: ReferenceDatabase, model: str | None, search: Search, cameras: str, risk: float
+    images: Sequence[Image],
+    database: ReferenceDatabase,
+    model: str | None,
+    search: Search,
+    cameras: str,
+    risk: float,
+    sun_deg: float | None,
 ) -> tuple[Pipeline, list[tuple[str, Camera]]]:
     """Return the pipeline for images, and (name, camera) of each; the name of an array is its number."""
     names = [image if isinstance(image, str) else f"image {number}" for number, image in enumerate(images)]
     arrays = {name: image for name, image in zip(names, images) if not isinstance(image, str)}
     of_files = iter(read_cameras([name for name in names if name not in arrays], cameras))
     known = [(name, Camera() if name in arrays else next(of_files)) for name in names]
-    localizer = Localizer(database, replace(LOCALIZER, allowed_risk=risk))
+    localizer = Localizer(database, replace(LOCALIZER, allowed_risk=risk), sun_deg)
     localizer.check(search.method)
     return Pipeline(localizer, search, _reader(database.class_table, model, arrays)), known
 

@@ -48,7 +48,7 @@ def test_a_database_is_built_saved_and_opened(database, tmp_path):
 def test_files_and_arrays_are_localized_alike(database, tmp_path):
     path = str(tmp_path / "here.png")
     cv2.imwrite(path, HERE)
-    of_file, of_array = core.localize([path, HERE], database, method="constellation")
+    of_file, of_array = core.localize([path, HERE], database, method="constellation", sun_deg=150.0)
     assert of_file == of_array and of_file.position == pytest.approx(CENTER, abs=1)
     with pytest.raises(ValueError, match="topology vector"):
         core.localize([HERE], database, method="by chance")
