@@ -4688,6 +4688,10 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Das Bild hat eine Position.</translation>
   </message>
   <message>
+   <source>The image has no data where the ground is labeled: its pixels there have the nodata value or are transparent. Choose an image of this ground, or correct its nodata value.</source>
+   <translation>Das Bild hat keine Daten, wo das Gelände eine Klasse hat: Seine Pixel haben dort den NoData-Wert oder sind durchsichtig. Wählen Sie ein Bild dieses Geländes oder korrigieren Sie den NoData-Wert.</translation>
+  </message>
+  <message>
    <source>The image has no georeference, so the mask cannot be applied. Leave “Mask” empty.</source>
    <translation>Das Bild hat keine Georeferenz, deshalb lässt sich die Maske nicht anwenden. Lassen Sie „Maske“ leer.</translation>
   </message>

@@ -4688,6 +4688,10 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>La imagen tiene una posición.</translation>
   </message>
   <message>
+   <source>The image has no data where the ground is labeled: its pixels there have the nodata value or are transparent. Choose an image of this ground, or correct its nodata value.</source>
+   <translation>La imagen no tiene datos donde el terreno está etiquetado: allí sus píxeles tienen el valor nodata o son transparentes. Elija una imagen de este terreno o corrija su valor nodata.</translation>
+  </message>
+  <message>
    <source>The image has no georeference, so the mask cannot be applied. Leave “Mask” empty.</source>
    <translation>La imagen no tiene georreferencia, por lo que no se puede aplicar la máscara. Deje “Máscara” vacío.</translation>
   </message>

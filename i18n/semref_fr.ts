@@ -4688,6 +4688,10 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>L’image a une position.</translation>
   </message>
   <message>
+   <source>The image has no data where the ground is labeled: its pixels there have the nodata value or are transparent. Choose an image of this ground, or correct its nodata value.</source>
+   <translation>L’image n’a pas de données là où le terrain est étiqueté : ses pixels y ont la valeur nodata ou sont transparents. Choisissez une image de ce terrain, ou corrigez sa valeur nodata.</translation>
+  </message>
+  <message>
    <source>The image has no georeference, so the mask cannot be applied. Leave “Mask” empty.</source>
    <translation>L’image n’a pas de géoréférencement ; le masque ne peut donc pas être appliqué. Laissez « Masque » vide.</translation>
   </message>

@@ -4688,6 +4688,10 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>该影像有位置。</translation>
   </message>
   <message>
+   <source>The image has no data where the ground is labeled: its pixels there have the nodata value or are transparent. Choose an image of this ground, or correct its nodata value.</source>
+   <translation>影像在有标签的地面上没有数据：那里的像元为无数据（nodata）值或透明。请选择该地面的影像，或更正其无数据值。</translation>
+  </message>
+  <message>
    <source>The image has no georeference, so the mask cannot be applied. Leave “Mask” empty.</source>
    <translation>影像没有地理参考，因此无法应用掩膜。请将“掩膜”留空。</translation>
   </message>

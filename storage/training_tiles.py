@@ -185,6 +185,7 @@ class TileExport:
         self._tile_size, self._stride, self._fraction = tile_size, stride, fraction
         self._block = block_size(self._image.shape_hw, tile_size)
         self._counts: dict[str, int] = dict.fromkeys(SUBSETS, 0)
+        self._lacks_data = False
         self._tiles: list[dict] = []
         self._class_pixels = {subset: np.zeros(256, np.int64) for subset in SUBSETS}
         self._sums, self._squares, self._pixels = np.zeros(3), np.zeros(3), 0
@@ -245,11 +246,12 @@ class TileExport:
         seen, has_data = self._image.read_as_seen(tile.column, tile.row, size)
         if self._mask is not None:
             has_data = has_data & self._mask.read(tile.column, tile.row, size, size)
-        labels = self._labels.read(tile.column, tile.row, size, size)
-        labels = np.where(has_data, labels, self._unseen).astype(np.uint8)
+        known = self._labels.read(tile.column, tile.row, size, size)
+        labels = np.where(has_data, known, self._unseen).astype(np.uint8)
         counted = count_labels(labels)
         unlabeled = counted[UNLABELED] + (counted[self._unseen] if self._unseen else 0)
         if unlabeled == labels.size:
+            self._lacks_data |= not has_data.any() and bool(known.any())
             return
         images = folder / tile.subset / "images"
         pixels = self._image.read(tile.column, tile.row, size)
@@ -276,6 +278,11 @@ class TileExport:
     def _require_tiles(self, labeled: np.ndarray) -> None:
         if not labeled.any():
             raise ParameterError("No pixel of the image is labeled; check that image and labels show the same ground.")
+        if self._lacks_data and not self._tiles:
+            raise ParameterError(
+                "The image has no data where the ground is labeled: its pixels there have the nodata value or are "
+                "transparent. Choose an image of this ground, or correct its nodata value."
+            )
         if not self._counts[TRAIN] or (self._fraction and not self._counts[VALIDATION]):
             raise ParameterError(
                 "The labeled ground gives {training} tiles of {tile_size} pixels for training and {validation} for "

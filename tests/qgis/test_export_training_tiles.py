@@ -28,7 +28,7 @@ def export(run_algorithm, feedback, tmp_path):
     def run(image=None, labels=LABELS, **parameters):
         image = photo_of(LABELS) if image is None else image
         if isinstance(image, np.ndarray):
-            image = write_raster(tmp_path / "image.tif", image)
+            image = write_raster(tmp_path / "image.tif", image, nodata=None if image.any() else 0)
         if isinstance(labels, np.ndarray):
             labels = write_raster(tmp_path / "labels.tif", labels, names=NAMES)
         defaults = {"TILE_SIZE": TILE, "STRIDE": TILE, "OUTPUT": str(tmp_path / "tiles")}
@@ -167,6 +167,7 @@ def test_an_earlier_export_and_any_filled_folder_are_not_changed(export):
         (LABELS, {"TILE_SIZE": 256, "STRIDE": 256}, "smaller tiles or another"),
         (np.where(LABELS == 1, 9, LABELS), {}, "the value 9, which the class table lacks"),
         (LABELS, {"image": np.full((3, HEIGHT, WIDTH), 37, np.uint8)}, "the same color everywhere"),
+        (LABELS, {"image": np.zeros((3, HEIGHT, WIDTH), np.uint8)}, "has no data where the ground is labeled"),
         (LABELS, {"OUTPUT": f"{__file__}/tiles"}, "can't be written: .*; choose another place"),
     ],
 )
