@@ -24,7 +24,7 @@ from typing import Any, Callable
 
 import cloudpickle
 import dask
-from distributed import Client, LocalCluster, as_completed
+from distributed import Client, LocalCluster
 from distributed.comm import connect as connect_directly
 from distributed.comm.addressing import parse_address, parse_host_port
 from distributed.scheduler import KilledWorker
@@ -158,27 +158,7 @@ class DaskRunner:
         self._package = _code().name
         self._threads, self._checked = 1, -_CHECK_EVERY_S
 
-    def __call__(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[tuple[int, Any]]:
-        """Yield (number of the call, result) in the order of completion.
-
-        Raises:
-            SemRefError: A task failed, or workers died while executing it.
-        """
-        numbers: dict[str, int] = {}
-        waiting, finished = enumerate(calls), as_completed()
-        try:
-            kept = self._client.submit(code_upload.share, shared, pure=False)
-            self._submit(task, waiting, kept, numbers, finished)
-            for future in finished:
-                number = numbers.pop(future.key)
-                result = _result_of(future)
-                future.release()
-                self._submit(task, waiting, kept, numbers, finished)
-                yield number, result
-        except (OSError, asyncio.CancelledError, concurrent.futures.CancelledError) as error:
-            raise _lost(error) from None
-
-    def in_order(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[Any]:
+    def __call__(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[Any]:
         """Yield results in the order of the calls; early results wait on the workers.
 
         Raises:
@@ -201,17 +181,6 @@ class DaskRunner:
 
     def _start(self, task: str, kept: Any, arguments: tuple) -> Any:
         return self._client.submit(code_upload.call, self._package, task, self._path, kept, arguments, pure=False)
-
-    def _submit(self, task: str, waiting: Iterator, kept: Any, numbers: dict[str, int], finished: as_completed) -> None:
-        """Submit calls until the scheduler has enough of them."""
-        while len(numbers) < self._room():
-            found = next(waiting, None)
-            if found is None:
-                return
-            number, arguments = found
-            future = self._start(task, kept, arguments)
-            numbers[future.key] = number
-            finished.add(future)
 
     def _room(self) -> int:
         """Return how many tasks to submit at a time; the number of workers may change."""

@@ -1,8 +1,8 @@
 """Execute the tasks of QGIS on workers, and report results as lines of JSON.
 
-QGIS writes lines to this process. The first line of a task has ``task``, ``in_order``, and ``shared``, the file with
-the arguments that all calls share. After each “next”, QGIS writes the file with the arguments of a call, or null at the
-end. Result N is written to the file ``result_N`` in the folder of the order. All files are in the format of
+QGIS writes lines to this process. The first line of a task has ``task`` and ``shared``, the file with the arguments
+that all calls share. After each “next”, QGIS writes the file with the arguments of a call, or null at the end. Result N
+is written to the file ``result_N`` in the folder of the order. All files are in the format of
 ``storage.serialization``.
 """
 
@@ -49,13 +49,7 @@ def _serve(order: dict[str, Any]) -> None:
 
 def _do(asked: dict[str, Any], runner: DaskRunner, folder: Path) -> None:
     """Execute all calls of a task."""
-    shared = read(asked["shared"])
-    found = (
-        enumerate(runner.in_order(asked["task"], _calls(), shared))
-        if asked["in_order"]
-        else runner(asked["task"], _calls(), shared)
-    )
-    for number, result in found:
+    for number, result in enumerate(runner(asked["task"], _calls(), read(asked["shared"]))):
         write(str(folder / f"result_{number}"), result)
         report("result", number=number)
     report("end")

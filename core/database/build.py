@@ -138,18 +138,18 @@ def _scan(
     """Return the landmarks of each tile, and the hashes of all blocks, row by row."""
     *_, factor = shared
     boxes = tile_boxes(shape_hw, factor)
-    tiles: dict[int, TileLandmarks] = {}
+    tiles: list[TileLandmarks] = []
     blocks = np.empty(blocks_shape(shape_hw), object)
-    for done, (number, result) in enumerate(run("scan", ((box,) for box in boxes), shared), start=1):
+    for result, box in zip(run("scan", ((box,) for box in boxes), shared), boxes):
         rows, pieces, runs, reduced, some = result
-        column, row, width, height = boxes[number]
-        tiles[number] = TileLandmarks(rows, pieces, runs)
+        column, row, width, height = box
+        tiles.append(TileLandmarks(rows, pieces, runs))
         overview(column // factor, row // factor, reduced)
         down, across = blocks_shape((height, width))
         top, left = row // HASHED_BLOCK, column // HASHED_BLOCK
         blocks[top : top + down, left : left + across] = np.array(some, object).reshape(down, across)
-        yield "Finding landmarks", 0.3 * done / len(boxes)
-    return [tiles[number] for number in sorted(tiles)], blocks.ravel().tolist()
+        yield "Finding landmarks", 0.3 * len(tiles) / len(boxes)
+    return tiles, blocks.ravel().tolist()
 
 
 def _join(run: Runner, found: list[TileLandmarks], minimum_area: float) -> Steps[np.ndarray]:
@@ -161,7 +161,7 @@ def _join(run: Runner, found: list[TileLandmarks], minimum_area: float) -> Steps
     regions = regions[np.lexsort((regions[:, 1], regions[:, 2] // HASHED_BLOCK))]
     calls = [(regions[first : first + REGIONS_A_TASK],) for first in range(0, len(regions), REGIONS_A_TASK)]
     rows = [NO_ROWS, *(tile.rows for tile in found)]
-    for done, (_, measured) in enumerate(run("measure", calls, (minimum_area,)), start=1):
+    for done, measured in enumerate(run("measure", calls, (minimum_area,)), start=1):
         rows.append(measured)
         yield "Joining landmarks", 0.3 + 0.1 * done / len(calls)
     return np.concatenate(rows)
@@ -174,13 +174,11 @@ def _describe(
     rows, done, total = rows_from_objects(objects), 0, sum(map(len, grids))
     described: list[tuple[int, WindowGrid, DescribedWindows]] = []
     for level, grid in enumerate(grids, start=1):
-        parts: dict[int, DescribedWindows] = {}
         calls = ((box, (grid.size, grid.stride), _reaching(rows, box)) for box in window_boxes(grid))
-        for number, part in run("describe", calls, shared):
-            parts[number] = DescribedWindows(*part)
-            done += len(parts[number].counts)
+        for part in run("describe", calls, shared):
+            described.append((level, grid, DescribedWindows(*part)))
+            done += len(described[-1][2].counts)
             yield "Describing windows", 0.4 + 0.4 * done / total
-        described += [(level, grid, parts[number]) for number in sorted(parts)]
     return described
 
 
@@ -190,9 +188,9 @@ def _compare(run: Runner, windows: Windows) -> Steps[np.ndarray]:
     index = np.flatnonzero(windows.described)
     shared = windows.vectors[index], windows.centers[index], windows.sizes[index]
     stretches = [(n, min(n + COMPARED_A_TASK, len(index))) for n in range(0, len(index), COMPARED_A_TASK)]
-    for done, (number, distances) in enumerate(run("compare", stretches, shared), start=1):
-        distinct[index[slice(*stretches[number])]] = np.where(np.isinf(distances), np.nan, distances)
-        yield "Comparing windows", 0.8 + 0.2 * done / len(stretches)
+    for distances, (first, last) in zip(run("compare", stretches, shared), stretches):
+        distinct[index[first:last]] = np.where(np.isinf(distances), np.nan, distances)
+        yield "Comparing windows", 0.8 + 0.2 * last / len(index)
     return distinct
 
 

@@ -1,14 +1,15 @@
 """Independent tasks of a build, and their runner: threads of this process, or Dask's workers.
 
-Each task reads one piece of the label map and returns plain arrays. ``build_by_tasks`` defines the tasks, accepts their
-results in any order, and combines them.
+Each task reads one piece of the label map and returns plain arrays. ``build_by_tasks`` defines the tasks and combines
+their results.
 """
 
 from __future__ import annotations
 
 import threading
+from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from concurrent.futures import Future, ThreadPoolExecutor, wait
 from itertools import islice
 from typing import Any, Callable, Protocol
 
@@ -26,6 +27,9 @@ from ..windows.grid import WindowGrid
 MOST_THREADS = 8
 """Tasks at a time in one process: each uses some ten megabytes of memory."""
 
+TASKS_A_THREAD = 2
+"""Tasks of a thread that run or wait, so that a long task does not stop the others."""
+
 CHECKED_EVERY_S = 0.2
 
 Box = tuple[int, int, int, int]
@@ -35,8 +39,8 @@ Box = tuple[int, int, int, int]
 class Runner(Protocol):
     """Runs tasks, here or elsewhere."""
 
-    def __call__(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[tuple[int, Any]]:
-        """Yield the number and the result of each call as it is done.
+    def __call__(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[Any]:
+        """Yield the result of each call in the order of the calls; callers take all of them.
 
         Args:
             task: A key of ``TASKS``.
@@ -127,19 +131,19 @@ class Threads:
         self._count = min(count, MOST_THREADS)
         self._check = check
 
-    def __call__(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[tuple[int, Any]]:
-        """Yield the number and the result of each call as it is done; raise what a task raises."""
-        source, waiting = _InTurns(self._source), enumerate(calls)
-        running: dict[Future, int] = {}
+    def __call__(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[Any]:
+        """Yield the result of each call in the order of the calls; raise what a task raises."""
+        source, waiting = _InTurns(self._source), iter(calls)
+        running: deque[Future] = deque()
         pool = ThreadPoolExecutor(self._count)
         try:
             while True:
-                for number, arguments in islice(waiting, self._count + 1 - len(running)):
-                    running[pool.submit(TASKS[task], source, *shared, *arguments)] = number
+                for arguments in islice(waiting, TASKS_A_THREAD * self._count - len(running)):
+                    running.append(pool.submit(TASKS[task], source, *shared, *arguments))
                 if not running:
                     return
-                for future in wait(running, CHECKED_EVERY_S, FIRST_COMPLETED).done:
-                    yield running.pop(future), future.result()
+                if wait([running[0]], CHECKED_EVERY_S).done:
+                    yield running.popleft().result()
                 self._check()
         finally:
             # A cancel does not wait for running tasks, which can't read the map any more.

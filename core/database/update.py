@@ -159,7 +159,7 @@ def _describe(
         window = level.grid.size, level.grid.stride
         boxes = window_boxes(WindowGrid(right - left, bottom - top, *window))
         calls = (((left + column, top + row, *size), window) for column, row, *size in boxes)
-        for _, (columns, rows, counts, vectors) in run("describe", calls, shared):
+        for columns, rows, counts, vectors in run("describe", calls, shared):
             index = level.index(columns, rows)
             windows.counts[index] = counts
             windows.vectors[index] = vectors

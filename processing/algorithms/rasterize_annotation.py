@@ -144,7 +144,7 @@ class RasterizeAnnotation(AnnotationAlgorithm):
         from ...storage.rasterize import burn_label_map
 
         with workers(values, feedback, {}) as run:
-            burn = None if run is None else partial(run.in_order, BURN, shared=(frame.crs,))
+            burn = None if run is None else partial(run, BURN, shared=(frame.crs,))
             steps = burn_label_map(path, frame, table, polygons, burn)
             return follow(steps, feedback, READING_SHARE, 100).tolist()
 

@@ -216,7 +216,7 @@ class SegmentImage(SemRefAlgorithm):
         size_m = pixel_size_m(photo.file, photo.crs)
         opening = path, model.path, table.to_csv() if table else "", size_m, resolution_m, overlap
         with workers(values, feedback, {file: state(file) for file in (path, model.path)}) as run:
-            yield from segment_blocks(tiles, model.tile_hw, partial(run.in_order, SEGMENT, shared=opening))
+            yield from segment_blocks(tiles, model.tile_hw, partial(run, SEGMENT, shared=opening))
 
     def _certainty_result(self, sure: Sureness, feedback: QgsProcessingFeedback) -> dict[str, Any]:
         """Return the mean confidence; empty if the network outputs class numbers only, or the image has no data."""

@@ -71,17 +71,31 @@ class Workers:
         self._process, self._folder, self._feedback = process, folder, feedback
         self._events = self.reports.read(feedback)
 
-    def __call__(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[tuple[int, Any]]:
-        """Yield the number and the result of each call when it is done.
+    def __call__(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[Any]:
+        """Yield the result of each call in the order of the calls.
 
         Raises:
             SemRefError: A task or the process fails, or the process ends.
         """
-        return self._run(task, calls, shared, False)
+        from ...storage.serialization import read, write
 
-    def in_order(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[Any]:
-        """Yield the results of calls in their order; raises as ``__call__`` does."""
-        return (result for _, result in self._run(task, calls, shared, True))
+        common, waiting, given = os.path.join(self._folder, "shared"), iter(calls), 0
+        write(common, shared)
+        self._send({"task": task, "shared": common})
+        while (event := self._next())["event"] != "end":
+            if event["event"] == "next":
+                call, file = next(waiting, None), None
+                if call is not None:
+                    file = os.path.join(self._folder, f"call_{given}")
+                    write(file, call)
+                    given += 1
+                self._send(file)
+            elif event["event"] == "result":
+                # Only files in the folder of this run are read and removed, whatever the process reports.
+                file = os.path.join(self._folder, f"result_{int(event['number'])}")
+                result = read(file)
+                os.unlink(file)
+                yield result
 
     def answers(
         self, task: str, job: object, pieces: Sequence[Any], database: ReferenceDatabase, at_once: int = 1
@@ -100,34 +114,13 @@ class Workers:
         from ...storage.serialization import from_bytes, to_bytes
 
         calls = ((to_bytes(list(pieces[n : n + at_once])),) for n in range(0, len(pieces), at_once))
-        for found in self.in_order(task, calls, (to_bytes((job, fingerprint(database))),)):
+        for found in self(task, calls, (to_bytes((job, fingerprint(database))),)):
             yield from from_bytes(found)
 
     def wait(self) -> None:
         """Wait for the workers; raises as ``__call__`` does."""
         while self._next()["event"] != "ready":
             pass
-
-    def _run(self, task: str, calls: Iterable[tuple], shared: tuple, in_order: bool) -> Iterator[tuple[int, Any]]:
-        from ...storage.serialization import read, write
-
-        common, waiting, given = os.path.join(self._folder, "shared"), iter(calls), 0
-        write(common, shared)
-        self._send({"task": task, "shared": common, "in_order": in_order})
-        while (event := self._next())["event"] != "end":
-            if event["event"] == "next":
-                call, file = next(waiting, None), None
-                if call is not None:
-                    file = os.path.join(self._folder, f"call_{given}")
-                    write(file, call)
-                    given += 1
-                self._send(file)
-            elif event["event"] == "result":
-                # Only files in the folder of this run are read and removed, whatever the process reports.
-                file = os.path.join(self._folder, f"result_{int(event['number'])}")
-                result = read(file)
-                os.unlink(file)
-                yield event["number"], result
 
     def _send(self, value: object) -> None:
         self._process.write(json.dumps(value).encode("ascii") + b"\n")

@@ -29,7 +29,7 @@ def wait_until(holds):
 
 
 class Loop:
-    """Run the tasks in this process, the last first, like machines of unequal speed."""
+    """Run the tasks in this process."""
 
     def __init__(self, labels):
         self._source = ArrayLabels(labels)
@@ -37,8 +37,8 @@ class Loop:
 
     def __call__(self, task, calls, shared=()):
         self.done.append(task)
-        for number, arguments in list(enumerate(calls))[::-1]:
-            yield number, TASKS[task](self._source, *shared, *arguments)
+        for arguments in calls:
+            yield TASKS[task](self._source, *shared, *arguments)
 
 
 def built(run, labels, settings=SETTINGS):

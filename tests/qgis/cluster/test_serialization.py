@@ -111,4 +111,4 @@ def test_results_come_in_order_whatever_workers_are_lost(threads, monkeypatch):
 
     monkeypatch.setattr(engine, "_CHECK_EVERY_S", -1.0)
     runner = engine.DaskRunner(Client(list(threads)), "labels.tif")
-    assert list(runner.in_order("task", ((number,) for number in range(TASKS)))) == [(n,) for n in range(TASKS)]
+    assert list(runner("task", ((number,) for number in range(TASKS)))) == [(n,) for n in range(TASKS)]
