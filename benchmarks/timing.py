@@ -193,13 +193,15 @@ def memory(world: World, scenario: dict[str, Any]) -> list[Table]:
 
 def write_copies(path: Path, template: Path, across: int, down: int) -> int:
     """Write a label map of copies of another map and return its number of pixels."""
+    from semref.core.geometry.frame import MapFrame
     from semref.storage.label_map_file import TILE_ROWS, LabelMapFile
     from semref.storage.label_maps import GdalLabels, stored_class_table
 
     source, image = GdalLabels(str(template)).dataset, read(template)
     height, width = image.shape[0] * down, image.shape[1] * across
     table = stored_class_table(source, template.name)
-    with LabelMapFile(str(path), width, height, source.GetGeoTransform(), source.GetProjection(), table) as target:
+    frame = MapFrame(source.GetProjection(), source.GetGeoTransform(), (height, width))
+    with LabelMapFile(str(path), frame, table) as target:
         for first in range(0, height, TILE_ROWS):
             rows = np.arange(first, min(first + TILE_ROWS, height)) % image.shape[0]
             target.write_rows(first, np.tile(image[rows], (1, across)))

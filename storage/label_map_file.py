@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 from osgeo import gdal
 
+from ..core.geometry.frame import MapFrame
 from ..core.labels.class_table import ClassTable
 from .gdal_errors import close, require_written
 from .pictures import WrittenRaster
@@ -26,29 +27,16 @@ TILE_ROWS = 256
 class LabelMapFile(WrittenRaster):
     """Writer of a label map: GeoTIFF, uint8, tiled, DEFLATE, with classes and colors inside."""
 
-    def __init__(  # noqa: PLR0913 - what a label map is made of; not every one has a MapFrame
-        self,
-        path: str,
-        width: int,
-        height: int,
-        geotransform: tuple | None,
-        crs_wkt: str,
-        table: ClassTable,
-        class_bias: str = "",
-    ) -> None:
+    def __init__(self, path: str, frame: MapFrame, table: ClassTable, class_bias: str = "") -> None:
         """Create the file.
 
         Args:
-            width: In pixels.
-            height: In pixels.
-            geotransform: GDAL's six numbers; None without a georeference.
-            crs_wkt: WKT of the CRS; empty without one.
             class_bias: Text of the network's class offsets; empty if no network made the labels.
 
         Raises:
             UnwritableError: GDAL can't write the file.
         """
-        super().__init__(path, (height, width), 1, geotransform, crs_wkt)
+        super().__init__(path, frame, 1)
         self._dataset.SetMetadataItem(CLASS_TABLE_ITEM, table.to_csv())
         if class_bias:
             self._dataset.SetMetadataItem(CLASS_BIAS_ITEM, class_bias)

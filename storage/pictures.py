@@ -85,35 +85,24 @@ _Own = TypeVar("_Own", bound="WrittenRaster")
 class WrittenRaster:
     """A context manager that closes the file at the end, and raises UnwritableError if the disk is full."""
 
-    def __init__(  # noqa: PLR0913 - what a GeoTIFF is made of; not every one has a MapFrame
-        self,
-        path: str,
-        shape_hw: tuple[int, int],
-        bands: int,
-        geotransform: Sequence[float] | None,
-        crs_wkt: str,
-        options: Sequence[str] = TILED,
-    ) -> None:
+    def __init__(self, path: str, frame: MapFrame, bands: int, options: Sequence[str] = TILED) -> None:
         """Create the file.
 
         Args:
-            shape_hw: (height, width) in pixels.
-            geotransform: GDAL's six numbers; None without a georeference.
-            crs_wkt: WKT of the CRS; empty without one.
             options: GDAL's creation options.
 
         Raises:
             UnwritableError: GDAL can't write the file.
         """
         self._path = path
-        height, width = shape_hw
+        height, width = frame.shape_hw
         with require_written(path):
             driver = gdal.GetDriverByName("GTiff")
             self._dataset = driver.Create(path, width, height, bands, gdal.GDT_Byte, list(options))
-            if self._dataset is not None and geotransform is not None:
-                self._dataset.SetGeoTransform(geotransform)
-            if self._dataset is not None and crs_wkt:
-                self._dataset.SetProjection(crs_wkt)
+            if self._dataset is not None and frame.geotransform:
+                self._dataset.SetGeoTransform(frame.geotransform)
+            if self._dataset is not None and frame.crs:
+                self._dataset.SetProjection(frame.crs)
 
     def __enter__(self: _Own) -> _Own:
         return self
@@ -138,7 +127,7 @@ class ColorPicture(WrittenRaster):
     def __init__(self, path: str, frame: MapFrame) -> None:
         """Create a transparent picture of the extent of ``frame``. Raises UnwritableError."""
         options = (*TILED, "PHOTOMETRIC=RGB", "ALPHA=YES")
-        super().__init__(path, frame.shape_hw, 4, frame.geotransform, frame.crs, options)
+        super().__init__(path, frame, 4, options)
 
     def write(self, column: int, row: int, pixels_hw4: np.ndarray) -> None:
         """Write (height, width, 4) uint8 pixels, red first, from ``column``, ``row`` on."""
@@ -150,27 +139,11 @@ class ColorPicture(WrittenRaster):
 class PercentRaster(WrittenRaster):
     """Writer of a GeoTIFF of probabilities, one band for each name: 0…100 %, 255 is no data."""
 
-    def __init__(
-        self,
-        path: str,
-        shape_hw: tuple[int, int],
-        geotransform: Sequence[float] | None,
-        crs_wkt: str,
-        names: Sequence[str],
-    ) -> None:
-        """Create the file.
-
-        Args:
-            shape_hw: (height, width) in pixels.
-            geotransform: GDAL's six numbers; None without a georeference.
-            crs_wkt: WKT of the CRS; empty without one.
-
-        Raises:
-            UnwritableError: GDAL can't write the file.
-        """
+    def __init__(self, path: str, frame: MapFrame, names: Sequence[str]) -> None:
+        """Create the file. Raises UnwritableError."""
         # Gray: otherwise programs would show three bands as red, green and blue.
         options = (*TILED, "INTERLEAVE=BAND", "PHOTOMETRIC=MINISBLACK")
-        super().__init__(path, shape_hw, len(names), geotransform, crs_wkt, options)
+        super().__init__(path, frame, len(names), options)
         for number, name in enumerate(names, start=1):
             band = self._dataset.GetRasterBand(number)
             band.SetDescription(name)

@@ -54,9 +54,8 @@ def burn_label_map(
         burn: Function from the results of ``strip_polygons`` to the (H, W) labels of each strip, which workers
             execute; None to rasterize in this process.
     """
-    height, width = frame.shape_hw
     counts = np.zeros(256, np.int64)
-    file = LabelMapFile(path, width, height, frame.geotransform, frame.crs, table)
+    file = LabelMapFile(path, frame, table)
     # One thread compresses a strip while this one rasterizes the next.
     with file, ThreadPoolExecutor(1) as writer:
         yield "Rasterizing polygons", 0.0
@@ -71,7 +70,7 @@ def burn_label_map(
             if writing is not None:
                 writing.result()
             writing = writer.submit(file.write_rows, first, labels)
-            yield "Rasterizing polygons", (first + len(labels)) / height
+            yield "Rasterizing polygons", (first + len(labels)) / frame.shape_hw[0]
         if writing is not None:
             writing.result()
     return counts

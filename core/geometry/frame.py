@@ -10,13 +10,14 @@ import numpy as np
 
 @dataclass(frozen=True)
 class MapFrame:
-    """Grid of a label map, an overview, or a part of one.
+    """Grid of a label map, an overview, an image, or a part of one.
 
     Pixel coordinates are (column, row) from the upper left corner of the first pixel; rows grow to the south.
 
     Attributes:
         crs: WKT of a metric CRS; "" if it does not matter.
-        geotransform: GDAL's six numbers (x0, pixel, 0, y0, 0, −pixel) in map units, exactly as read.
+        geotransform: GDAL's six numbers (x0, pixel, 0, y0, 0, −pixel) in map units, exactly as read; () without a
+            georeference.
         shape_hw: (height, width) in pixels; (0, 0) if only the grid matters.
     """
 

@@ -65,6 +65,7 @@ class DecodeColorLabels(SemRefAlgorithm):
         self._layer = values.label_map(self.INPUT)
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> None:
+        from ...core.geometry.frame import MapFrame
         from ...core.labels.color_labels import decode_by_hsv, decode_by_nearest_color
         from ...storage.label_images import read_bgr
         from ...storage.label_map_file import LabelMapFile
@@ -77,8 +78,9 @@ class DecodeColorLabels(SemRefAlgorithm):
         width, height = image.RasterXSize, image.RasterYSize
         rows = max(1, ROWS_PIXELS // width)
         unlabeled = 0
-        grid = width, height, image.GetGeoTransform(can_return_null=True), self._layer.file.crs_wkt
-        with outputs.label_map(self.OUTPUT, table) as path, LabelMapFile(path, *grid, table) as label_map:
+        transform = image.GetGeoTransform(can_return_null=True) or ()
+        frame = MapFrame(self._layer.file.crs_wkt, transform, (height, width))
+        with outputs.label_map(self.OUTPUT, table) as path, LabelMapFile(path, frame, table) as label_map:
             for first in range(0, height, rows):
                 check_canceled(feedback)
                 decoded = decode(read_bgr(image, self._layer.path, first, min(rows, height - first)), table)

@@ -24,7 +24,7 @@ from ..base.parameters import with_help
 from ..base.photo_labels import describe, log_pace, open_model, pace_results
 from ..base.photo_source import PhotoSource, SourceImage
 from ..base.scheduler import SCHEDULER, require_scheduler, scheduler, workers
-from ..base.segmented_files import SeenGrid, SegmentedFiles, write_polygons
+from ..base.segmented_files import SegmentedFiles, write_polygons
 from ..base.values import Values
 from ..compat import DOUBLE, SOURCE_POLYGON, wkt_for_gdal
 from ..packages.components import NEEDED, ONNXRUNTIME, SHAPELY, require
@@ -157,6 +157,7 @@ class SegmentImage(SemRefAlgorithm):
         self._source = PhotoSource(values, self.INPUT, self.EXTENT, area)
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, Any]:
+        from ...core.geometry.frame import MapFrame
         from ...core.segmentation.certainty import Certainty, Sureness
         from ...core.segmentation.resampling import resized_transform
 
@@ -173,11 +174,11 @@ class SegmentImage(SemRefAlgorithm):
         overlap = model.settings.overlap if overlap is None else overlap / 100
         wanted = Certainty(values.has(self.CONFIDENCE), values.has(self.PROBABILITIES))
         classes = model.classes
-        grid = SeenGrid(image.shape_hw, transform, wkt_for_gdal(photo.crs))
+        frame = MapFrame(wkt_for_gdal(photo.crs), transform or (), image.shape_hw)
         feedback.setProgressText(tr("Segmenting"))
         begun, sure = time.perf_counter(), Sureness()
         with (
-            SegmentedFiles(outputs, grid, model, (self.OUTPUT, self.CONFIDENCE, self.PROBABILITIES), wanted) as files,
+            SegmentedFiles(outputs, frame, model, (self.OUTPUT, self.CONFIDENCE, self.PROBABILITIES), wanted) as files,
             closing(self._segment(values, model, (photo, image), resolution_m, overlap, wanted, feedback)) as steps,
         ):
             # Close the steps first: their threads end before the files are removed.

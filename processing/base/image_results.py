@@ -55,13 +55,13 @@ class LabelImages:
         self._names = unique_names(paths, LABELS_SUFFIX)
 
     def __call__(self, path: str, labels_hw: np.ndarray) -> None:
+        from ...core.geometry.frame import MapFrame
         from ...storage.label_map_file import LabelMapFile
 
         if not self._folder:
             return
-        height, width = labels_hw.shape
         target = os.path.join(self._folder, self._names[path])
-        with LabelMapFile(target, width, height, None, "", self._table, self._class_bias) as label_map:
+        with LabelMapFile(target, MapFrame("", (), labels_hw.shape), self._table, self._class_bias) as label_map:
             label_map.write_rows(0, labels_hw)
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from contextlib import ExitStack
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Callable
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
@@ -22,6 +21,7 @@ from .values import Values
 if TYPE_CHECKING:
     import numpy as np
 
+    from ...core.geometry.frame import MapFrame
     from ...core.segmentation.certainty import Certainty
     from ...core.segmentation.model import SegmentationModel
     from ...core.segmentation.tiling import SegmentedRows
@@ -35,21 +35,6 @@ TOLERANCE_PX = 1.5
 _CHECK_EVERY = 1000
 
 
-@dataclass(frozen=True)
-class SeenGrid:
-    """The grid of the pixels.
-
-    Attributes:
-        shape_hw: (height, width) in pixels.
-        geotransform: GDAL's six numbers; None without a georeference.
-        crs_wkt: WKT of the CRS; empty without one.
-    """
-
-    shape_hw: tuple[int, int]
-    geotransform: tuple[float, ...] | None
-    crs_wkt: str
-
-
 class SegmentedFiles:
     """The files of one run, open within a ``with``; ``label_map`` is the path of the label map while it is written.
 
@@ -57,7 +42,7 @@ class SegmentedFiles:
     """
 
     def __init__(
-        self, outputs: Outputs, grid: SeenGrid, model: SegmentationModel, keys: tuple[str, str, str], wanted: Certainty
+        self, outputs: Outputs, frame: MapFrame, model: SegmentationModel, keys: tuple[str, str, str], wanted: Certainty
     ) -> None:
         """Prepare to write.
 
@@ -65,7 +50,7 @@ class SegmentedFiles:
             keys: Keys of the label map, the confidence and the probabilities.
             wanted: Which of the latter two are written.
         """
-        self._outputs, self._grid, self._model, self._keys, self._wanted = outputs, grid, model, keys, wanted
+        self._outputs, self._frame, self._model, self._keys, self._wanted = outputs, frame, model, keys, wanted
         self._files = ExitStack()
         self._writers: list[Callable[[int, np.ndarray], None]] = []
         self.label_map = ""
@@ -91,11 +76,10 @@ class SegmentedFiles:
         from ...core.segmentation.class_bias import class_bias_text
         from ...storage.label_map_file import LabelMapFile
 
-        classes, (height, width) = self._model.classes, self._grid.shape_hw
-        place = self._grid.geotransform, self._grid.crs_wkt
+        classes = self._model.classes
         self.label_map = files.enter_context(self._outputs.label_map(self._keys[0], classes.table))
         bias = class_bias_text(self._model.class_bias)
-        labels = files.enter_context(LabelMapFile(self.label_map, width, height, *place, classes.table, bias))
+        labels = files.enter_context(LabelMapFile(self.label_map, self._frame, classes.table, bias))
         self._writers = [lambda first, bands: labels.write_rows(first, bands[0])]
         if self._wanted.of_label:
             confidence = self._percents(files, self._keys[1], [tr("Confidence")], 1)
@@ -111,8 +95,7 @@ class SegmentedFiles:
         from ..layers.class_styles import write_percent_style
 
         path = files.enter_context(self._outputs.raster(key, lambda path: write_percent_style(path, shown)))
-        grid = self._grid
-        return files.enter_context(PercentRaster(path, grid.shape_hw, grid.geotransform, grid.crs_wkt, names))
+        return files.enter_context(PercentRaster(path, self._frame, names))
 
 
 def _stacked(rows: Iterable[SegmentedRows]) -> Iterator[tuple[int, np.ndarray]]:

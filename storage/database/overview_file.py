@@ -10,6 +10,7 @@ from html import escape
 import numpy as np
 from osgeo import gdal
 
+from ...core.geometry.frame import MapFrame
 from ...core.labels.overview import HeldOverview
 from ..pictures import WrittenRaster
 
@@ -36,7 +37,7 @@ class OverviewFile(WrittenRaster):
             UnwritableError: GDAL can't write the file.
         """
         self._shape_hw = shape_hw
-        super().__init__(path, shape_hw, 1, None, "", _OPTIONS)
+        super().__init__(path, MapFrame("", (), shape_hw), 1, _OPTIONS)
 
     def put(self, column: int, row: int, piece_hw: np.ndarray) -> None:
         """Write a part (h, w) uint8 from ``column``, ``row`` on."""
