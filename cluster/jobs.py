@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from ..core.assessment.assessment import Assessment, AssessmentJob
+from ..core.assessment.assessment import Assessment
 from ..core.database.model import ReferenceDatabase
 from ..core.errors import DatabaseError, SemRefError
 from ..core.evaluation.evaluation import Evaluation
@@ -89,9 +89,9 @@ def _trials(content: bytes, piece: tuple) -> list[Any]:
 
 @lru_cache(1)
 def _evaluation(content: bytes) -> Evaluation:
-    job, known = from_bytes(content)
-    database = _require_planned(read_database(job.database, with_overview=True), known)
-    return job.evaluation(database, GdalLabels(job.labels))
+    (path, labels, settings), known = from_bytes(content)
+    database = _require_planned(read_database(path, with_overview=True), known)
+    return Evaluation(database, GdalLabels(labels), *settings)
 
 
 def _simulate(content: bytes, piece: tuple) -> Any:
@@ -105,18 +105,18 @@ def _correlate(content: bytes, piece: tuple) -> Any:
 
 
 @lru_cache(1)
-def _open_assessment(content: bytes) -> tuple[AssessmentJob, ReferenceDatabase, Localizer]:
-    job, known = from_bytes(content)
-    database = _require_planned(read_database(job.database, with_bounds=True), known)
-    if job.has_overview:
-        database = replace(database, overview=read_overview(job.database, database.parameters))
-    return job, database, Localizer(database)
+def _open_assessment(content: bytes) -> tuple[ReferenceDatabase, Localizer, tuple]:
+    (path, has_overview, settings), known = from_bytes(content)
+    database = _require_planned(read_database(path, with_bounds=True), known)
+    if has_overview:
+        database = replace(database, overview=read_overview(path, database.parameters))
+    return database, Localizer(database), settings
 
 
 @lru_cache(2)
 def _assessment(content: bytes, footprint: float) -> Assessment:
-    job, database, localizer = _open_assessment(content)
-    return job.assessment(database, localizer, footprint)
+    database, localizer, settings = _open_assessment(content)
+    return Assessment(database, localizer, footprint, *settings)
 
 
 def _require_planned(database: ReferenceDatabase, known: str) -> ReferenceDatabase:

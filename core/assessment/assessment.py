@@ -223,32 +223,6 @@ class Assessment:
         return np.column_stack([np.array(numbers).reshape(-1, 4), self._texture.at(places)]), landmarks, classes
 
 
-@dataclass(frozen=True)
-class AssessmentJob:
-    """What workers need to run the trials of assessments that differ in their footprints only; as ``Assessment``.
-
-    Attributes:
-        database: Path of the reference database.
-        has_overview: Whether workers read the overview.
-    """
-
-    database: str
-    has_overview: bool
-    conditions: Conditions
-    seed: int
-    correlation: bool
-
-    @classmethod
-    def of(cls, one: Assessment) -> AssessmentJob:
-        """Return the job of an assessment with a database in a file."""
-        has_overview = one.database.overview is not None
-        return cls(one.database.source or "", has_overview, one.conditions, one.seed, one.correlation)
-
-    def assessment(self, database: ReferenceDatabase, localizer: Localizer, footprint: float) -> Assessment:
-        """Return the assessment of one footprint. Raises as ``Assessment`` does."""
-        return Assessment(database, localizer, footprint, self.conditions, self.seed, self.correlation)
-
-
 def to_correlate(seed: int, trials: Sequence[Trial], most: int) -> list[int]:
     """Return the numbers, in ``trials``, of ``most`` evenly spread ones without a fix, for map correlation.
 

@@ -334,34 +334,6 @@ class Evaluation:
         return windows.name(np.hypot(*(windows.centers - position).T).argmin())
 
 
-@dataclass(frozen=True)
-class EvaluationJob:
-    """Values that workers need for all trials, as in ``Evaluation``.
-
-    Attributes:
-        database: Path of the reference database.
-        labels: Path of the label map that images are cut from.
-        ranges: Of the images' values.
-        seed: The same one repeats everything.
-        minimum_references: Least landmarks of a window for trials.
-        right_within: Largest error of a right position, m; None for a share of the footprint.
-    """
-
-    database: str
-    labels: str
-    frame: MapFrame
-    ranges: TrialRanges
-    seed: int
-    minimum_references: int = 3
-    right_within: float | None = None
-
-    def evaluation(self, database: ReferenceDatabase, source: LabelSource) -> Evaluation:
-        """Return the evaluation of the job. Raises ParameterError if no window can be used."""
-        return Evaluation(
-            database, source, self.frame, self.ranges, self.seed, self.minimum_references, self.right_within
-        )
-
-
 def _offset(limits: tuple[float, float], rng: np.random.Generator) -> np.ndarray:
     """Return a (2,) offset with its larger axis in ``limits``, uniform over that frame of a square."""
     reach = math.sqrt(rng.uniform(limits[0] ** 2, limits[1] ** 2))

@@ -246,7 +246,7 @@ class EvaluateLocalization(SemRefAlgorithm):
         self, values: Values, feedback: QgsProcessingFeedback
     ) -> tuple[Evaluation, ReferenceDatabase, QgsCoordinateReferenceSystem]:
         """Return (Evaluation, database, its CRS). Raises SemRefError if map and database do not belong together."""
-        from ...core.evaluation.evaluation import EvaluationJob
+        from ...core.evaluation.evaluation import Evaluation
         from ...storage.database.reader import read_database
         from ...storage.label_maps import GdalLabels
         from ..layers.layer_inputs import map_frame
@@ -257,16 +257,15 @@ class EvaluateLocalization(SemRefAlgorithm):
         crs = database_crs(database)
         labels = GdalLabels(self._layer.path)
         self._check_map(labels, database, crs)
-        self._job = EvaluationJob(
-            database.source,
-            self._layer.path,
+        settings = (
             map_frame(labels, self._layer),
             self._ranges(values),
             values.integer(self.SEED),
             values.integer(self.MINIMUM_REFERENCES),
             values.optional_number(self.RIGHT_WITHIN),
         )
-        return self._job.evaluation(database, labels), database, crs
+        self._job = database.source, self._layer.path, settings
+        return Evaluation(database, labels, *settings), database, crs
 
     def _check_map(self, labels: GdalLabels, database: ReferenceDatabase, crs: QgsCoordinateReferenceSystem) -> None:
         """Raises LabelMapError unless the label map has the CRS and the classes of the database."""
@@ -294,7 +293,7 @@ class EvaluateLocalization(SemRefAlgorithm):
         from ...core.evaluation.as_json import evaluation_json
         from ..reports.evaluation_report import EvaluationReport, tried_ground
 
-        names = os.path.basename(self._job.database), os.path.basename(self._layer.path)
+        names = tuple(map(os.path.basename, self._job[:2]))
         given = self._settings(values)
         if values.has(self.REPORT):
             titles = {p.name(): p.description() for p in self.parameterDefinitions()}

@@ -216,13 +216,15 @@ class AssessAlgorithm(SemRefAlgorithm):
             (trials, trials of map correlation by their numbers in the queries) of each assessment.
         """
         from ...cluster.task_names import ASSESS, CORRELATE
-        from ...core.assessment.assessment import CORRELATED_SHARE, AssessmentJob, to_correlate
+        from ...core.assessment.assessment import CORRELATED_SHARE, to_correlate
 
         def answers(task: str, here: Callable[..., Trial], asked: list[tuple[int, PlaceQuery]], size: int) -> Iterator:
             if run is None:
                 return (here(assessments[n], query) for n, query in asked)
-            pieces = [(assessments[n].footprint, query) for n, query in asked]
-            return run.answers(task, AssessmentJob.of(assessments[0]), pieces, assessments[0].database, size)
+            one, pieces = assessments[0], [(assessments[n].footprint, query) for n, query in asked]
+            settings = one.conditions, one.seed, one.correlation
+            job = one.database.source, one.database.overview is not None, settings
+            return run.answers(task, job, pieces, one.database, size)
 
         def simulate_one(assessment: Assessment, query: PlaceQuery) -> Trial:
             # A trial takes milliseconds, so a thread for each would cost more time than it saves.

@@ -3,7 +3,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from semref.core.assessment.assessment import REASONS, Assessment, AssessmentJob, to_correlate
+from semref.core.assessment.assessment import REASONS, Assessment, to_correlate
 from semref.core.assessment.cells import ground_cells
 from semref.core.assessment.model import Chances, beta_quantiles, fit_success, local_sums
 from semref.core.evaluation.summary import brier_score
@@ -77,17 +77,6 @@ def test_a_square_with_landmarks_on_one_side_has_the_mean_of_its_parts(assessed)
     parts = assessment.estimate(place + [[-100, 0], [0, 0], [100, 0]], trials)
     assert parts.success[0] > parts.success[2] + 0.15
     assert parts.success[2] < square.success[0] < parts.success[0]
-
-
-def test_a_job_makes_the_assessments_again(assessed_database, localizer):
-    made = [Assessment(assessed_database, localizer, edge, Conditions(USUAL), seed=5) for edge in (250.0, 180.0)]
-    job = AssessmentJob.of(made[0])
-    assert job.has_overview == (assessed_database.overview is not None)
-    places = assessed_database.references.positions[:4]
-    for first in made:
-        again = job.assessment(assessed_database, localizer, first.footprint)
-        assert again.plan(places, 50.0, 6) == first.plan(places, 50.0, 6)
-        assert (again.seed, again.correlation, again.conditions) == (first.seed, first.correlation, first.conditions)
 
 
 @pytest.mark.slow
