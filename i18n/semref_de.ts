@@ -344,6 +344,10 @@
    <translation>Eine andere Methode hat mehr Positionen gefunden. Vergleichen Sie die Methoden in der Tabelle unten.</translation>
   </message>
   <message>
+   <source>Another run of “Set up an area” is using {folder}. Wait for it, cancel it, or choose another folder.</source>
+   <translation>Ein anderer Lauf von „Gebiet einrichten“ benutzt {folder}. Warten Sie darauf, brechen Sie ihn ab oder wählen Sie einen anderen Ordner.</translation>
+  </message>
+  <message>
    <source>Another training of {path} is running. Wait for it, cancel it, or select another output file.</source>
    <translation>Ein anderes Training von {path} läuft bereits. Warten Sie darauf, brechen Sie es ab oder wählen Sie eine andere Ausgabedatei.</translation>
   </message>

@@ -344,6 +344,10 @@
    <translation>Otro método encontró más posiciones. Compare los métodos en la tabla siguiente.</translation>
   </message>
   <message>
+   <source>Another run of “Set up an area” is using {folder}. Wait for it, cancel it, or choose another folder.</source>
+   <translation>Otra ejecución de “Preparar una zona” está usando {folder}. Espere a que termine, cancélela o elija otra carpeta.</translation>
+  </message>
+  <message>
    <source>Another training of {path} is running. Wait for it, cancel it, or select another output file.</source>
    <translation>Se está ejecutando otro entrenamiento de {path}. Espere a que termine, cancélelo o seleccione otro archivo de salida.</translation>
   </message>

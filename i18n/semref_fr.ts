@@ -344,6 +344,10 @@
    <translation>Une autre méthode a trouvé plus de positions. Comparez les méthodes dans le tableau ci-dessous.</translation>
   </message>
   <message>
+   <source>Another run of “Set up an area” is using {folder}. Wait for it, cancel it, or choose another folder.</source>
+   <translation>Une autre exécution de « Préparer une zone » utilise {folder}. Attendez sa fin, annulez-la ou choisissez un autre dossier.</translation>
+  </message>
+  <message>
    <source>Another training of {path} is running. Wait for it, cancel it, or select another output file.</source>
    <translation>Un autre entraînement de {path} est en cours. Attendez sa fin, annulez-le ou choisissez un autre fichier de sortie.</translation>
   </message>

@@ -344,6 +344,10 @@
    <translation>另一种方法找到的位置更多。请在下表中比较各方法。</translation>
   </message>
   <message>
+   <source>Another run of “Set up an area” is using {folder}. Wait for it, cancel it, or choose another folder.</source>
+   <translation>另一次“设置区域”运行正在使用 {folder}。请等待其结束、取消它，或选择其他文件夹。</translation>
+  </message>
+  <message>
    <source>Another training of {path} is running. Wait for it, cancel it, or select another output file.</source>
    <translation>{path} 的另一次训练正在运行。请等待其结束、取消它，或选择其他输出文件。</translation>
   </message>

@@ -269,23 +269,23 @@ class SetUpArea(SemRefAlgorithm):
             folder = Path(QgsProcessingUtils.generateTempFilename("area"))
         make_folder(folder)
         steps = self._steps(values, area, folder)
-        record = Record(folder, self._inputs(values, area))
-        for step in steps:
-            record.require_free(step)
-            if not record.has(step):
-                step.require_possible(values.context)
-        record.require_own(REPORT_FILE)
-        progress = QgsProcessingMultiStepFeedback(len(steps), feedback)
-        for number, step in enumerate(steps):
-            check_canceled(feedback)
-            progress.setCurrentStep(number)
-            if record.has(step):
-                feedback.pushInfo(tr("{file} is complete and is used again.").format(file=folder / step.files[0]))
-                continue
-            feedback.setProgressText(step.text)
-            step.run(self._prepare(values, area, step, record, feedback), values.context, progress)
-            record.add(step)
-        return self._report(values, area, folder, record, feedback)
+        with Record(folder, self._inputs(values, area)) as record:
+            for step in steps:
+                record.require_free(step)
+                if not record.has(step):
+                    step.require_possible(values.context)
+            record.require_own(REPORT_FILE)
+            progress = QgsProcessingMultiStepFeedback(len(steps), feedback)
+            for number, step in enumerate(steps):
+                check_canceled(feedback)
+                progress.setCurrentStep(number)
+                if record.has(step):
+                    feedback.pushInfo(tr("{file} is complete and is used again.").format(file=folder / step.files[0]))
+                    continue
+                feedback.setProgressText(step.text)
+                step.run(self._prepare(values, area, step, record, feedback), values.context, progress)
+                record.add(step)
+            return self._report(values, area, folder, record, feedback)
 
     def _steps(self, values: Values, area: AreaSetup, folder: Path) -> list[Step]:
         """Return the algorithms to run, in order."""

@@ -17,9 +17,13 @@ from ...storage.atomic_output import written_beside
 from ..translation import tr
 from .algorithm import Canceled, SemRefAlgorithm
 from .destinations import require_outputs_apart
+from .run_lock import take_lock
 
 RECORD = "semref_setup.json"
 """File of the folder that records which inputs each file was made from."""
+
+_LOCK = "semref_setup.lock"
+"""File of the folder during a run."""
 
 
 class CanceledInFolder(Canceled):
@@ -64,18 +68,31 @@ class Step:
 class Record:
     """Which files of the folder this algorithm made, and from which inputs; stored in the folder.
 
-    Files without an entry belong to the user and are never replaced.
+    Files without an entry belong to the user and are never replaced. As a context manager, it keeps other runs out of
+    the folder.
     """
 
     def __init__(self, folder: Path, inputs: Sequence[Any]) -> None:
-        """Read the record. Raises ParameterError for a foreign file of that name."""
+        """Read the record. Raises ParameterError for a foreign file of that name, and if a run uses the folder."""
         self._folder, self._inputs = folder, inputs
         self._made: dict[str, list] = {}
+        self._lock = take_lock(folder / _LOCK)
+        if self._lock is None:
+            raise ParameterError(
+                "Another run of “Set up an area” is using {folder}. Wait for it, cancel it, or choose another folder.",
+                folder=folder,
+            )
         if (folder / RECORD).exists():
             try:
                 self._made = dict(json.loads((folder / RECORD).read_text(encoding="utf-8"))["made"])
             except (OSError, ValueError, KeyError, TypeError):
                 raise _foreign(folder / RECORD) from None
+
+    def __enter__(self) -> Record:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._lock.unlock()
 
     def require_own(self, name: str) -> None:
         """Raise ParameterError for a file that exists and that this algorithm did not make as it is."""

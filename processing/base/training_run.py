@@ -13,19 +13,19 @@ from dataclasses import replace
 from pathlib import Path
 
 from qgis.core import QgsSettings
-from qgis.PyQt.QtCore import QLockFile
 
 from ...core.errors import ParameterError
 from ...training.job import CHECKPOINT, JOB, Job, read_job
 from ..translation import tr
 from .algorithm import Canceled
+from .run_lock import take_lock
 
 _SETTING = "semref/trainings/"
 _PROOF = "made_by_semref"
 """File in the folder with the secret."""
 
 _LOCK = "running.lock"
-"""File in the folder while a QGIS trains; Qt ignores that of a process that has ended."""
+"""File in the folder while a QGIS trains."""
 
 
 class CanceledKeeping(Canceled):
@@ -65,24 +65,25 @@ class TrainingRun:
         self._prefix = f"{path.stem}.training-"
         name, _, self._secret = QgsSettings().value(self._setting, "", type=str).rpartition(" ")
         self.folder = path.parent / name
-        if self._is_ours and not self._take_lock():
-            raise ParameterError(
-                "Another training of {path} is running. Wait for it, cancel it, or select another output file.",
-                path=path,
-            )
+        if self._is_ours:
+            self._take_lock(path)
         if not (self._is_ours and resume and self.can_go_on):
             self.clear()
             self.folder = Path(tempfile.mkdtemp(prefix=self._prefix, dir=path.parent))
             self._secret = secrets.token_hex()
             (self.folder / _PROOF).write_text(self._secret, encoding="ascii")
             QgsSettings().setValue(self._setting, f"{self.folder.name} {self._secret}")
-            self._take_lock()
+            self._take_lock(path)
 
-    def _take_lock(self) -> bool:
-        """Return whether no other training uses the folder."""
-        self._lock = QLockFile(str(self.folder / _LOCK))
-        self._lock.setStaleLockTime(0)
-        return self._lock.tryLock(0) or self._lock.error() != QLockFile.LockError.LockFailedError
+    def _take_lock(self, model: Path) -> None:
+        """Reserve the folder. Raises ParameterError if another training uses it."""
+        lock = take_lock(self.folder / _LOCK)
+        if lock is None:
+            raise ParameterError(
+                "Another training of {path} is running. Wait for it, cancel it, or select another output file.",
+                path=model,
+            )
+        self._lock = lock
 
     @property
     def _is_ours(self) -> bool:

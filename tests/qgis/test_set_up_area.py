@@ -19,6 +19,7 @@ from semref.processing.algorithms import set_up_area
 from semref.processing.algorithms.build_database import BuildDatabase
 from semref.processing.algorithms.train_model import TrainModel
 from semref.processing.base.area_setup import camera_table, read_photos
+from semref.processing.base.chain import Record
 from semref.processing.packages import training_environment
 from semref.processing.reports.setup_report import expectation_of
 
@@ -208,6 +209,8 @@ def test_files_of_others_and_of_other_values_are_not_replaced(run_algorithm, sma
         run_algorithm(SETUP, small)
     assert foreign.read_text(encoding="utf-8") == "mine" and files_in(folder) == {"label_map.tif"}
     foreign.unlink()
+    with Record(folder, []), pytest.raises(QgsProcessingException, match="Another run of “Set up an area” is using"):
+        run_algorithm(SETUP, small)
     run_algorithm(SETUP, small)
     with pytest.raises(QgsProcessingException, match="was not made by a run with the same values"):
         run_algorithm(SETUP, {**small, "PHOTO_WIDTH": 120})
