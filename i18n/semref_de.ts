@@ -7460,6 +7460,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>„{layer}“ würde mit {width} × {height} Pixeln gezeichnet, mehr als {most_million} Millionen. Wählen Sie eine kleinere Ausdehnung oder laden Sie das Bild als Datei vom Anbieter herunter.</translation>
   </message>
   <message>
+   <source>“{output}” ({path}) is also in an earlier row, which would be overwritten. Select another file in each row.</source>
+   <translation>„{output}“ ({path}) steht auch in einer früheren Zeile, deren Datei überschrieben würde. Wählen Sie in jeder Zeile eine andere Datei.</translation>
+  </message>
+  <message>
    <source>“{output}” and “{other}” are the same file ({path}). Select two different files.</source>
    <translation>„{output}“ und „{other}“ sind dieselbe Datei ({path}). Wählen Sie zwei verschiedene Dateien.</translation>
   </message>

@@ -7460,6 +7460,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>“{layer}” se dibujaría con {width} × {height} píxeles, más de {most_million} millones. Elija una extensión menor o descargue la imagen como archivo de su proveedor.</translation>
   </message>
   <message>
+   <source>“{output}” ({path}) is also in an earlier row, which would be overwritten. Select another file in each row.</source>
+   <translation>“{output}” ({path}) está también en una fila anterior, cuyo archivo se sobrescribiría. Seleccione otro archivo en cada fila.</translation>
+  </message>
+  <message>
    <source>“{output}” and “{other}” are the same file ({path}). Select two different files.</source>
    <translation>“{output}” y “{other}” son el mismo archivo ({path}). Seleccione dos archivos distintos.</translation>
   </message>

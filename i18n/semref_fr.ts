@@ -7460,6 +7460,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>« {layer} » serait dessinée avec {width} × {height} pixels, soit plus de {most_million} millions. Choisissez une emprise plus petite, ou téléchargez l’image sous forme de fichier auprès de son fournisseur.</translation>
   </message>
   <message>
+   <source>“{output}” ({path}) is also in an earlier row, which would be overwritten. Select another file in each row.</source>
+   <translation>« {output} » ({path}) figure aussi dans une ligne précédente, dont le fichier serait écrasé. Choisissez un autre fichier dans chaque ligne.</translation>
+  </message>
+  <message>
    <source>“{output}” and “{other}” are the same file ({path}). Select two different files.</source>
    <translation>« {output} » et « {other} » sont le même fichier ({path}). Sélectionnez deux fichiers différents.</translation>
   </message>

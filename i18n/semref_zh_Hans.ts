@@ -7460,6 +7460,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>“{layer}”将以 {width} × {height} 像元绘制，超过 {most_million} 百万。请选择更小的范围，或从其提供者处下载影像文件。</translation>
   </message>
   <message>
+   <source>“{output}” ({path}) is also in an earlier row, which would be overwritten. Select another file in each row.</source>
+   <translation>“{output}”（{path}）也在前面的一行中，该行的文件会被覆盖。请在每一行选择不同的文件。</translation>
+  </message>
+  <message>
    <source>“{output}” and “{other}” are the same file ({path}). Select two different files.</source>
    <translation>“{output}”与“{other}”是同一个文件（{path}）。请选择两个不同的文件。</translation>
   </message>

@@ -35,7 +35,7 @@ from ..messages.sentences import worded
 from ..packages.components import NEEDED, Package, require
 from ..translation import tr
 from ..version import algorithm_help_url, plugin_version
-from .destinations import require_outputs_apart
+from .destinations import require_outputs_apart, require_rows_apart
 from .outputs import Outputs
 from .values import Values
 
@@ -177,7 +177,9 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         self._refusal = None
         try:
             # QGIS's batches and models do not call checkParameterValues.
-            self.read_layers(self._checked(parameters, context))
+            values = self._checked(parameters, context)
+            require_rows_apart(self, parameters, context, self.MAY_REPLACE, feedback)
+            self.read_layers(values)
             self._note = note_of_run(self, parameters, context, plugin_version())
         except SemRefError as error:
             # Raised by processAlgorithm: QGIS does not pass errors of prepareAlgorithm to Python callers.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +15,7 @@ from qgis.core import (
     QgsProcessingAlgorithm,
     QgsProcessingContext,
     QgsProcessingFeatureSourceDefinition,
+    QgsProcessingFeedback,
     QgsProcessingOutputLayerDefinition,
     QgsProcessingParameterDefinition,
     QgsProcessingUtils,
@@ -41,6 +42,8 @@ _SPECIAL = "`~!@#$%^&*()+-={}|[]\\:\";'<>?,./"
 """Characters with which GDAL lets no layer of a GeoPackage begin; QGIS names the layer after the file."""
 RASTER_SUFFIXES = ".tif", ".tiff"
 """Of GeoTIFF, the only raster format of outputs."""
+_ROWS = "semref_outputs_of_rows"
+"""Qt property of a batch's feedback."""
 _TABLE = re.compile(r"""table=(?:"([^"]*)"|'([^']*)'|(\S+))""")
 
 
@@ -63,6 +66,11 @@ class Destination:
     def in_file(self, path: str) -> str:
         """Return the same destination in another file."""
         return self.text.replace(self.path, path, 1) if self.is_table else path
+
+    def collides(self, other: Destination) -> bool:
+        """Return whether one of two outputs would replace the other."""
+        is_shared = self.is_table and other.is_table and self.text != other.text
+        return _same(self.path, other.path) and not is_shared
 
 
 def destination_of(value: Any, context: QgsProcessingContext, is_layer: bool = True) -> Destination:
@@ -141,13 +149,7 @@ def require_outputs_apart(
     """
     seen: list[tuple[QgsProcessingParameterDefinition, Destination]] = []
     inputs = list(_inputs(algorithm, parameters, context))
-    for definition in algorithm.parameterDefinitions():
-        if not definition.isDestination():
-            continue
-        is_layer = definition.type() in ("sink", "vectorDestination")
-        wanted = destination_of(parameters.get(definition.name()), context, is_layer)
-        if not wanted.path:
-            continue
+    for definition, wanted in _outputs(algorithm, parameters, context):
         if _LAYER_OF_FILE.search(wanted.path):
             raise ParameterError(
                 "“{output}” is {path}, which is a layer of a file. Select a file, or use “Save to GeoPackage” to add "
@@ -155,7 +157,7 @@ def require_outputs_apart(
                 output=definition.description(),
                 path=wanted.path,
             )
-        _require_possible(definition, wanted, is_layer)
+        _require_possible(definition, wanted, _is_layer(definition))
         for read in inputs:
             allowed = may_replace.get(definition.name()) == read.key or _adds_a_layer(wanted, read)
             if not allowed and _same(wanted.path, read.path):
@@ -167,9 +169,7 @@ def require_outputs_apart(
                     path=wanted.path,
                 )
         for other, place in seen:
-            if _same(wanted.path, place.path) and (
-                wanted.text == place.text or not (wanted.is_table and place.is_table)
-            ):
+            if wanted.collides(place):
                 raise ParameterError(
                     "“{output}” and “{other}” are the same file ({path}). Select two different files.",
                     output=definition.description(),
@@ -178,6 +178,55 @@ def require_outputs_apart(
                 )
         seen.append((definition, wanted))
         _require_free(definition, wanted)
+
+
+def require_rows_apart(
+    algorithm: QgsProcessingAlgorithm,
+    parameters: dict[str, Any],
+    context: QgsProcessingContext,
+    may_replace: dict,
+    feedback: QgsProcessingFeedback,
+) -> None:
+    """Refuse an output that an earlier row of a QGIS batch has, too, because the last row would replace it.
+
+    Args:
+        may_replace: As for ``require_outputs_apart``.
+        feedback: Feedback of the run. It is the only object that the rows of a batch share.
+
+    Raises:
+        ParameterError: With title and path.
+    """
+    if not feedback.metaObject().className().endswith("BatchFeedback"):
+        return
+    earlier = [Destination(*row) for row in feedback.property(_ROWS) or ()]
+    updated = {(read.key, _normal(read.path)) for read in _inputs(algorithm, parameters, context)}
+    for definition, wanted in _outputs(algorithm, parameters, context):
+        if (may_replace.get(definition.name()), _normal(wanted.path)) in updated:
+            continue
+        if any(wanted.collides(place) for place in earlier):
+            raise ParameterError(
+                "“{output}” ({path}) is also in an earlier row, which would be overwritten. Select another file in "
+                "each row.",
+                output=definition.description(),
+                path=wanted.path,
+            )
+        earlier.append(wanted)
+    feedback.setProperty(_ROWS, [astuple(place) for place in earlier])
+
+
+def _outputs(
+    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+) -> Iterator[tuple[QgsProcessingParameterDefinition, Destination]]:
+    """Yield the outputs that are written to files."""
+    for definition in algorithm.parameterDefinitions():
+        if definition.isDestination():
+            wanted = destination_of(parameters.get(definition.name()), context, _is_layer(definition))
+            if wanted.path:
+                yield definition, wanted
+
+
+def _is_layer(definition: QgsProcessingParameterDefinition) -> bool:
+    return definition.type() in ("sink", "vectorDestination")
 
 
 def _require_possible(definition: QgsProcessingParameterDefinition, wanted: Destination, is_layer: bool) -> None:
