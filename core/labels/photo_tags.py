@@ -7,12 +7,12 @@ an error.
 from __future__ import annotations
 
 import io
+import math
 import os
 import re
 import stat
 import struct
-from dataclasses import dataclass
-from math import inf
+from dataclasses import dataclass, replace
 from typing import BinaryIO
 
 from .. import limits
@@ -22,6 +22,11 @@ _EXIF, _XMP = b"Exif\0\0", b"http://ns.adobe.com/xap/1.0/\0"
 _APP1, _SCAN, _END = 0xE1, 0xDA, 0xD9
 _FRAMES = {*range(0xC0, 0xD0)} - {0xC4, 0xC8, 0xCC}
 """Markers of segments with the image's size."""
+
+_HEIC_STARTS = b"ftypheic", b"ftypheix", b"ftypmif1"
+_HEIC_EXIF = re.compile(rb"Exif\0\0(MM\0\*|II\*\0)")
+_HEIC_SIZE = re.compile(rb"ispe\0{4}(.{8})", re.DOTALL)
+"""The property with width and height of an image (ISO/IEC 23008-12)."""
 
 _WIDTH, _HEIGHT, _MODEL, _TIFF_XMP, _EXIF_DIRECTORY = 256, 257, 272, 700, 34665
 _TAKEN, _FRACTION, _FOCAL_LENGTH, _ZOOM, _FOCAL_LENGTH_35MM = 36867, 37521, 37386, 41988, 41989
@@ -72,7 +77,7 @@ class PhotoTags:
 
 
 def read_tags(path: str) -> PhotoTags:
-    """Return the tags of a JPEG or TIFF file; empty for other and unreadable files.
+    """Return the tags of a JPEG, TIFF or HEIC file; empty for other and unreadable files.
 
     Args:
         path: Path of the file. Only regular files are opened.
@@ -89,13 +94,15 @@ def read_tags(path: str) -> PhotoTags:
 
 
 def photo_tags(data: bytes) -> PhotoTags:
-    """Return the tags of a JPEG's or TIFF's content; the beginning of a JPEG is enough.
+    """Return the tags of a JPEG's, TIFF's or HEIC's content; the beginning of a JPEG or HEIC is enough.
 
     Args:
         data: Content of the file, of any kind.
     """
     if data.startswith(STARTS):
         return _tiff_tags(io.BytesIO(data))
+    if data[4:12] in _HEIC_STARTS:
+        return _heic_tags(data)
     return _jpeg_tags(data) if data[:2] == b"\xff\xd8" else PhotoTags()
 
 
@@ -116,6 +123,19 @@ def _jpeg_tags(data: bytes) -> PhotoTags:
         place += 2 + max(length, 2)
     values = {**vars(exif), "xmp": xmp, "shape_hw": shape}
     return PhotoTags(**values)
+
+
+def _heic_tags(data: bytes) -> PhotoTags:
+    """Return the EXIF tags, and the size of the largest image in the file: the others are its tiles and previews."""
+    found = _HEIC_EXIF.search(data)
+    if found is None:
+        return PhotoTags()
+    exif = _tiff_tags(io.BytesIO(data[found.start(1) :]))
+    sizes = [struct.unpack(">II", size) for size in _HEIC_SIZE.findall(data[: found.start()])]
+    width, height = max(sizes, key=math.prod, default=(0, 0))
+    # Programs show a HEIC rotated, and do not leave that to the viewer.
+    shape = (width, height) if exif.orientation > 4 else (height, width)
+    return replace(exif, shape_hw=shape if width and height else None)
 
 
 def _tiff_tags(file: BinaryIO) -> PhotoTags:
@@ -149,7 +169,7 @@ def _number(tags: Tags, tag: int) -> float | None:
         value = float(found[0] if isinstance(found, tuple) else found)
     except (TypeError, ValueError, ArithmeticError, IndexError):
         return None
-    return value if 0 < value < inf else None
+    return value if 0 < value < math.inf else None
 
 
 def _string(tags: Tags, tag: int) -> str:

@@ -53,6 +53,8 @@ def test_a_known_camera_gives_pixel_size_and_heading_and_another_one_uses_its_35
     assert camera.pixel_sizes((1125, 2000))[0] == pytest.approx(2 * low, rel=1e-6)
     camera = camera_of(photo_tags(jpeg(exif(model=b"OTHER"))), "IMG_1.jpg")
     assert camera.lens.kind == "focal_length_35mm" and camera.lens.value == 20
+    sizes = b"".join(b"ispe" + bytes(4) + struct.pack(">II", *size) for size in ((512, 512), (4000, 2250)))
+    assert camera_of(photo_tags(bytes(4) + b"ftypheic" + sizes + b"Exif\0\0" + exif(b"OTHER")), "").lens == camera.lens
 
 
 def test_a_rangefinder_counts_first_and_a_zoomed_photo_has_no_focal_length():
