@@ -195,23 +195,25 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         for definition in self.parameterDefinitions():
             if definition.type() == "raster":
                 values.require_pictures(definition.name())
-        possible, reason = super().checkParameterValues(parameters, context)
-        if not possible:
-            raise ParameterError("{reason}", reason=self._with_title(reason))
         for definition in self.parameterDefinitions():
             if values.has(definition.name()):
                 _READ.get(definition.type(), lambda *_: None)(values, definition.name())
+        possible, reason = super().checkParameterValues(parameters, context)
+        if not possible:
+            raise ParameterError("{reason}", reason=self._with_title(reason, parameters))
         require_outputs_apart(self, parameters, context, self.MAY_REPLACE)
         self.check(values)
         return values
 
-    def _with_title(self, reason: str) -> str:
-        """Return a reason of QGIS with the title of the parameter that it names by its key."""
+    def _with_title(self, reason: str, parameters: dict[str, Any]) -> str:
+        """Return a reason of QGIS with the title of the parameter that it names by its key, and with its value."""
         for definition in self.parameterDefinitions():
             key, title = rf"(?<!\S){definition.name()}(?=[:\s]|$)", f"“{definition.description()}”"
             reason, count = re.subn(key, lambda _, title=title: title, reason, count=1)
             if count:
-                break
+                given = parameters.get(definition.name())
+                is_short = isinstance(given, (str, int, float)) and given != ""
+                return f"{reason}: {given}" if is_short and str(given) not in reason else reason
         return reason
 
     def processAlgorithm(

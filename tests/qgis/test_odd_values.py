@@ -77,7 +77,7 @@ def test_odd_windows_and_names_are_refused(build, parameters):
 def test_wrong_values_are_refused_in_a_batch_too(create, feedback, tmp_path):
     """QGIS's batches and models run an algorithm without its check of the values."""
     given = {"LABELS": str(write_raster(tmp_path / "a.tif", LABELS)), "WINDOW_SIZE": 10, "STRIDE": 20, "DATABASE": "b"}
-    odd = {"would leave gaps": {}, "b.tif not found": {"LABELS": "b.tif"}, "for “Minimum ": {"MINIMUM_AREA": -1}}
+    odd = {"would leave gaps": {}, "b.tif not found": {"LABELS": "b.tif"}, "”: -1": {"MINIMUM_AREA": -1}}
     for reason, values in odd.items():
         assert not create("builddatabase").run({**given, **values}, QgsProcessingContext(), feedback)[1]
         assert reason in feedback.textLog()
