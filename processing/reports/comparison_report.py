@@ -44,14 +44,12 @@ class MeasuredShifts:
         unit: METER for a metric CRS, PIXEL without georeference.
         in_image: Whether the axes are right and down of the image instead of east and north.
         displacement: Of the landmarks, for two maps of the same ground; None without landmarks on both maps.
-        piece_px: Edge of a piece of the maps in pixels.
     """
 
     rows: tuple[ShiftRow, ...]
     unit: str
     in_image: bool
     displacement: Displacement | None = None
-    piece_px: int = PIECE_PX
 
 
 @dataclass(frozen=True)
@@ -159,7 +157,7 @@ def _biases(shifts: MeasuredShifts) -> list[str]:
         "shifts the position of an image by the same amount, and residuals do not show it. Standard deviation: "
         "variation between pieces along each axis."
     )
-    return [page.records(shifts.rows, columns, range(1, 6)), page.paragraph(text.format(edge=shifts.piece_px))]
+    return [page.records(shifts.rows, columns, range(1, 6)), page.paragraph(text.format(edge=PIECE_PX))]
 
 
 def _accuracy(shifts: MeasuredShifts) -> list[str]:

@@ -70,11 +70,6 @@ def paragraph(text: str) -> str:
     return macros().paragraph(text)
 
 
-def next_steps(title: str, steps: Sequence[str]) -> str:
-    """Return a box with one sentence for each step; empty without steps."""
-    return macros().next_steps(title, steps) if steps else ""
-
-
 def figure(picture: str, caption: str) -> str:
     """Return a chart with its caption."""
     return macros().figure(picture, caption)

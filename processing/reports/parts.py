@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 
 
 def next_steps(steps: Sequence[str]) -> str:
-    """Return a box with one sentence for each step."""
-    return page.next_steps(tr("Next steps"), steps)
+    """Return a box with one sentence for each step; empty without steps."""
+    return page.macros().next_steps(tr("Next steps"), steps) if steps else ""
 
 
 def settings_section(settings: Sequence[tuple[str, str]]) -> str:

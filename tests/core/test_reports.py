@@ -94,8 +94,7 @@ def test_a_page_has_the_colors_of_the_maps_and_a_list_of_what_to_do_next():
         assert style.count(color) >= 2
         assert palette.DARK[color] in style
     assert "prefers-color-scheme: dark" in style and "@page" in style
-    assert page.next_steps("Next", []) == ""
-    assert page.next_steps("Next", ["Do <this>."]).count("<li>Do &lt;this&gt;.</li>") == 1
+    assert page.macros().next_steps("Next", ["Do <this>."]).count("<li>Do &lt;this&gt;.</li>") == 1
 
 
 @pytest.mark.parametrize("second", ["Automatic", "Published method (He & Wu 2025)", "二维拓扑向量（论文发表的方法）"])
