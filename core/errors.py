@@ -34,7 +34,7 @@ class ClassTableError(SemRefError):
 
 
 class LabelMapError(SemRefError):
-    """A label map or label image can't be used."""
+    """Labels can't be used: a value, the grid or the size of a label map."""
 
 
 class AnnotationError(SemRefError):
@@ -62,7 +62,7 @@ class ParameterError(SemRefError):
 
 
 class ImageError(SemRefError):
-    """A photo or orthophoto can't be read or segmented."""
+    """An image file can't be read, or a photo can't be segmented."""
 
 
 class ModelError(SemRefError):

@@ -10,7 +10,7 @@ from typing import Callable, TypeVar
 
 from osgeo import gdal
 
-from ..core.errors import SemRefError, UnwritableError
+from ..core.errors import ImageError, UnwritableError
 from ..core.sentences import Sentence
 
 _Read = TypeVar("_Read")
@@ -33,17 +33,11 @@ def unwritten_database(error: object = None) -> UnwritableError:
     return UnwritableError("The database can't be written: {reason}.", reason=gdal_failure(error))
 
 
-def read_by_gdal(
-    kind: type[SemRefError], path: str, read: Callable[..., _Read], *arguments: object, **keywords: object
-) -> _Read:
-    """Call a reading method of GDAL and return its result.
+def read_by_gdal(path: str, read: Callable[..., _Read], *arguments: object, **keywords: object) -> _Read:
+    """Call a reading method of GDAL and return its result; raise ImageError if it fails.
 
     Args:
-        kind: Class of the error to raise.
         path: File name for the error.
-
-    Raises:
-        kind: GDAL raises an error or returns None.
     """
     found = None
     with gdal_failures() as failures:
@@ -51,7 +45,7 @@ def read_by_gdal(
     if found is not None and _CUT_JPEG not in failures:
         return found
     reason = gdal_failure(failures[-1] if failures else None)
-    raise kind(Sentence("{path} is damaged or cut short: {reason}.", path=path, reason=reason))
+    raise ImageError("{path} is damaged or cut short: {reason}.", path=path, reason=reason)
 
 
 @contextlib.contextmanager

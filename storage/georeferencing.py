@@ -13,7 +13,7 @@ from html import escape
 import numpy as np
 from osgeo import gdal
 
-from ..core.errors import LabelMapError, UnwritableError
+from ..core.errors import ImageError, UnwritableError
 from ..core.geometry.footprint import is_parallelogram, on_ground
 from .gdal_errors import close, gdal_failure, require_written
 from .pictures import TILED
@@ -35,7 +35,7 @@ def write_draped(image: str, target: str, crs_wkt: str, corners_xy: np.ndarray) 
         corners_xy: (4, 2) map coordinates of the image's upper left, upper right, lower right and lower left corner.
 
     Raises:
-        LabelMapError: The image can't be read.
+        ImageError: The image can't be read.
         UnwritableError: The VRT can't be written.
     """
     source = open_raster(image)
@@ -58,7 +58,7 @@ def write_geotiff(
         going_on: Called repeatedly; False ends the work with an UnwritableError.
 
     Raises:
-        LabelMapError: The image can't be read.
+        ImageError: The image can't be read.
         UnwritableError: The GeoTIFF can't be written.
     """
     source = open_raster(image)
@@ -131,11 +131,11 @@ def write_world_file(image: str, target: str, crs_wkt: str, corners_xy: np.ndarr
         corners_xy: (4, 2) map coordinates of the image's upper left, upper right, lower right and lower left corner.
 
     Raises:
-        LabelMapError: The image can't be read, or was tilted: a world file can only describe a parallelogram.
+        ImageError: The image can't be read, or was tilted: a world file can only describe a parallelogram.
     """
     source = open_raster(image)
     if not is_parallelogram(np.asarray(corners_xy, np.float64)):
-        raise LabelMapError(
+        raise ImageError(
             "{image} was tilted, which a world file can’t describe; write GeoTIFFs or control points instead.",
             image=os.path.basename(image),
         )
@@ -179,7 +179,7 @@ class ControlPoint:
 
 
 def corner_points(image: str, corners_xy: np.ndarray) -> list[ControlPoint]:
-    """Return nine points: the corners, the middles of the edges and the center. Raises LabelMapError."""
+    """Return nine points: the corners, the middles of the edges and the center. Raises ImageError."""
     source = open_raster(image)
     height, width = source.RasterYSize, source.RasterXSize
     columns, rows = np.meshgrid((0.0, width / 2, width), (0.0, height / 2, height))
@@ -195,7 +195,7 @@ def write_points(image: str, target: str, crs_wkt: str, points: Sequence[Control
         points: At least four for a tilted image, three for a level one.
 
     Raises:
-        LabelMapError: The image can't be read.
+        ImageError: The image can't be read.
     """
     open_raster(image)
     text = io.StringIO()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from osgeo import gdal
 
-from ..core.errors import ImageError, LabelMapError
+from ..core.errors import ImageError
 from .gdal_errors import read_by_gdal
 from .rasters import open_raster
 
@@ -36,10 +36,7 @@ class GdalImage:
     def __init__(self, path: str, size_wh: tuple[int, int] | None = None) -> None:
         """Open the image; ``size_wh``: (width, height) to reduce it to by averaging; None for its own size."""
         self._path = path
-        try:
-            self._file = open_raster(path)
-        except LabelMapError as error:
-            raise ImageError(error.sentence) from None
+        self._file = open_raster(path)
         self._colors = self._view = _in_colors(self._file)
         if size_wh is not None:
             width, height = size_wh
@@ -97,7 +94,7 @@ class GdalImage:
         sizes, bands = (width, height, gdal.GDT_Byte), list(self.bands)
         spaces = 3, 3 * width, 1  # bytes from pixel to pixel, from line to line, from band to band
         read = self._view.ReadRaster
-        read_by_gdal(ImageError, self._path, read, *window, *sizes, bands, *spaces, buf_obj=pixels)
+        read_by_gdal(self._path, read, *window, *sizes, bands, *spaces, buf_obj=pixels)
         return pixels
 
     def _read_stretched(self, window: Window) -> np.ndarray:
@@ -107,7 +104,7 @@ class GdalImage:
         return np.stack([_stretch(read[number], *limits) for number, limits in limited], axis=2)
 
     def _values(self, band: gdal.Band, window: Window) -> np.ndarray:
-        return read_by_gdal(ImageError, self._path, band.ReadAsArray, *window)
+        return read_by_gdal(self._path, band.ReadAsArray, *window)
 
     def _percentiles(self) -> np.ndarray:
         height, width = self.shape_hw

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from osgeo import gdal
 
-from ..core.errors import ImageError, LabelMapError
+from ..core.errors import ImageError
 from ..core.geometry.camera import Camera
 from ..core.labels.class_shares import SeenLabels
 from ..core.labels.class_table import UNLABELED, ClassTable
@@ -48,7 +48,7 @@ class LabelImageReader:
 def open_photo(path: str) -> GdalImage:
     """Open a photo. Raises ImageError if it is too large."""
     photo = GdalImage(path)
-    require_size(photo.shape_hw, None, path, ImageError)
+    require_size(photo.shape_hw, None, path)
     return photo
 
 
@@ -56,11 +56,11 @@ def read_label_image(path: str, table: ClassTable) -> np.ndarray:
     """Return (H, W) uint8 labels: the values of one band, or the decoded colors of three and more bands.
 
     The table's HSV ranges decode colors; without ranges, the nearest color does. Pixels outside a mask in the file are
-    unlabeled. Raises LabelMapError.
+    unlabeled. Raises ImageError.
     """
     dataset = open_raster(path)
     width, height = dataset.RasterXSize, dataset.RasterYSize
-    require_size((height, width), None, path, LabelMapError)
+    require_size((height, width), None, path)
     if dataset.RasterCount == 1:
         labels = GdalLabels(path).read(0, 0, width, height)
     else:
@@ -81,17 +81,17 @@ def has_photo_colors(path: str) -> bool:
         size = min(_SAMPLED_PX, dataset.RasterXSize), min(_SAMPLED_PX, dataset.RasterYSize)
         first = (dataset.RasterXSize - size[0]) // 2, (dataset.RasterYSize - size[1]) // 2
         bands = dataset.ReadAsArray(*first, *size)
-    except (LabelMapError, RuntimeError):
+    except (ImageError, RuntimeError):
         return False
     return bands is not None and len(np.unique(bands[:3].reshape(3, -1), axis=1).T) > _MOST_LABEL_COLORS
 
 
 def _own_mask(dataset: gdal.Dataset, path: str) -> np.ndarray | None:
-    """Return (H, W) bool of the pixels that a mask in the file includes; None without mask. Raises LabelMapError."""
+    """Return (H, W) bool of the pixels that a mask in the file includes; None without mask. Raises ImageError."""
     band = dataset.GetRasterBand(1)
-    if read_by_gdal(LabelMapError, path, band.GetMaskFlags) != gdal.GMF_PER_DATASET:
+    if read_by_gdal(path, band.GetMaskFlags) != gdal.GMF_PER_DATASET:
         return None
-    return read_by_gdal(LabelMapError, path, band.GetMaskBand().ReadAsArray) > 0
+    return read_by_gdal(path, band.GetMaskBand().ReadAsArray) > 0
 
 
 def stated_biases(path: str) -> str | None:
@@ -100,7 +100,7 @@ def stated_biases(path: str) -> str | None:
 
 
 def read_bgr(dataset: gdal.Dataset, path: str, first_row: int, rows: int) -> np.ndarray:
-    """Return rows of an RGB(A) or paletted image as (rows, W, 3) uint8, blue first. Raises LabelMapError for others."""
+    """Return rows of an RGB(A) or paletted image as (rows, W, 3) uint8, blue first. Raises ImageError for others."""
     palette = dataset.GetRasterBand(1).GetRasterColorTable()
     if dataset.RasterCount == 1 and palette is not None:
         colors = np.zeros((256, 3), np.uint8)
@@ -108,7 +108,7 @@ def read_bgr(dataset: gdal.Dataset, path: str, first_row: int, rows: int) -> np.
             colors[value] = palette.GetColorEntry(value)[2::-1]
         return colors[_read_bytes(dataset, 1, path, first_row, rows)]
     if dataset.RasterCount < 3:
-        raise LabelMapError(
+        raise ImageError(
             "{path} has {bands} band(s) and no palette; a color image has three bands.",
             path=path,
             bands=dataset.RasterCount,
@@ -120,5 +120,5 @@ def _read_bytes(dataset: gdal.Dataset, number: int, path: str, first_row: int, r
     band = dataset.GetRasterBand(number)
     if band.DataType != gdal.GDT_Byte:
         kind = gdal.GetDataTypeName(band.DataType)
-        raise LabelMapError("{path} holds {kind} values; a color label image has 8 bits a band.", path=path, kind=kind)
-    return read_by_gdal(LabelMapError, path, band.ReadAsArray, 0, first_row, dataset.RasterXSize, rows)
+        raise ImageError("{path} holds {kind} values; a color label image has 8 bits a band.", path=path, kind=kind)
+    return read_by_gdal(path, band.ReadAsArray, 0, first_row, dataset.RasterXSize, rows)

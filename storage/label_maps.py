@@ -39,6 +39,7 @@ class GdalLabels:
                 Blocks of whole rows are always dropped, since rows are read once and in order.
 
         Raises:
+            ImageError: The file can't be read.
             LabelMapError: The file is not a label map.
         """
         self._path = path
@@ -72,9 +73,10 @@ class GdalLabels:
         """Return (height, width) uint8 labels, 0 for no data.
 
         Raises:
-            LabelMapError: The file is damaged, or a value is not in 0…255.
+            ImageError: The file is damaged.
+            LabelMapError: A value is not in 0…255.
         """
-        block = read_by_gdal(LabelMapError, self._path, self._band.ReadAsArray, column, row, width, height)
+        block = read_by_gdal(self._path, self._band.ReadAsArray, column, row, width, height)
         # Blocks that are not read again would only fill GDAL's cache.
         if not self._keeps_blocks or width == self._dataset.RasterXSize:
             self._dataset.FlushCache()

@@ -6,7 +6,7 @@ import math
 import os
 import re
 
-from ..core.errors import LabelMapError
+from ..core.errors import ImageError
 from ..core.labels.photo_camera import PHOTO_EXTENSIONS
 from .rasters import open_raster
 
@@ -34,7 +34,7 @@ def photo_lon_lat(path: str) -> tuple[float, float] | None:
 def _read_position(path: str) -> tuple[float, float] | None:
     try:
         file = open_raster(path)
-    except LabelMapError:
+    except ImageError:
         return None
     # A JPEG has EXIF data among its own metadata, a TIFF in a domain.
     tags = {**file.GetMetadata(), **(file.GetMetadata("EXIF") or {})}

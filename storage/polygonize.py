@@ -30,7 +30,8 @@ def polygonize(
         proceed: Called repeatedly while small regions are merged; False ends the work with a LabelMapError.
 
     Raises:
-        LabelMapError: GDAL can't read the map, or ``proceed`` returned False.
+        ImageError: The map can't be read.
+        LabelMapError: GDAL fails, or ``proceed`` returned False.
     """
     with tempfile.TemporaryDirectory(prefix="semref-outline-") as folder:
         yield "Merging small regions", 0.0

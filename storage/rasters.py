@@ -9,7 +9,7 @@ import stat
 from osgeo import gdal
 
 from ..core import limits
-from ..core.errors import LabelMapError, UnwritableError
+from ..core.errors import ImageError, UnwritableError
 from ..core.labels import image_files as core_images
 from ..core.labels.image_files import require_kind_of_name
 from ..core.sentences import Sentence
@@ -83,15 +83,15 @@ def open_raster(path: str) -> gdal.Dataset:
         path: A file or another name that GDAL can open.
 
     Raises:
-        LabelMapError: GDAL can't read it, it has the name of a picture but describes another raster or has another
+        ImageError: GDAL can't read it, it has the name of a picture but describes another raster or has another
             format, or its georeference is impossible.
     """
     if os.path.exists(path) and not (os.path.isfile(path) or os.path.isdir(path)):
         # GDAL would wait for a pipe forever.
-        raise LabelMapError("Image {path} is a folder, pipe or device; choose an image file.", path=path)
+        raise ImageError("Image {path} is a folder, pipe or device; choose an image file.", path=path)
     drivers = drivers_for(path)
     if drivers:
-        require_kind_of_name(path, _start(path), LabelMapError)
+        require_kind_of_name(path, _start(path))
         _require_own_side_cars(path)
     gdal.PushErrorHandler("CPLQuietErrorHandler")
     try:
@@ -108,7 +108,7 @@ def open_raster(path: str) -> gdal.Dataset:
     if dataset is None or dataset.RasterCount == 0:
         raise _unreadable(path, gdal_failure())
     if drivers and dataset.GetMetadataItem(*_OVERVIEW_FILE):
-        raise LabelMapError(
+        raise ImageError(
             "{path} names another file for its overviews ({name}), which SemRef does not open; remove {path}.aux.xml, "
             "or build the overviews again.",
             path=path,
@@ -116,18 +116,18 @@ def open_raster(path: str) -> gdal.Dataset:
         )
     if transform is not None and not all(abs(value) < _FARTHEST for value in transform):
         numbers = ", ".join(f"{value:g}" for value in transform)
-        raise LabelMapError(
+        raise ImageError(
             "{path} has an impossible georeference ({numbers}). Georeference it again.", path=path, numbers=numbers
         )
     return dataset
 
 
-def _unreadable(path: str, reason: str | Sentence) -> LabelMapError:
+def _unreadable(path: str, reason: str | Sentence) -> ImageError:
     if not drivers_for(path) or _driver_of(path):
-        return LabelMapError("{path} can't be read: {reason}.", path=path, reason=reason)
+        return ImageError("{path} can't be read: {reason}.", path=path, reason=reason)
     if not os.path.getsize(path):
-        return LabelMapError("{path} is empty (0 bytes). Copy the file again.", path=path)
-    return LabelMapError(
+        return ImageError("{path} is empty (0 bytes). Copy the file again.", path=path)
+    return ImageError(
         "{path} is not an image that QGIS can read. Copy a damaged file again. Save photos in other formats, such as "
         "RAW or HEIC, as JPEG with their camera data.",
         path=path,
@@ -154,7 +154,7 @@ def pixel_area(transform: tuple[float, ...]) -> float:
 
 
 def require_own_pixels(path: str) -> None:
-    """Raise LabelMapError if GDAL would read other rasters for a file; call it before QGIS opens the file.
+    """Raise ImageError if GDAL would read other rasters for a file; call it before QGIS opens the file.
 
     Examples are a description of another raster with the name of a picture, and a raster with such an overview.
     """
@@ -172,12 +172,12 @@ def _driver_of(path: str) -> str:
 
 
 def _require_own_side_cars(path: str) -> None:
-    """Raise LabelMapError if GDAL would read other rasters because of a file beside a raster.
+    """Raise ImageError if GDAL would read other rasters because of a file beside a raster.
 
     Overviews and masks must be TIFF or Erdas files with their own pixels, and so must the files beside them.
     """
     for side_car in _side_cars(path):
-        foreign = LabelMapError(
+        foreign = ImageError(
             "{path} is beside {raster}, but does not hold pixels or metadata of its own, so GDAL would open other "
             "files; remove it.",
             path=side_car,
@@ -242,5 +242,5 @@ def require_whole_raster(path: str, target: str) -> None:
 
 
 def image_files(paths: list[str]) -> list[str]:
-    """Replace each folder by its images that GDAL reads, sorted. Raises LabelMapError for a folder without images."""
+    """Replace each folder by its images that GDAL reads, sorted. Raises ImageError for a folder without images."""
     return core_images.image_files(paths, IMAGE_EXTENSIONS)

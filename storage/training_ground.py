@@ -54,7 +54,8 @@ def prepare_image(image: RasterFile, wanted: WantedGround, folder: Path) -> Rast
         wanted: CRS, pixel size and bounds.
 
     Raises:
-        LabelMapError: The image can't be read, has another type than tiles, or has no pixel within the bounds.
+        ImageError: The image can't be read.
+        LabelMapError: The image has another type than tiles, or has no pixel within the bounds.
     """
     # With the name of the user's file, not of the VRT.
     ImageBands(image.path)

@@ -91,7 +91,7 @@ class ImageBands:
     def read(self, column: int, row: int, size: int) -> np.ndarray:
         """Return (bands, size, size) original values."""
         part = column, row, size, size
-        return np.stack([read_by_gdal(LabelMapError, self.path, band.ReadAsArray, *part) for band in self.bands])
+        return np.stack([read_by_gdal(self.path, band.ReadAsArray, *part) for band in self.bands])
 
     def read_as_seen(self, column: int, row: int, size: int) -> tuple[np.ndarray, np.ndarray]:
         """Return (size, size, 3) uint8 as a network gets it, and (size, size) bool of valid data."""
@@ -199,7 +199,7 @@ class TileExport:
         Raises:
             ParameterError: There are no tiles for training or validation.
             ClassTableError: The label map has a value that no class has.
-            LabelMapError: Image or labels can't be read.
+            ImageError: Image or labels can't be read.
         """
         height, width = self._image.shape_hw
         labeled = np.zeros((-(-height // self._block), -(-width // self._block)), np.int64)

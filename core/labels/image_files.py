@@ -18,8 +18,7 @@ from PIL.PngImagePlugin import PngImageFile
 from PIL.TiffImagePlugin import TiffImageFile
 
 from .. import limits
-from ..errors import ImageError, LabelMapError, SemRefError, reason_of
-from ..sentences import Sentence
+from ..errors import ImageError, SemRefError, reason_of
 from .class_table import ClassTable
 from .color_labels import decode_colors
 from .image_source import ArrayImage, Photo
@@ -64,28 +63,28 @@ def read_label_image(path: str, table: ClassTable) -> np.ndarray:
     """Read a label image as labels (H, W) uint8: single-band or paletted values, or three bands decoded by color.
 
     Reads PNG, TIFF and JPEG. Colors are decoded by the table's HSV ranges if it has any, otherwise by nearest color; a
-    TIFF's nodata value becomes unlabeled. Raises LabelMapError.
+    TIFF's nodata value becomes unlabeled. Raises ImageError.
     """
-    data = _read(path, LabelMapError)
+    data = _read(path)
     if data.startswith(_JPEG):
-        values = _jpeg_values(data, path, LabelMapError)
+        values = _jpeg_values(data, path)
         return decode_colors(values, table) if values.ndim == 3 else values
     if not data.startswith((_PNG, *STARTS)):
-        raise LabelMapError("{path} is not a PNG, TIFF or JPEG file; save the label image as PNG.", path=path)
-    image, raw_mode, tags = _decoded(data, path, LabelMapError)
+        raise ImageError("{path} is not a PNG, TIFF or JPEG file; save the label image as PNG.", path=path)
+    image, raw_mode, tags = _decoded(data, path)
     if image.mode in ("LA", "PA"):
-        raise LabelMapError("{path} has 2 bands, but a label image has one; save it without transparency.", path=path)
+        raise ImageError("{path} has 2 bands, but a label image has one; save it without transparency.", path=path)
     values = np.array(image, np.uint8 if image.mode == "1" else None)
     if values.ndim == 3:
         if _has_16_bits(raw_mode, tags):
-            raise LabelMapError(
+            raise ImageError(
                 "{path} has {kind} values, but a color label image has 8 bits per band; convert it to 8 bits.",
                 path=path,
                 kind="uint16",
             )
         return decode_colors(values[..., 2::-1], table)
     if values.dtype.kind not in "iu":
-        raise LabelMapError(
+        raise ImageError(
             "{path} has {kind} values; class values must be whole numbers from 0 to 255.", path=path, kind=values.dtype
         )
     if raw_mode in _STRETCHED:
@@ -95,7 +94,7 @@ def read_label_image(path: str, table: ClassTable) -> np.ndarray:
         values[values == nodata] = 0
     if values.min() < 0 or values.max() > 255:
         found = int(values.max() if values.max() > 255 else values.min())
-        raise LabelMapError("{path} has the value {found}; class values must be from 0 to 255.", path=path, found=found)
+        raise ImageError("{path} has the value {found}; class values must be from 0 to 255.", path=path, found=found)
     return values.astype(np.uint8)
 
 
@@ -104,12 +103,12 @@ def read_photo(path: str) -> Photo:
 
     Only the file itself counts, not side-car files next to it. Raises ImageError.
     """
-    data = _read(path, ImageError)
+    data = _read(path)
     if not data.startswith((_PNG, *STARTS)):
-        values = _jpeg_values(data, path, ImageError)
+        values = _jpeg_values(data, path)
         order = cv2.COLOR_GRAY2RGB if values.ndim == 2 else cv2.COLOR_BGR2RGB
         return Photo(ArrayImage(cv2.cvtColor(values, order)), None)
-    image, raw_mode, tags = _decoded(data, path, ImageError)
+    image, raw_mode, tags = _decoded(data, path)
     if image.mode == "P" or "transparency" in image.info:
         image = image.convert("RGBA")
     elif image.mode in ("1", "CMYK", "YCbCr", "LAB"):
@@ -140,7 +139,7 @@ def _has_16_bits(raw_mode: str, tags: Tags) -> bool:
 
 
 def image_files(paths: list[str], endings: tuple[str, ...] = IMAGE_EXTENSIONS) -> list[str]:
-    """Return the files, with each folder replaced by its images, sorted. Raises LabelMapError for an empty folder."""
+    """Return the files, with each folder replaced by its images, sorted. Raises ImageError for an empty folder."""
     found: list[str] = []
     for path in paths:
         if not os.path.isdir(path):
@@ -149,10 +148,10 @@ def image_files(paths: list[str], endings: tuple[str, ...] = IMAGE_EXTENSIONS) -
         try:
             names = sorted(os.listdir(path))
         except OSError as error:
-            raise LabelMapError("Image {path} can't be read: {reason}.", path=path, reason=reason_of(error)) from None
+            raise ImageError("Image {path} can't be read: {reason}.", path=path, reason=reason_of(error)) from None
         images = [os.path.join(path, name) for name in names if is_image_name(name, endings)]
         if not images:
-            raise LabelMapError("The folder {path} contains no image ({endings}).", path=path, endings=endings)
+            raise ImageError("The folder {path} contains no image ({endings}).", path=path, endings=endings)
         found += images
     return found
 
@@ -162,7 +161,7 @@ def is_image_name(name: str, endings: tuple[str, ...] = IMAGE_EXTENSIONS) -> boo
     return name.lower().endswith(endings) and not name.startswith(".")
 
 
-def require_kind_of_name(path: str, start: bytes, kind: type[SemRefError]) -> None:
+def require_kind_of_name(path: str, start: bytes) -> None:
     """Refuse a file with content of another kind than its suffix: one of the two is a mistake, or an attack.
 
     Args:
@@ -173,42 +172,38 @@ def require_kind_of_name(path: str, start: bytes, kind: type[SemRefError]) -> No
     named = next((name for name, (_, suffixes) in _KINDS.items() if suffix in suffixes), None)
     found = next((name for name, (starts, _) in _KINDS.items() if start.startswith(starts)), None)
     if named and found and named != found:
-        raise kind(
-            Sentence(
-                "{path} has the suffix of {named}, but its content is {found}. Change the suffix to {suffix}, or "
-                "export the file again.",
-                path=path,
-                found=found,
-                named=named,
-                suffix=_KINDS[found][1][0],
-            )
+        raise ImageError(
+            "{path} has the suffix of {named}, but its content is {found}. Change the suffix to {suffix}, or "
+            "export the file again.",
+            path=path,
+            found=found,
+            named=named,
+            suffix=_KINDS[found][1][0],
         )
 
 
-def _read(path: str, kind: type[SemRefError]) -> bytes:
+def _read(path: str) -> bytes:
     try:
         with open(path, "rb", opener=open_at_once) as file:
             state = os.fstat(file.fileno())
             if not stat.S_ISREG(state.st_mode):
-                raise kind(_not_a_file(path))
+                raise _not_a_file(path)
             if state.st_size > limits.IMAGE_BYTES:
-                raise kind(
-                    Sentence(
-                        "Image {path} has {size_mb} MB; a query image may have at most {most_mb} MB. Crop it to the "
-                        "area of one photo.",
-                        path=path,
-                        size_mb=state.st_size // 1_000_000,
-                        most_mb=limits.IMAGE_BYTES // 1_000_000,
-                    )
+                raise ImageError(
+                    "Image {path} has {size_mb} MB; a query image may have at most {most_mb} MB. Crop it to the "
+                    "area of one photo.",
+                    path=path,
+                    size_mb=state.st_size // 1_000_000,
+                    most_mb=limits.IMAGE_BYTES // 1_000_000,
                 )
             # At most the stated size: a file that still grows is read again later by the watching code.
             data = file.read(state.st_size)
     except IsADirectoryError:
-        raise kind(_not_a_file(path)) from None
+        raise _not_a_file(path) from None
     except (OSError, ValueError) as error:
         # ValueError: the path contains a null character.
-        raise kind(Sentence("Image {path} can't be read: {reason}.", path=path, reason=reason_of(error))) from None
-    require_kind_of_name(path, data, kind)
+        raise ImageError("Image {path} can't be read: {reason}.", path=path, reason=reason_of(error)) from None
+    require_kind_of_name(path, data)
     return data
 
 
@@ -221,7 +216,7 @@ def open_at_once(path: str, flags: int) -> int:
     return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
 
 
-def _decoded(data: bytes, path: str, kind: type[SemRefError]) -> tuple[Image.Image, str, Tags]:
+def _decoded(data: bytes, path: str) -> tuple[Image.Image, str, Tags]:
     """Decode a PNG or TIFF, unless it claims more pixels than allowed.
 
     Returns:
@@ -234,43 +229,43 @@ def _decoded(data: bytes, path: str, kind: type[SemRefError]) -> tuple[Image.Ima
         raw_mode = image.tile[0][3] if is_png else image.tile[0][3][0]
         tags = {} if is_png else {tag: value_of(image.tag_v2, tag) for tag in image.tag_v2}
         # Pieces of a TIFF may be missing or shared.
-        require_size((image.height, image.width), len(data) if is_png else None, path, kind)
+        require_size((image.height, image.width), len(data) if is_png else None, path)
         file.left = limits.TAG_BYTES + _READS_A_BYTE * len(data) if is_png else inf
         image.load()
     except SemRefError:
         raise
     except Exception:  # Pillow raises many types for damaged files
-        raise kind(_not_decoded(path)) from None
+        raise _not_decoded(path) from None
     turn = _UPRIGHT.get(tags.get(ORIENTATION, 1))
     return image if turn is None else image.transpose(turn), raw_mode, tags
 
 
-def _jpeg_values(data: bytes, path: str, kind: type[SemRefError]) -> np.ndarray:
+def _jpeg_values(data: bytes, path: str) -> np.ndarray:
     """Decode a JPEG: (H, W) or (H, W, 3) uint8, blue first. Its orientation is ignored, see _UPRIGHT."""
     shape_hw = photo_tags(data).shape_hw
     if shape_hw is not None:
-        require_size(shape_hw, len(data), path, kind)
+        require_size(shape_hw, len(data), path)
     flags = cv2.IMREAD_UNCHANGED | cv2.IMREAD_IGNORE_ORIENTATION
     try:
         values = cv2.imdecode(np.frombuffer(data, np.uint8), flags) if data else None
     except cv2.error as error:
-        raise kind(Sentence("Image {path} can't be read: {reason}.", path=path, reason=error.err)) from None
+        raise ImageError("Image {path} can't be read: {reason}.", path=path, reason=error.err) from None
     if values is None:
-        raise kind(_not_decoded(path))
+        raise _not_decoded(path)
     return values
 
 
-def _not_a_file(path: str) -> Sentence:
-    return Sentence("Image {path} is a folder, pipe or device; choose an image file.", path=path)
+def _not_a_file(path: str) -> ImageError:
+    return ImageError("Image {path} is a folder, pipe or device; choose an image file.", path=path)
 
 
-def _not_decoded(path: str) -> Sentence:
-    return Sentence(
+def _not_decoded(path: str) -> ImageError:
+    return ImageError(
         "Image {path} can't be read: it is damaged, incomplete or in a format that OpenCV can't read.", path=path
     )
 
 
-def require_size(shape_hw: tuple[int, int], file_bytes: int | None, path: str, kind: type[SemRefError]) -> None:
+def require_size(shape_hw: tuple[int, int], file_bytes: int | None, path: str) -> None:
     """Refuse more pixels than allowed, or than a file of this size can contain.
 
     Args:
@@ -279,15 +274,13 @@ def require_size(shape_hw: tuple[int, int], file_bytes: int | None, path: str, k
     """
     height, width = shape_hw
     if height * width > limits.IMAGE_PIXELS:
-        raise kind(
-            Sentence(
-                "{path} has {width} × {height} pixels; a query image may have at most {most_million} million. Crop it "
-                "to the area of one photo.",
-                path=path,
-                width=width,
-                height=height,
-                most_million=limits.IMAGE_PIXELS // 1_000_000,
-            )
+        raise ImageError(
+            "{path} has {width} × {height} pixels; a query image may have at most {most_million} million. Crop it "
+            "to the area of one photo.",
+            path=path,
+            width=width,
+            height=height,
+            most_million=limits.IMAGE_PIXELS // 1_000_000,
         )
     if file_bytes is not None and height * width > _PIXELS_A_BYTE * file_bytes:
-        raise kind(Sentence("{path} is damaged or incomplete; copy it again.", path=path))
+        raise ImageError("{path} is damaged or incomplete; copy it again.", path=path)

@@ -206,7 +206,7 @@ class Values:
     # --- layers ---
 
     def raster(self, key: str) -> QgsRasterLayer | None:
-        """Return a raster layer; None if it cannot be read. Raises LabelMapError as ``require_pictures`` does."""
+        """Return a raster layer; None if it cannot be read. Raises ImageError as ``require_pictures`` does."""
         self.require_pictures(key)
         return self._read("RasterLayer", key)
 
@@ -218,7 +218,7 @@ class Values:
             require_own_pixels(self.raw(key))
 
     def label_map(self, key: str) -> RasterLayer:
-        """Return a label map's layer for worker threads. Raises LabelMapError."""
+        """Return a label map's layer for worker threads. Raises ImageError."""
         from ..layers.layer_inputs import label_map_layer
 
         return label_map_layer(self.raster(key))

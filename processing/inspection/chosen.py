@@ -26,7 +26,7 @@ def count_images(paths: Sequence[str]) -> ChosenImages:
     """Count the images and check whether they are photos.
 
     Raises:
-        LabelMapError: A folder has no images, or cannot be read.
+        ImageError: A folder has no images, or cannot be read.
     """
     from ...storage.rasters import image_files
 

@@ -16,7 +16,6 @@ from qgis.core import (
 from ...core.errors import ImageError, LabelMapError, SemRefError
 from ...core.geometry.frame import MapFrame
 from ...core.labels.class_table import LandCoverClass
-from ...core.sentences import Sentence
 from ...storage.images import GdalImage
 from ...storage.label_maps import GdalLabels, RasterFile, require_map_grid
 from ...storage.rasters import open_raster
@@ -39,8 +38,8 @@ class RasterLayer:
 
 
 def label_map_layer(layer: QgsRasterLayer | None) -> RasterLayer:
-    """Copy the data of a label map layer. Raises LabelMapError."""
-    return _raster_layer(layer, LabelMapError("The label map can't be read. Choose a raster file."))
+    """Copy the data of a label map layer. Raises ImageError."""
+    return _raster_layer(layer, ImageError("The label map can't be read. Choose a raster file."))
 
 
 def image_layer(layer: QgsRasterLayer | None) -> RasterLayer:
@@ -48,16 +47,14 @@ def image_layer(layer: QgsRasterLayer | None) -> RasterLayer:
     return _raster_layer(layer, ImageError("The image can't be read. Choose a photo or an orthophoto."))
 
 
-def _raster_layer(layer: QgsRasterLayer | None, unreadable: SemRefError) -> RasterLayer:
+def _raster_layer(layer: QgsRasterLayer | None, unreadable: ImageError) -> RasterLayer:
     if layer is None or not layer.isValid():
         raise unreadable
     if layer.providerType() != "gdal":
-        raise type(unreadable)(
-            Sentence(
-                "“{layer}” is not a local raster file, but a layer of {provider}. Save it as GeoTIFF first.",
-                layer=layer.name(),
-                provider=layer.providerType(),
-            )
+        raise ImageError(
+            "“{layer}” is not a local raster file, but a layer of {provider}. Save it as GeoTIFF first.",
+            layer=layer.name(),
+            provider=layer.providerType(),
         )
     return RasterLayer(layer.source(), layer.crs(), _styled_classes(layer))
 

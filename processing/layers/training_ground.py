@@ -115,7 +115,7 @@ class TrainingGround:
         return metric_crs(crs, QgsCoordinateReferenceSystem(), self.extent, self.context)
 
     def image(self, folder: Path) -> RasterFile:
-        """Return the prepared image, with its VRT in ``folder``. Raises ParameterError, LabelMapError."""
+        """Return the prepared image, with its VRT in ``folder``. Raises SemRefError."""
         if self.drawn is not None:
             # Otherwise an image without georeference does not overlap them, for no reason that the user sees.
             frame_of(self.layer.file)

@@ -9,7 +9,7 @@ from made_inputs import NAMES, NORTH, WEST, scattered_objects, spatial_reference
 from osgeo import gdal, ogr
 from qgis.core import QgsProcessingException
 
-from semref.core.errors import LabelMapError
+from semref.core.errors import ImageError
 from semref.core.geometry.footprint import image_corners, on_ground
 from semref.core.geometry.frame import MapFrame
 from semref.core.geometry.leveling import Attitude, leveling
@@ -224,5 +224,5 @@ def test_each_pixel_is_where_a_camera_without_distortion_saw_it(qgis_app, tmp_pa
 
 
 def test_a_missing_image_is_reported(tmp_path):
-    with pytest.raises(LabelMapError, match="missing.tif"):
+    with pytest.raises(ImageError, match="missing.tif"):
         write_draped(str(tmp_path / "missing.tif"), str(tmp_path / "x.vrt"), WKT, footprint_of(0, 0))

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingUtils, QgsProject, QgsRasterLayer
 
-from ...core.errors import LabelMapError
+from ...core.errors import ImageError
 from ...processing.layers.database_layers import place_on_top
 
 OPACITY = 0.6
@@ -28,7 +28,7 @@ def place_image(image: str, corners: tuple, crs_wkt: str) -> PlacedImage:
         corners: Map (x, y) of its four corners (``Finding.corners``).
 
     Raises:
-        LabelMapError: The image can't be read.
+        ImageError: The image can't be read.
     """
     # Imported here because the dock must open without OpenCV.
     from ...storage.georeferencing import write_draped
@@ -41,11 +41,11 @@ def place_image(image: str, corners: tuple, crs_wkt: str) -> PlacedImage:
 def add_placed(placed: PlacedImage, database: str, project: QgsProject) -> QgsRasterLayer:
     """Add an image to the project, half-transparent, above all other layers.
 
-    Label images get the colors of ``database``. Raises LabelMapError.
+    Label images get the colors of ``database``. Raises ImageError.
     """
     layer = QgsRasterLayer(placed.raster, placed.name, "gdal")
     if not layer.isValid():
-        raise LabelMapError("{image} can’t be shown on the map.", image=placed.name)
+        raise ImageError("{image} can’t be shown on the map.", image=placed.name)
     if layer.bandCount() == 1:
         # Imported here because it loads GDAL's arrays, which would delay the opening of the dock.
         from ...processing.layers.class_styles import apply_overview_style

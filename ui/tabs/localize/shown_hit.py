@@ -9,7 +9,7 @@ from qgis.core import QgsProject
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-from ....core.errors import LabelMapError
+from ....core.errors import ImageError
 from ....core.named_files import named_file
 from ....processing.compat import wkt_for_gdal
 from ....processing.inspection.image import ImageQuery
@@ -123,7 +123,7 @@ class ShownHit(QObject):
     def _show_drape(self, placed: PlacedImage) -> None:
         try:
             add_placed(placed, self._database, QgsProject.instance())
-        except LabelMapError as error:
+        except ImageError as error:
             self._messages.error(worded(error))
 
 
