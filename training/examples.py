@@ -9,19 +9,20 @@ import cv2
 import numpy as np
 import torch
 
-from .tiles import TileClass, TileReader, spread, standardized
+from ..core.labels.class_table import LandCoverClass
+from .tiles import TileReader, spread, standardized
 
 EDGE_PX, GAP_PX, MOST = 256, 8, 4
 UNKNOWN = (200, 200, 200)
 
 
 def write_examples(
-    network: torch.nn.Module, reader: TileReader, classes: Sequence[TileClass], mean, deviation, folder: Path
+    network: torch.nn.Module, reader: TileReader, classes: Sequence[LandCoverClass], mean, deviation, folder: Path
 ) -> None:
     """Write example_N.png of some evenly spread tiles: photo, annotation and prediction side by side."""
     folder.mkdir(exist_ok=True)
     colors = np.full((256, 3), UNKNOWN, np.uint8)
-    colors[: len(classes)] = [[int(c.color[n : n + 2], 16) for n in (1, 3, 5)] for c in classes]
+    colors[: len(classes)] = [c.rgb for c in classes]
     network = network.cpu().eval()
     for number, index in enumerate(spread(len(reader), MOST)):
         image, labels = reader(index)

@@ -12,12 +12,13 @@ import onnxruntime
 import torch
 
 from ..core.errors import TrainingError
+from ..core.labels.class_table import LandCoverClass
 from .metrics import intersection_over_union, rates
-from .tiles import TileClass, standardized
+from .tiles import standardized
 
 OPSET, IR_VERSION = 17, 8  # supported by onnxruntime from 1.12 on
 LARGEST_DIFFERENCE = 1e-3  # of logits, between torch and onnxruntime
-UNLABELED = TileClass(0, "unlabeled", "#000000", "background")
+UNLABELED = LandCoverClass(0, "unlabeled", "#000000")
 
 
 def write_onnx(network: torch.nn.Module, tile_size: int, target: Path) -> None:
@@ -80,7 +81,7 @@ def scoring(target: Path, mean, deviation):
 
 
 def metadata_of(
-    classes: Sequence[TileClass],
+    classes: Sequence[LandCoverClass],
     standardization: tuple[np.ndarray, np.ndarray],
     tile_size: int,
     overlap: int,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copy
-import csv
 import json
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,18 +10,11 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-from ..core.errors import TrainingError
+from ..core.errors import ClassTableError, TrainingError
+from ..core.labels.class_table import LandCoverClass, class_table_from_csv
 
 IGNORED = 255  # label of pixels without influence on the training
 CACHE_BYTES = 2_000_000_000
-
-
-@dataclass(frozen=True)
-class TileClass:
-    value: int
-    name: str
-    color: str
-    role: str
 
 
 @dataclass(frozen=True)
@@ -49,7 +41,7 @@ class TileFolder:
 
     path: Path
     manifest: dict
-    classes: tuple[TileClass, ...]
+    classes: tuple[LandCoverClass, ...]
 
     def tiles(self, subset: str) -> list[TilePair]:
         bands, stretch = self.manifest["network_bands"], self.manifest["stretch"]
@@ -73,11 +65,10 @@ def open_folder(path: Path) -> TileFolder:
     """Open a folder of exported tiles. Raises TrainingError for another folder."""
     try:
         manifest = json.loads((path / "manifest.json").read_text(encoding="utf-8"))
-        with (path / "classes.csv").open(encoding="utf-8", newline="") as file:
-            rows = [TileClass(int(r["value"]), r["name"], r["color"], r["role"]) for r in csv.DictReader(file)]
-    except (OSError, ValueError, KeyError) as error:
+        table = class_table_from_csv((path / "classes.csv").read_text(encoding="utf-8"))
+    except (OSError, ValueError, ClassTableError) as error:
         raise TrainingError("{path} has no exported training tiles: {reason}.", path=path, reason=error) from None
-    folder = TileFolder(path, manifest, tuple(sorted((row for row in rows if row.value), key=lambda row: row.value)))
+    folder = TileFolder(path, manifest, tuple(one for one in table if one.value))
     if not folder.tiles("train"):
         raise TrainingError("{path} has no tiles for training.", path=path)
     return folder

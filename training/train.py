@@ -13,6 +13,7 @@ import numpy as np
 import torch
 
 from ..core.errors import TrainingError
+from ..core.labels.class_table import OTHER, LandCoverClass
 from ..core.segmentation.class_bias import KEY, class_bias_text
 from ..core.segmentation.metadata import TEMPERATURE
 from . import base_weights, class_bias, examples, export, loop, metrics, network, temperature, tiles
@@ -51,7 +52,7 @@ class TileData:
         deviation: (3,) standard deviation of red, green and blue.
     """
 
-    classes: list[tiles.TileClass]
+    classes: list[LandCoverClass]
     training: tiles.TileReader
     validation: tiles.TileReader
     pixels: np.ndarray
@@ -135,7 +136,7 @@ def read_tiles(job: Job) -> TileData:
     folders = tiles.open_folders([Path(path) for path in job.tiles])
     classes = [export.UNLABELED, *folders[0].classes]
     if job.learn_unlabeled:
-        classes[0] = tiles.TileClass(0, "other", "#000000", "background")
+        classes[0] = LandCoverClass(0, OTHER, "#000000")
     values = [c.value for c in classes]
     names, complete = [c.name for c in classes], {Path(path): known for path, known in job.complete.items()}
     excluded = {f.path: [names.index(name) for name in complete[f.path]] for f in folders if f.path in complete}
@@ -262,7 +263,7 @@ def finish(
     )
     temporary.replace(output)
     result = {
-        "classes": [c.__dict__ for c in ground.classes],
+        "classes": [{"name": c.name, "color": c.color} for c in ground.classes],
         "history": trainer.history,
         "best_epoch": trainer.best_epoch,
         "mean_iou": trainer.shown(trainer.best_confusion)["mean_iou"],
