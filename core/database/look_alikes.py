@@ -9,6 +9,9 @@ import numpy as np
 from ..windows.topology_vector import vector_distances, vector_objects
 from .model import ReferenceDatabase, Windows
 
+COUNT = 5
+"""Most similar windows of a window."""
+
 
 @dataclass(frozen=True)
 class DescribedWindow:
@@ -35,8 +38,8 @@ def window_at(windows: Windows, x: float, y: float) -> int | None:
     return int(smallest[np.hypot(*(windows.centers[smallest] - (x, y)).T).argmin()])
 
 
-def describe_window(database: ReferenceDatabase, index: int, count: int = 5) -> DescribedWindow:
-    """Return the window at ``index`` with up to ``count`` similar windows that overlap neither it nor each other.
+def describe_window(database: ReferenceDatabase, index: int) -> DescribedWindow:
+    """Return the window at ``index`` with up to COUNT similar windows that overlap neither it nor each other.
 
     The landmarks are those of the map with centers in the window. A landmark that the window's border cuts has another
     center in the window's own description.
@@ -57,19 +60,19 @@ def describe_window(database: ReferenceDatabase, index: int, count: int = 5) -> 
     )
     distances = vector_distances(windows.vectors[index], windows.vectors)
     distances[~windows.described] = np.inf
-    found = _apart(windows, index, np.argsort(distances, kind="stable"), count)
+    found = _apart(windows, index, np.argsort(distances, kind="stable"))
     found = found[np.isfinite(distances[found])]
     return DescribedWindow(inside[kept], found, distances[found])
 
 
-def _apart(windows: Windows, index: int, order: np.ndarray, count: int) -> np.ndarray:
-    """Return the first ``count`` of ``order`` that overlap neither the window nor each other."""
+def _apart(windows: Windows, index: int, order: np.ndarray) -> np.ndarray:
+    """Return the first COUNT of ``order`` that overlap neither the window nor each other."""
     chosen = [index]
     for candidate in order.tolist():
         reach = (windows.sizes[chosen] + windows.sizes[candidate]) / 2
         if (np.abs(windows.centers[chosen] - windows.centers[candidate]).max(axis=1) >= reach * (1 - 1e-6)).all():
             chosen.append(candidate)
-            if len(chosen) > count:
+            if len(chosen) > COUNT:
                 break
     return np.array(chosen[1:], np.int64)
 

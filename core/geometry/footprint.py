@@ -45,10 +45,10 @@ def on_ground(points_xy: np.ndarray, footprint: np.ndarray, shape_hw: tuple[int,
     return first + (second * (1 + slant_right) * right + fourth * (1 + slant_down) * down) / depth
 
 
-def is_parallelogram(footprint: np.ndarray, tolerance: float = 1e-6) -> bool:
-    """Return whether an image was level: opposite edges of its footprint (4, 2) are equal, within a share of them."""
+def is_parallelogram(footprint: np.ndarray) -> bool:
+    """Return whether an image was level: opposite edges of its footprint (4, 2) are equal."""
     one, other = footprint[1] - footprint[0], footprint[2] - footprint[3]
-    return bool(np.hypot(*(one - other)) <= tolerance * np.hypot(*one))
+    return bool(np.hypot(*(one - other)) <= 1e-6 * np.hypot(*one))
 
 
 def _cross(one: np.ndarray, other: np.ndarray) -> float:

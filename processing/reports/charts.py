@@ -88,10 +88,10 @@ def percent_axis(title: str) -> Axis:
     return Axis(title, (0.0, 1.0), [(n / 4, f"{25 * n} %") for n in range(5)])
 
 
-def linear_axis(title: str, low: float, high: float) -> Axis:
-    """Return an axis with six even ticks."""
-    ticks = [low + (high - low) * n / 5 for n in range(6)]
-    return Axis(title, (low, high), [(tick, shown(tick, ".3g")) for tick in ticks])
+def linear_axis(title: str, high: float) -> Axis:
+    """Return an axis from 0 with six even ticks."""
+    ticks = [high * n / 5 for n in range(6)]
+    return Axis(title, (0.0, high), [(tick, shown(tick, ".3g")) for tick in ticks])
 
 
 def logarithmic_axis(title: str, smallest: float, largest: float) -> Axis:

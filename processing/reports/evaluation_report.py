@@ -77,7 +77,7 @@ class EvaluationReport:
                 page.columns(
                     self._rates_chart(
                         success_by_offset,
-                        charts.linear_axis(tr("Offset from the nearest window, share of the stride"), 0.0, 0.5),
+                        charts.linear_axis(tr("Offset from the nearest window, share of the stride"), 0.5),
                         tr("Success against offset"),
                         tr(
                             "Correct positions of shifted windows, without noise, scaling or rotation. "

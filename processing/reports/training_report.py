@@ -96,7 +96,7 @@ class TrainingReport:
     def _loss(self) -> str:
         history = self.result["history"]
         losses = [row["training_loss"] for row in history]
-        axis = charts.linear_axis(tr("Loss"), 0.0, max([*losses, 1e-6]))
+        axis = charts.linear_axis(tr("Loss"), max([*losses, 1e-6]))
         series = [Series(tr("Loss"), [row["epoch"] for row in history], losses, marked=len(history) < 30)]
         chart = charts.line_chart(series, self._epochs(), axis, tr("Training loss"))
         return page.figure(chart, tr("Training loss: the error on training tiles."))

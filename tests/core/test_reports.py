@@ -17,7 +17,7 @@ def drawn(svg):
 
 
 LINE = Series(HOSTILE, [0.0, 0.25, 0.5], [0.0, 1.0, 0.5], [0.0, 0.9, 0.4], [0.1, 1.0, 0.6])
-X, Y = charts.linear_axis(HOSTILE, 0.0, 0.5), charts.percent_axis("right")
+X, Y = charts.linear_axis(HOSTILE, 0.5), charts.percent_axis("right")
 
 
 def every_chart():

@@ -67,7 +67,7 @@ class _Pairs(QgsMapCanvasItem):
             for color, width in ((RIM, 4), (RED, 2)):
                 painter.setPen(QPen(color, width))
                 painter.drawLine(self.toCanvasCoordinates(seen), place)
-            paint_ring(painter, place, _RING_PX, RED)
+            paint_ring(painter, place, _RING_PX)
         paint_numbers(painter, self._canvas.font(), places)
 
 
@@ -99,11 +99,11 @@ def paint_numbers(painter: QPainter, font: QFont, places: Iterable[tuple[int, QP
         painter.fillPath(path, _INK)
 
 
-def paint_ring(painter: QPainter, place: QPointF, radius: float, color: QColor) -> None:
-    """Paint a ring with a rim, in the painter's pixels."""
+def paint_ring(painter: QPainter, place: QPointF, radius: float) -> None:
+    """Paint a red ring with a rim, in the painter's pixels."""
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    for pen_color, width in ((RIM, 3.5), (color, 1.5)):
-        painter.setPen(QPen(pen_color, width))
+    for color, width in ((RIM, 3.5), (RED, 1.5)):
+        painter.setPen(QPen(color, width))
         painter.drawEllipse(place, radius, radius)
 
 

@@ -33,7 +33,7 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ....processing.translation import tr
-from ...canvas.marks import RED, RIM
+from ...canvas.marks import RIM
 from ...canvas.match_marks import paint_numbers, paint_ring
 from ...widgets.controls import remember
 from ...widgets.layouts import narrow, row_of
@@ -206,6 +206,6 @@ class _LandmarkDots(QGraphicsItem):
             painter.drawEllipse(transform.map(center), _LANDMARK_PX / 2, _LANDMARK_PX / 2)
         places = [(number, transform.map(center)) for number, center in self.matched]
         for _, place in places:
-            paint_ring(painter, place, _RING_PX, RED)
+            paint_ring(painter, place, _RING_PX)
         paint_numbers(painter, self._font, places)
         painter.setWorldTransform(transform)
