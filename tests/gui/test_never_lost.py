@@ -1,5 +1,6 @@
 """Results survive new projects and reloads of the plugin."""
 
+import shutil
 from pathlib import Path
 
 import pytest
@@ -24,9 +25,9 @@ def test_two_projects_in_turn_have_each_their_own_results_without_anybody_saving
         assert (tab.state_now(), results_of(dock)) == states[number]
 
 
-def test_results_of_a_project_that_was_never_saved_are_among_the_earlier_ones(plugin, dock, iface, area, tab):
+def test_results_of_a_project_that_was_never_saved_are_among_the_earlier_ones(plugin, dock, iface, area, tab, tmp_path):
     choose_method(dock, CONSTELLATION)
-    localize(dock, area.database, [area.image])
+    localize(dock, str(shutil.copy(area.database, tmp_path / "R&D.gpkg")), [area.image])
     shown = results_of(dock)
     QgsProject.instance().clear()
     # As when QGIS updates the plugin.
@@ -40,7 +41,7 @@ def test_results_of_a_project_that_was_never_saved_are_among_the_earlier_ones(pl
     assert results_of(again) == [] and not results.save.isEnabled()
     results.earlier.aboutToShow.emit()
     first = results.earlier.actions()[0]
-    assert first.text().endswith(" · area (1)")
+    assert first.text().endswith(" · R&&D (1)")
     first.trigger()
     assert results_of(again) == shown and results.save.isEnabled()
     wait_until(lambda: results.image.canvas.scene().items(), "the picture")

@@ -283,7 +283,9 @@ class LocalizeTab(QWidget):
     def _list_earlier(self) -> None:
         self.results.earlier.clear()
         for kept in run_records():
-            self.results.earlier.addAction(kept.title).triggered.connect(partial(self._show_run, kept))
+            # A single & would be an access key.
+            shown = self.results.earlier.addAction(kept.title.replace("&", "&&"))
+            shown.triggered.connect(partial(self._show_run, kept))
         if self.results.earlier.isEmpty():
             self.results.earlier.addAction(tr("No results yet")).setEnabled(False)
 
