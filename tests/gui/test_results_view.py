@@ -52,7 +52,7 @@ def test_a_row_has_two_lines_with_position_radius_and_error_probability(dock, if
     assert results.visualItemRect(results.item(0)).width() == results.viewport().width()
     first, second = (results.item(row).text().split("\n") for row in range(2))
     assert first[0] == "on_window.tif · Position · error below 1 in 10,000"
-    assert first[1].startswith("7.6") and " ± " in first[1] and first[1].endswith(" m")
+    assert first[1].startswith("48.7") and " ± " in first[1] and first[1].endswith(" m")
     assert second[0] == "broken.tif · Unreadable" and "is not an image" in second[1]
 
 
@@ -128,7 +128,7 @@ def test_a_fix_that_something_speaks_against_has_no_check_mark(dock, found, doub
     assert [shown for _, shown in results_of(dock)] == ["Position", status]
     # The start of the second line is never cut off.
     _, below = results.item(1).text().split("\n")
-    assert below.startswith(f"{status.partition(', ')[2]} · 7.6")
+    assert below.startswith(f"{status.partition(', ')[2]} · 48.7")
     tip = results.item(1).toolTip()
     assert status in tip and reason in tip
     results.setCurrentRow(1)
