@@ -22,7 +22,6 @@ from ..geometry.error_settings import SharedErrors
 from ..labels.class_shares import ClassShares
 from ..localization import RISK, CorrelationPeaks, Localization, Method, Place, Prior, Status
 from ..sentences import Sentence
-from .best_nearby import best_nearby
 from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, mirror_level
 from .decision import decide, decide_accuracy, position_error_95, rank, risk_of_peaks
 from .detail import detail_at
@@ -89,7 +88,7 @@ def localize(  # noqa: PLR0913 - an image by its labels and their shares, the ma
     if not poses:
         return _no_match(Sentence("The map has no place with labels under at least half of the image."))
     poses, peaks = _rank_places(image, pyramid, spaces, poses, chance)
-    pose, covariance = finest_pose(image, pyramid, best_nearby(image, pyramid, poses[0]))
+    pose, covariance = finest_pose(image, pyramid, poses[0])
     decided = reduce_image(image, settings.decision_edge)
     is_held = is_held_by_edge(decided, pyramid, pose, pyramid.quiet)
     height, width = labels_hw.shape

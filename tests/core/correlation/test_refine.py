@@ -1,7 +1,6 @@
 import numpy as np
 import pytest
 
-from semref.core.correlation.best_nearby import best_nearby
 from semref.core.correlation.class_pyramid import evidence_level
 from semref.core.correlation.exactness import covariance_on_map
 from semref.core.correlation.refine import NOT_COMPARABLE, ScoredPose, pose_covariance, refine, score_at
@@ -29,15 +28,6 @@ def test_a_pose_beside_the_true_one_is_moved_there_finer_than_a_pixel(patch_pyra
     assert abs(found.heading_deg - TRUE.heading_deg) < 0.3
     assert found.pixel_size_m == pytest.approx(TRUE.pixel_size_m, rel=0.005)
     assert found.score > score_at(image, patch_pyramid, start, patch_pyramid.quiet)
-
-
-@pytest.mark.parametrize("x, y", [(77, 0), (-39, 67), (-77, 0), (39, -67)])
-def test_the_best_pose_nearby_is_found_where_refinement_ends_at_another(patch_pyramid, image, x, y):
-    start = ScoredPose(TRUE.x + x, TRUE.y + y, TRUE.heading_deg, TRUE.pixel_size_m)
-    beside = refine(image, patch_pyramid, start, patch_pyramid.quiet, 12)
-    found = best_nearby(image, patch_pyramid, start)
-    assert np.hypot(beside.x - TRUE.x, beside.y - TRUE.y) > 2 * PIXEL_M and beside.score < found.score
-    assert np.hypot(found.x - TRUE.x, found.y - TRUE.y) < 0.2 * PIXEL_M
 
 
 def test_the_score_is_high_at_the_true_pose_and_missing_beside_the_map(patch_pyramid, image):
