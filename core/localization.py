@@ -236,6 +236,8 @@ class Localization:
         covariance: Covariance of the best candidate's position, heading and pixel size.
         matches: Landmarks that agree with the map at the best candidate; ignored when results are compared.
         search_capped: The search omitted the most common patterns, as it does in very large databases.
+        mirror_log_odds: Of the best candidate of the mirrored image, which has no right position; constellation only.
+        runner_up_log_odds: Of the second candidate, −inf without one; constellation only.
         peaks: Of map correlation, also if it was only the second method.
         distance: Distance between topology vectors.
         window: Name of the matched window.
@@ -259,6 +261,8 @@ class Localization:
     covariance: PoseCovariance | None = None
     matches: Matches | None = field(default=None, compare=False)
     search_capped: bool = False
+    mirror_log_odds: float | None = None
+    runner_up_log_odds: float | None = None
     peaks: CorrelationPeaks | None = None
     distance: float | None = None
     window: str | None = None

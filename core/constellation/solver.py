@@ -218,6 +218,8 @@ def _decide(
         covariance=covariance,
         matches=_matches(objects, query, index, best),
         search_capped=capped,
+        mirror_log_odds=opponents.mirror,
+        runner_up_log_odds=opponents.runner_up,
     )
 
 

@@ -65,6 +65,7 @@ class Trial:
         radius_ratio: Error in units of the stated 95 % ellipse or circle in its direction; at most 1 inside.
         window: Matched window, or the one nearest to the position.
         landmarks: Landmarks of the map, whole in view or in the window, before any errors; None if not counted.
+        seconds: Processor time of localizing; NaN if not measured.
         is_likely_right: Whether it is a likely position at the right place, which is no fix.
     """
 
@@ -78,6 +79,7 @@ class Trial:
     radius_ratio: float | None = None
     window: str | None = None
     landmarks: int | None = None
+    seconds: float = math.nan
     is_likely_right: bool = False
 
     @property
@@ -96,12 +98,13 @@ class Trial:
         return self.is_fix and not self.is_right
 
 
-def judge(
+def judge(  # noqa: PLR0913 - the last three are notes that a trial carries along
     query: Query,
     method: Method,
     result: Localization,
     right_within: float | None = None,
     landmarks: int | None = None,
+    seconds: float = math.nan,
 ) -> Trial:
     """Compare a result with the ground truth.
 
@@ -109,9 +112,10 @@ def judge(
         query: The image with its view.
         right_within: Largest error of a right position, m; None for RIGHT_SHARE of the footprint.
         landmarks: As in ``Trial``.
+        seconds: As in ``Trial``.
     """
     if result.position is None:
-        return Trial(query, method, result, landmarks=landmarks)
+        return Trial(query, method, result, landmarks=landmarks, seconds=seconds)
     view = query.view
     x, y = result.position[0] - view.x, result.position[1] - view.y
     error, heading_error, scale_error = math.hypot(x, y), None, None
@@ -131,6 +135,7 @@ def judge(
         _radius_ratio(x, y, result),
         result.window,
         landmarks,
+        seconds,
         is_there and result.is_likely,
     )
 

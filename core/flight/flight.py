@@ -81,11 +81,13 @@ class FlightSolver:
 
     Attributes:
         poses: One for each image, in order; empty until all steps are done.
+        causal: Poses from each image and the ones before only, as far as the steps are done.
     """
 
     def __init__(self, localizer: Localizer, settings: FlightSettings = FLIGHT) -> None:
         self.localizer, self.settings = localizer, settings
         self.poses: tuple[FlightPose, ...] = ()
+        self.causal: tuple[FlightPose, ...] = ()
         self._looked: list[Looked] = []
 
     def steps(self, images: Sequence[FlightImage], links: Sequence[Link]) -> Iterator[tuple[int, int]]:
@@ -109,6 +111,7 @@ class FlightSolver:
                 tracks.append(_Track(tracker.track, tracker.risk, number, number, number))
             elif tracker.looked.estimate is not None:
                 tracks[-1].last = number
+            self.causal = tuple(poses)
             yield number + 1, len(images)
         earliest = 0
         for track in tracks:
