@@ -23,17 +23,18 @@ class DescribedWindow:
         distances: (M,) distances of their vectors.
     """
 
+    index: int
     objects: np.ndarray
     look_alikes: np.ndarray
     distances: np.ndarray
 
 
-def window_at(windows: Windows, x: float, y: float) -> int | None:
-    """Return the index of the smallest window around map (x, y), of several the nearest center; None without one."""
+def window_at(windows: Windows, x: float, y: float) -> int:
+    """Return the index of the smallest window around map (x, y), of several the nearest center; −1 without one."""
     away = np.abs(windows.centers - (x, y)).max(axis=1)
     holding = np.flatnonzero(away <= windows.sizes / 2)
     if not len(holding):
-        return None
+        return -1
     smallest = holding[windows.sizes[holding] == windows.sizes[holding].min()]
     return int(smallest[np.hypot(*(windows.centers[smallest] - (x, y)).T).argmin()])
 
@@ -47,7 +48,7 @@ def describe_window(database: ReferenceDatabase, index: int) -> DescribedWindow:
     windows = database.windows
     center, half = windows.centers[index], windows.sizes[index] / 2
     if not windows.described[index]:
-        return DescribedWindow(np.empty(0, np.int64), np.empty(0, np.int64), np.empty(0))
+        return DescribedWindow(index, np.empty(0, np.int64), np.empty(0, np.int64), np.empty(0))
     references = database.references
     inside = np.flatnonzero((np.abs(references.positions - center) < half).all(axis=1))
     offsets = (references.positions[inside] - center) * (1, -1)
@@ -62,7 +63,7 @@ def describe_window(database: ReferenceDatabase, index: int) -> DescribedWindow:
     distances[~windows.described] = np.inf
     found = _apart(windows, index, np.argsort(distances, kind="stable"))
     found = found[np.isfinite(distances[found])]
-    return DescribedWindow(inside[kept], found, distances[found])
+    return DescribedWindow(index, inside[kept], found, distances[found])
 
 
 def _apart(windows: Windows, index: int, order: np.ndarray) -> np.ndarray:

@@ -7,7 +7,7 @@ from math import hypot
 
 import numpy as np
 
-from ...core.database.look_alikes import describe_window, vector_rows
+from ...core.database.look_alikes import describe_window, vector_rows, window_at
 from ...core.database.model import ReferenceDatabase
 from ...core.labels.class_table import ClassTable
 from ...core.windows.topology_vector import vector_confidence, vector_distances
@@ -98,12 +98,17 @@ def find_window(database: ReferenceDatabase, name: str) -> int | None:
     return int(found[0]) if len(found) else None
 
 
+def window_at_point(database: ReferenceDatabase, x: float, y: float) -> int | None:
+    """Return the index of the smallest window around map (x, y), then with the nearest center; None without one."""
+    index = window_at(database.windows, x, y)
+    return None if index < 0 else index
+
+
 def inspect_window(database: ReferenceDatabase, index: int) -> InspectedWindow:
     windows, found = database.windows, describe_window(database, index)
     vector = windows.vectors[index] if windows.described[index] else None
     look_alikes = tuple(
-        LookAlike(n, str(windows.names[n]), distance, _center(database, n), float(windows.sizes[n]))
-        for n, distance in zip(found.look_alikes.tolist(), found.distances.tolist())
+        look_alike(database, int(n), float(distance)) for n, distance in zip(found.look_alikes, found.distances)
     )
     return InspectedWindow(
         index,
@@ -116,6 +121,12 @@ def inspect_window(database: ReferenceDatabase, index: int) -> InspectedWindow:
         tuple(map(tuple, database.references.positions[found.objects].tolist())),
         look_alikes,
     )
+
+
+def look_alike(database: ReferenceDatabase, index: int, distance: float) -> LookAlike:
+    """Describe a window with a vector that differs by ``distance`` from the displayed one."""
+    windows = database.windows
+    return LookAlike(index, str(windows.names[index]), distance, _center(database, index), float(windows.sizes[index]))
 
 
 def compare(window: InspectedWindow, vector: np.ndarray, table: ClassTable) -> Comparison | None:

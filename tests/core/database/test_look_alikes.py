@@ -49,7 +49,7 @@ def test_a_window_without_a_vector_has_no_similar_windows(database):
     assert len(found.objects) == len(found.look_alikes) == 0
 
 
-@pytest.mark.parametrize(("x", "index"), [(10, 0), (70, 0), (80, 1), (249, 4), (301, None)])
+@pytest.mark.parametrize(("x", "index"), [(10, 0), (70, 0), (80, 1), (249, 4), (301, -1)])
 def test_the_window_at_a_place_is_the_one_with_the_nearest_center(database, x, index):
     assert window_at(database.windows, x, 50) == index
 

@@ -22,7 +22,6 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
-from ....core.database.look_alikes import window_at
 from ....core.database.model import ReferenceDatabase
 from ....processing.inspection.window import (
     Comparison,
@@ -30,6 +29,7 @@ from ....processing.inspection.window import (
     compare,
     find_window,
     inspect_window,
+    window_at_point,
 )
 from ....processing.layers.reference_systems import transformed_point
 from ....processing.messages.numbers import LocalTemplate
@@ -177,7 +177,7 @@ class InspectTab(QWidget):
         place = transformed_point(QgsCoordinateTransform(crs, self._crs, QgsProject.instance()), point)
         if place is None:
             return
-        index = window_at(self._database.windows, place.x(), place.y())
+        index = window_at_point(self._database, place.x(), place.y())
         if index is None:
             self._messages.info(tr("The database has no window at this place."))
             return
