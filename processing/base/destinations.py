@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from qgis.core import (
+    QgsDataSourceUri,
     QgsMapLayer,
     QgsProcessing,
     QgsProcessingAlgorithm,
@@ -30,7 +31,6 @@ from ...storage.atomic_output import require_empty
 from ...storage.replaceable import require_replaceable
 
 _OGR = re.compile(r"^ogr:(?=.*dbname=)", re.IGNORECASE)
-_DATABASE = re.compile(r"""dbname=(?:'([^']*)'|"([^"]*)"|(\S+))""")
 _PROVIDER = re.compile(r"^(memory|postgis|postgres|spatialite|mssql|oracle|hana|mysql|ogr):", re.IGNORECASE)
 _LAYER_NAME = re.compile(r"layername=([^|]*)", re.IGNORECASE)
 _LAYER_OF_FILE = re.compile(r"\|(layername|layerid|table)=", re.IGNORECASE)
@@ -44,7 +44,6 @@ RASTER_SUFFIXES = ".tif", ".tiff"
 """Of GeoTIFF, the only raster format of outputs."""
 _ROWS = "semref_outputs_of_rows"
 """Qt property of a batch's feedback."""
-_TABLE = re.compile(r"""table=(?:"([^"]*)"|'([^']*)'|(\S+))""")
 
 
 @dataclass(frozen=True)
@@ -65,7 +64,11 @@ class Destination:
 
     def in_file(self, path: str) -> str:
         """Return the same destination in another file."""
-        return self.text.replace(self.path, path, 1) if self.is_table else path
+        if not self.is_table:
+            return path
+        uri = _uri(self.text)
+        uri.setDatabase(path)
+        return f"ogr:{uri.uri(False)}"
 
     def collides(self, other: Destination) -> bool:
         """Return whether one of two outputs would replace the other."""
@@ -91,8 +94,7 @@ def destination_of(value: Any, context: QgsProcessingContext, is_layer: bool = T
     if not text or text == QgsProcessing.TEMPORARY_OUTPUT:
         return Destination(text)
     if _OGR.match(text):
-        found = _DATABASE.search(text)
-        path = next((group for group in found.groups() if group), "") if found else ""
+        path = _uri(text).database()
         return Destination(text, path, bool(path))
     if _PROVIDER.match(text):
         return Destination(text)
@@ -275,11 +277,12 @@ def _require_free(definition: QgsProcessingParameterDefinition, wanted: Destinat
 
 def _adds_a_layer(wanted: Destination, read: _Input) -> bool:
     """Return whether an output only adds a layer to the file of an input."""
-    if not wanted.is_table:
-        return False
-    found = _TABLE.search(wanted.text)
-    table = next((group for group in found.groups() if group), "") if found else ""
-    return bool(table) and bool(read.layer) and table != read.layer
+    return wanted.is_table and bool(read.layer) and _uri(wanted.text).table() not in ("", read.layer)
+
+
+def _uri(text: str) -> QgsDataSourceUri:
+    """Parse ``ogr:dbname='…' table="…"``, as QGIS does when it writes the layer."""
+    return QgsDataSourceUri(text.partition(":")[2])
 
 
 def _inputs(
