@@ -201,8 +201,8 @@ def drawn_file(
     """
     from ..layers.rendering import draw, plan_drawing
 
-    drawing = plan_drawing(layer, *ground, resolution_m, context)
-    height, width = drawing.frame.shape_hw
+    crs, frame = plan_drawing(layer, *ground, resolution_m, context)
+    height, width = frame.shape_hw
     text = tr(
         "Drawing “{layer}” with {width} × {height} pixels of {resolution:g} cm. Check that its provider permits "
         "this use."
@@ -210,8 +210,8 @@ def drawn_file(
     resolution_cm = 100 * resolution_m
     feedback.pushInfo(text.format(layer=layer.name(), width=width, height=height, resolution=resolution_cm))
     path = QgsProcessingUtils.generateTempFilename(f"{_stem(layer.name())}.tif")
-    follow(draw(drawing, path, context, feedback.isCanceled), feedback)
-    return path, drawing.crs
+    follow(draw(layer, (crs, frame), path, context, feedback.isCanceled), feedback)
+    return path, crs
 
 
 def _stem(name: str) -> str:

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Generator, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 from math import ceil
 from typing import Callable
 
@@ -28,6 +27,7 @@ from qgis.PyQt.QtGui import QColor, QImage
 from ...core import limits
 from ...core.errors import ImageError
 from ...core.geometry.frame import MapFrame
+from ...core.steps import Steps
 from ...storage.pictures import ColorPicture
 from ..compat import MAP_TILE, is_metric, wkt_for_gdal
 from .downloads import Downloads, install, watched_downloads
@@ -43,21 +43,6 @@ PICTURE_DPI = 192
 
 TRUE_TO_SCALE = 0.01
 """Largest relative scale error of a CRS for drawing. In Europe, the scale of web maps is off by about a third."""
-
-
-@dataclass(frozen=True)
-class Drawing:
-    """A planned drawing.
-
-    Attributes:
-        layer: Result of ``drawable``.
-        crs: Metric CRS, true to scale.
-        frame: Pixel grid.
-    """
-
-    layer: QgsRasterLayer
-    crs: QgsCoordinateReferenceSystem
-    frame: MapFrame
 
 
 def needs_drawing(layer: QgsRasterLayer | None) -> bool:
@@ -81,8 +66,8 @@ def plan_drawing(
     extent_crs: QgsCoordinateReferenceSystem,
     pixel_size_m: float,
     context: QgsCoordinateTransformContext,
-) -> Drawing:
-    """Plan the drawing of a layer.
+) -> tuple[QgsCoordinateReferenceSystem, MapFrame]:
+    """Return the metric CRS for drawing a layer, true to scale, and the pixel grid.
 
     Args:
         layer: Result of ``drawable``.
@@ -110,30 +95,37 @@ def plan_drawing(
             most_million=most,
         )
     transform = ground.xMinimum(), pixel_size_m, 0.0, ground.yMaximum(), 0.0, -pixel_size_m
-    return Drawing(layer, crs, MapFrame(wkt_for_gdal(crs), transform, (height, width)))
+    return crs, MapFrame(wkt_for_gdal(crs), transform, (height, width))
 
 
 def draw(
-    drawing: Drawing, path: str, context: QgsCoordinateTransformContext, canceled: Callable[[], bool]
-) -> Generator[tuple[str, float], None, None]:
-    """Draw into a GeoTIFF; yield (current step, share done 0…1) after each tile.
+    layer: QgsRasterLayer,
+    plan: tuple[QgsCoordinateReferenceSystem, MapFrame],
+    path: str,
+    context: QgsCoordinateTransformContext,
+    canceled: Callable[[], bool],
+) -> Steps[None]:
+    """Draw a layer into a GeoTIFF; yield after each tile.
 
     Args:
+        layer: Result of ``drawable``.
+        plan: Result of ``plan_drawing``.
         canceled: Called several times a second; True ends the drawing.
 
     Raises:
         ImageError: The layer shows nothing in the extent, or its server fails.
         UnwritableError: The file can't be written.
     """
-    name, settings = drawing.layer.name(), _settings([drawing.layer], drawing.crs, context)
-    height, width = drawing.frame.shape_hw
+    crs, frame = plan
+    name, settings = layer.name(), _settings([layer], crs, context)
+    height, width = frame.shape_hw
     places = [(column, row) for row in range(0, height, TILE_PX) for column in range(0, width, TILE_PX)]
     anything, problems = False, []
-    with ColorPicture(path, drawing.frame) as picture, watched_downloads(drawing.layer) as downloads:
+    with ColorPicture(path, frame) as picture, watched_downloads(layer) as downloads:
         for n, (column, row) in enumerate(places, start=1):
             shape_hw = min(TILE_PX, height - row), min(TILE_PX, width - column)
             settings.setOutputSize(QSize(*reversed(shape_hw)))
-            settings.setExtent(QgsRectangle(*drawing.frame.part(column, row, shape_hw).extent))
+            settings.setExtent(QgsRectangle(*frame.part(column, row, shape_hw).extent))
             image, errors = _draw_piece(settings, canceled, downloads, name)
             pixels_hw4 = _pixels(image, shape_hw)
             _require_plain_answers(name, downloads)
