@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from osgeo import gdal
@@ -12,11 +11,9 @@ from ..core.errors import LabelMapError
 from ..core.geometry.frame import MapFrame
 from .gdal_errors import gdal_failure, gdal_failures
 from .label_maps import RasterFile
+from .pixel_grid import Bounds
 from .rasters import open_raster
 from .training_tiles import ImageBands
-
-Bounds = tuple[float, float, float, float]
-"""Left, bottom, right, top, in map units."""
 
 IMAGE = "image.vrt"
 """Name of the VRT that reprojects, resamples or cuts the image."""
@@ -25,33 +22,22 @@ _SQUARE_WITHIN = 1e-6
 """Largest relative difference between the edges of a square pixel."""
 
 
-@dataclass(frozen=True)
-class WantedGround:
-    """How to prepare the image.
-
-    Attributes:
-        crs_wkt: WKT of the target CRS in meters; "" to keep the CRS.
-        pixel_size: Edge of a pixel in that CRS; None to keep the image's pixel size.
-        bounds: Wanted extent in that CRS; None for all.
-    """
-
-    crs_wkt: str = ""
-    pixel_size: float | None = None
-    bounds: Bounds | None = None
-
-
 def is_upright(transform: Sequence[float]) -> bool:
     """Whether a geotransform has north up and square pixels."""
     _, across, turn_x, _, turn_y, down = transform
     return not (turn_x or turn_y) and across > 0 > down and abs(across + down) <= _SQUARE_WITHIN * across
 
 
-def prepare_image(image: RasterFile, wanted: WantedGround, folder: Path) -> RasterFile:
+def prepare_image(
+    image: RasterFile, folder: Path, crs_wkt: str, pixel_size: float | None, bounds: Bounds | None
+) -> RasterFile:
     """Return the image itself if it is as wanted, otherwise a VRT in ``folder``.
 
     Args:
         image: The image; without a georeference it is returned unchanged.
-        wanted: CRS, pixel size and bounds.
+        crs_wkt: WKT of the target CRS in meters; "" to keep the CRS.
+        pixel_size: Edge of a pixel in that CRS; None to keep the image's pixel size.
+        bounds: Wanted extent in that CRS; None for all.
 
     Raises:
         ImageError: The image can't be read.
@@ -64,15 +50,15 @@ def prepare_image(image: RasterFile, wanted: WantedGround, folder: Path) -> Rast
     if transform is None:
         return image
     target = str(folder / IMAGE)
-    if wanted.crs_wkt or wanted.pixel_size or not is_upright(transform):
-        options = {"srcSRS": image.crs_wkt or None, "dstSRS": wanted.crs_wkt or image.crs_wkt or None}
-        size = {"xRes": wanted.pixel_size, "yRes": wanted.pixel_size} if wanted.pixel_size else {}
-        is_coarser = wanted.pixel_size and not wanted.crs_wkt and wanted.pixel_size > abs(transform[1])
+    if crs_wkt or pixel_size or not is_upright(transform):
+        options = {"srcSRS": image.crs_wkt or None, "dstSRS": crs_wkt or image.crs_wkt or None}
+        size = {"xRes": pixel_size, "yRes": pixel_size} if pixel_size else {}
+        is_coarser = pixel_size and not crs_wkt and pixel_size > abs(transform[1])
         method = "average" if is_coarser else "bilinear"
-        options |= {"outputBounds": wanted.bounds, "resampleAlg": method, "dstAlpha": True, **size}
+        options |= {"outputBounds": bounds, "resampleAlg": method, "dstAlpha": True, **size}
         convert = gdal.Warp
-    elif wanted.bounds is not None:
-        left, bottom, right, top = wanted.bounds
+    elif bounds is not None:
+        left, bottom, right, top = bounds
         options, convert = {"projWin": (left, top, right, bottom)}, gdal.Translate
     else:
         return image
@@ -83,7 +69,7 @@ def prepare_image(image: RasterFile, wanted: WantedGround, folder: Path) -> Rast
         reason = gdal_failure(failures[0] if failures else None)
         raise LabelMapError("{path} can't be read: {reason}.", path=image.path, reason=reason)
     made.FlushCache()
-    return RasterFile(target, wanted.crs_wkt or image.crs_wkt, image.is_metric or bool(wanted.crs_wkt), ())
+    return RasterFile(target, crs_wkt or image.crs_wkt, image.is_metric or bool(crs_wkt), ())
 
 
 def is_placed(image: RasterFile) -> bool:

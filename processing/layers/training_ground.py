@@ -20,7 +20,7 @@ from ...core.errors import ParameterError, TrainingError
 from ...core.labels.class_table import ClassTable
 from ...storage.label_maps import RasterFile
 from ...storage.rasterize import AreaMask
-from ...storage.training_ground import WantedGround, frame_of, is_placed, prepare_image
+from ...storage.training_ground import frame_of, is_placed, prepare_image
 from ..compat import is_metric, wkt_for_gdal
 from .areas import DrawnArea, area_mask
 from .layer_inputs import RasterLayer, image_layer
@@ -127,7 +127,7 @@ class TrainingGround:
             )
         crs = self.crs
         changed = wkt_for_gdal(crs) if crs != self.layer.crs else ""
-        return prepare_image(self.layer.file, WantedGround(changed, self.pixel_size, self._bounds(crs)), folder)
+        return prepare_image(self.layer.file, folder, changed, self.pixel_size, self._bounds(crs))
 
     def mask(self, image: RasterFile) -> AreaMask | None:
         """Return the mask of the training area on the prepared image; None for all. Raises ParameterError."""
