@@ -25,7 +25,7 @@ from ...core.labels.class_table import class_table_from_names
 from ...core.labels.openstreetmap import Rule, Rules, tags_of
 from ...core.values import schema
 from ...storage.gdal_errors import gdal_failures
-from ..base.algorithm import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
+from ..base.algorithm import ANNOTATION, Declared, SemRefAlgorithm, each
 from ..base.outputs import FeatureSink, Outputs
 from ..base.parameters import with_help
 from ..base.values import Values
@@ -50,9 +50,6 @@ POLYGONS_OF_OSM, LINES_OF_OSM = "multipolygons", "lines"
 
 FIELDS = schema("class text, priority integer, tag text, osm_id text, name text")
 ID_COLUMNS = ("osm_id", "osm_way_id", "id", "full_id")
-CHECK_EVERY = 1000
-"""Features between two checks for a cancel."""
-
 LEFT_OUT = ""
 """Counts features without a class or without an area."""
 
@@ -186,12 +183,9 @@ def _features(
 
     Raises ParameterError where a file ends early: QGIS would use what it read as if it were complete.
     """
-    names, total = source.fields().names(), max(source.featureCount(), 1)
+    names = source.fields().names()
     with gdal_failures() as failures:
-        for number, feature in enumerate(source.getFeatures()):
-            if number % CHECK_EVERY == 0:
-                check_canceled(feedback)
-                feedback.setProgress(min(100 * number / total, 100))
+        for feature in each(source.getFeatures(), feedback, source.featureCount()):
             values = zip(names, feature.attributes())
             yield feature.geometry(), {name: value for name, value in values if not is_null(value)}
     if failures:

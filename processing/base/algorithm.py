@@ -6,7 +6,7 @@ import contextlib
 import errno
 import re
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor, wait
 from html import escape
 from pathlib import Path
@@ -41,6 +41,7 @@ from .values import Values
 
 Declared = Union[QgsProcessingParameterDefinition, QgsProcessingOutputDefinition]
 Result = TypeVar("Result")
+Item = TypeVar("Item")
 
 ICON_PATH = Path(__file__).resolve().parents[2] / "resources" / "icon.svg"
 
@@ -51,6 +52,9 @@ REPORTS_AS_FILES = "reports_as_files"
 
 CANCEL_EVERY_S = 0.2
 """Seconds between checks for a cancel during work that cannot be interrupted."""
+
+CHECK_EVERY = 256
+"""Features between two checks for a cancel."""
 
 
 class Canceled(Exception):
@@ -303,6 +307,16 @@ def _sentence(error: SemRefError | Canceled | OSError | QgsProcessingException) 
 def check_canceled(feedback: QgsProcessingFeedback) -> None:
     if feedback.isCanceled():
         raise Canceled
+
+
+def each(items: Iterable[Item], feedback: QgsProcessingFeedback, total: int = 0, last: float = 100.0) -> Iterator[Item]:
+    """Yield the items; check for a cancel at times and, of a ``total``, show progress up to ``last`` %."""
+    for n, item in enumerate(items):
+        if n % CHECK_EVERY == 0:
+            check_canceled(feedback)
+            if total > 0:
+                feedback.setProgress(min(last * n / total, last))
+        yield item
 
 
 def cancelable(function: Callable[..., Result], *arguments: Any, feedback: QgsProcessingFeedback) -> Result:

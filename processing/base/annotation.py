@@ -16,7 +16,7 @@ from ...core.labels.class_table import ClassTable
 from ...storage.pixel_grid import Bounds, union_of_bounds
 from ..translation import tr
 from . import parameters
-from .algorithm import ANNOTATION, SemRefAlgorithm, check_canceled
+from .algorithm import ANNOTATION, SemRefAlgorithm, check_canceled, each
 from .values import Values
 
 if TYPE_CHECKING:
@@ -99,15 +99,10 @@ class AnnotationAlgorithm(SemRefAlgorithm):
         with_attributes: bool = False,
     ) -> AnnotationReading:
         """Read the layer and show progress up to ``last`` %."""
-        from ..layers.annotation_features import AnnotationReading, read_features
+        from ..layers.annotation_features import read_features
 
-        reading = AnnotationReading()
-        arguments = lookup, crs, values.transform_context, reading, with_attributes
-        for n in read_features(self._source, *arguments):
-            if n % 256 == 0:
-                check_canceled(feedback)
-                feedback.setProgress(last * n / max(self._source.count, 1))
-        return reading
+        features = each(self._source.read(with_attributes), feedback, self._source.count, last)
+        return read_features(self._source, features, lookup, crs, values.transform_context, with_attributes)
 
     def burn_polygons(
         self, values: Values, feedback: QgsProcessingFeedback, crs: QgsCoordinateReferenceSystem, last: float
@@ -122,12 +117,9 @@ class AnnotationAlgorithm(SemRefAlgorithm):
         transform = None
         if crs != source.crs:
             transform = QgsCoordinateTransform(source.crs, crs, values.transform_context)
-        counts, polygons = AnnotationCounts(), []
-        for n, found in enumerate(burn_polygons(source, lookup, transform, counts)):
-            polygons += found
-            if n % 256 == 0:
-                check_canceled(feedback)
-                feedback.setProgress(last * n / max(source.count, 1))
+        counts = AnnotationCounts()
+        features = each(source.read(), feedback, source.count, last)
+        polygons = list(burn_polygons(source, features, lookup, transform, counts))
         for warns, sentence in counts.sentences():
             (feedback.pushWarning if warns else feedback.pushInfo)(sentence)
         require_known_classes(counts.unknown, source.name, lookup.table)

@@ -40,7 +40,7 @@ from ..layers.layer_inputs import stated_pixel_size_m
 from ..layers.line_areas import LineAreas
 from ..layers.reference_systems import WGS84, metric_crs, transformed_box, transformed_point
 from ..translation import tr
-from .algorithm import check_canceled
+from .algorithm import check_canceled, each
 
 RATIO = 0.75
 """Height to width of a typical photo, where no photo is known."""
@@ -52,7 +52,6 @@ _VIEW_DEG = 2 * math.degrees(math.atan(0.5))
 """Field of view of a camera whose height is the ground width of its photos."""
 
 _WIDTHS_READ = 2000
-_CHECK_EVERY = 500
 
 
 class AreaMap:
@@ -273,9 +272,7 @@ def read_area(
     classes: set[str] = set()
     areas, widths, centers, sha = [], [], [], hashlib.sha256()
     back = transformed_box(QgsCoordinateTransform(crs, area.crs, context), extent)
-    for number, (name, geometry) in enumerate(area.polygons(back, rules)):
-        if number % _CHECK_EVERY == 0:
-            check_canceled(feedback)
+    for name, geometry in each(area.polygons(back, rules), feedback):
         if not name or geometry.isEmpty():
             continue
         sha.update(name.encode() + b"\0" + geometry.asWkb().data())

@@ -13,7 +13,7 @@ from ...core.labels.class_table import UNLABELED, ClassTable
 from ...core.values import schema
 from ..compat import POLYGON
 from ..translation import tr
-from .algorithm import check_canceled, follow, interruptible
+from .algorithm import check_canceled, each, follow, interruptible
 from .annotation import geometry_of
 from .outputs import Outputs
 from .values import Values
@@ -31,8 +31,6 @@ FIELDS = schema("class integer, class_name text, area real")
 
 TOLERANCE_PX = 1.5
 """Tolerance that straightens pixel edges: those of a slanting line are at most 0.71 pixels off it."""
-
-_CHECK_EVERY = 1000
 
 
 class SegmentedFiles:
@@ -148,7 +146,5 @@ def write_polygons(
     areas, wkb = areas_and_wkb(polygons)
     renderer = annotation_renderer(table, "class_name")
     with outputs.layer(key, FIELDS, POLYGON, crs, "class_polygons", renderer=renderer) as sink:
-        for n, (value, area, outline) in enumerate(zip(classes.tolist(), areas.tolist(), wkb)):
-            if n % _CHECK_EVERY == 0:
-                check_canceled(feedback)
+        for value, area, outline in each(zip(classes.tolist(), areas.tolist(), wkb), feedback):
             sink.add_row(geometry_of(outline), (value, names.get(value), area))

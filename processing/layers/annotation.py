@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import Callable
 
@@ -14,6 +14,7 @@ from qgis.core import (
     QgsCsException,
     QgsExpression,
     QgsFeature,
+    QgsFeatureIterator,
     QgsFeatureRequest,
     QgsGeometry,
     QgsProcessingFeatureSourceDefinition,
@@ -61,6 +62,13 @@ class AnnotationSource:
     def raw_class(self, feature: QgsFeature) -> object:
         """Return the content of a feature's class field; ``class_lookup`` maps it to a class value."""
         return self.class_of_all or feature.attribute(self.class_index)
+
+    def read(self, with_attributes: bool = False) -> QgsFeatureIterator:
+        """Return the features; with all attributes, or only with class and priority."""
+        request = QgsFeatureRequest(self.request)
+        if with_attributes:
+            request.setSubsetOfAttributes(list(range(len(self.features.fields()))))
+        return self.features.getFeatures(request)
 
     @property
     def class_expression(self) -> str:
@@ -257,19 +265,21 @@ def _distinct_values(source: AnnotationSource, canceled: Callable[[], bool]) -> 
 
 
 def burn_polygons(
-    source: AnnotationSource, lookup: ClassLookup, transform: QgsCoordinateTransform | None, counts: AnnotationCounts
-) -> Iterator[list[BurnPolygon]]:
-    """Yield the polygons of each feature, an empty list for a skipped one, and update ``counts``."""
-    for feature in source.features.getFeatures(source.request):
+    source: AnnotationSource,
+    features: Iterable[QgsFeature],
+    lookup: ClassLookup,
+    transform: QgsCoordinateTransform | None,
+    counts: AnnotationCounts,
+) -> Iterator[BurnPolygon]:
+    """Yield the polygons of the source's features, and update ``counts``."""
+    for feature in features:
         raw = source.raw_class(feature)
         geometry = feature.geometry()
         if geometry.isNull() or geometry.isEmpty():
             counts.empty += 1
-            yield []
             continue
         if is_null(raw) or not raw_text(raw):
             counts.without_class += 1
-            yield []
             continue
         value = lookup.value(raw)
         if value is None:
@@ -277,10 +287,10 @@ def burn_polygons(
                 counts.not_in_style += 1
             else:
                 counts.unknown[raw_text(raw)] += 1
-            yield []
             continue
         priority = drawing_priority(feature, source, lookup.draw_orders.get(value, 0.0))
-        yield [BurnPolygon(wkb, value, priority, bounds) for wkb, bounds in _parts(geometry, transform, counts)]
+        for wkb, bounds in _parts(geometry, transform, counts):
+            yield BurnPolygon(wkb, value, priority, bounds)
 
 
 def drawing_priority(feature: QgsFeature, source: AnnotationSource, draw_order: float) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
 from qgis.core import (
@@ -11,7 +11,6 @@ from qgis.core import (
     QgsCoordinateTransformContext,
     QgsCsException,
     QgsFeature,
-    QgsFeatureRequest,
     QgsGeometry,
     QgsRectangle,
     QgsWkbTypes,
@@ -46,19 +45,17 @@ class AnnotationReading:
 
 def read_features(
     source: AnnotationSource,
+    features: Iterable[QgsFeature],
     lookup: ClassLookup,
     crs: QgsCoordinateReferenceSystem,
     transform_context: QgsCoordinateTransformContext,
-    reading: AnnotationReading,
     with_attributes: bool = False,
-) -> Iterator[int]:
-    """Fill ``reading`` with geometries in the metric ``crs``; yield the number of features read."""
+) -> AnnotationReading:
+    """Return the source's features with geometries in the metric ``crs``, and findings about single features."""
     transform = QgsCoordinateTransform(source.crs, crs, transform_context) if crs != source.crs else None
     is_inside = _is_in_area_of_use(source, transform_context)
-    request = QgsFeatureRequest(source.request)
-    if with_attributes:
-        request.setSubsetOfAttributes(list(range(len(source.features.fields()))))
-    for number, feature in enumerate(source.features.getFeatures(request), start=1):
+    reading = AnnotationReading()
+    for feature in features:
         geometry = feature.geometry()
         outside = not geometry.isNull() and not geometry.isEmpty() and not is_inside(geometry.boundingBox())
         placed = _reproject(geometry, transform)
@@ -69,13 +66,13 @@ def read_features(
         if QgsWkbTypes.hasZ(geometry.wkbType()):
             reading.findings.append(Finding(THREE_DIMENSIONAL, INFORMATION, **about))
         value = _class_value(feature, source, lookup, about, reading.findings)
-        yield number
         if placed is None and not geometry.isNull():
             continue
         priority = drawing_priority(feature, source, lookup.draw_orders.get(value, 0.0))
         reading.features.append(AnnotatedFeature(feature.id(), wkb, value, priority))
         if with_attributes:
             reading.attributes.append(feature.attributes())
+    return reading
 
 
 def _class_value(
