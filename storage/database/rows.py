@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sqlite3
 import struct
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from itertools import chain, islice
 
 import numpy as np
@@ -23,30 +23,20 @@ _POINT = np.dtype([("header", "V8"), ("order", "u1"), ("type", "<u4"), ("xy", "<
 _LITTLE_ENDIAN = 1
 
 
-def batches(connection: sqlite3.Connection, query: str) -> Iterator[list[list]]:
-    """Yield the columns of a query in batches of rows, at least one, which may be empty.
-
-    The tuples of the rows are not kept: Python's search for garbage visits each of them again and again.
-    """
-    cursor = connection.execute(query)
-    width, values = len(cursor.description), chain.from_iterable(cursor)
-    flat = list(islice(values, BATCH * width))
-    while True:
-        yield [flat[column::width] for column in range(width)]
-        flat = list(islice(values, BATCH * width))
-        if not flat:
-            return
-
-
 def columns_of(
     connection: sqlite3.Connection, query: str, arrays: Callable[[list[list]], Sequence[np.ndarray]]
 ) -> list[np.ndarray]:
-    """Convert each batch of rows to arrays, and concatenate these.
+    """Convert the rows of a query to arrays in batches, at least one, and concatenate these.
+
+    The tuples of the rows are not kept: Python's search for garbage visits each of them again and again.
 
     Args:
         arrays: Converts the columns of some rows to arrays; also for an empty batch.
     """
-    made = [arrays(columns) for columns in batches(connection, query)]
+    cursor, made = connection.execute(query), []
+    width, values = len(cursor.description), chain.from_iterable(cursor)
+    while (flat := list(islice(values, BATCH * width))) or not made:
+        made.append(arrays([flat[column::width] for column in range(width)]))
     return [np.concatenate(column) for column in zip(*made)]
 
 
