@@ -193,7 +193,7 @@ class CompareLabels(SemRefAlgorithm):
             for rank, (code, area, outline) in enumerate(polygons, start=1):
                 annotated, predicted = decode_disagreement(code)
                 row = rank, match.name(annotated), match.name(predicted), area, annotated, predicted
-                sink.add(geometry_of(outline), {name: value for (name, _), value in zip(FIELDS, row)})
+                sink.add_row(geometry_of(outline), row)
 
 
 def _log(comparison: LabelComparison, match: ClassMatch, feedback: QgsProcessingFeedback) -> None:

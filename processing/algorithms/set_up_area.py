@@ -39,7 +39,7 @@ from ..base.chain import Record, Step
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.photo_source import drawn_file
-from ..base.shipped_models import MODELS
+from ..base.shipped_models import PHOTO_MODEL
 from ..base.values import Values
 from ..compat import DOUBLE, SOURCE_FILE, SOURCE_LINE, SOURCE_POLYGON
 from ..layers.guess_fields import BUILDING
@@ -56,7 +56,6 @@ if TYPE_CHECKING:
     from ...core.segmentation.model_card import ModelCard
     from ..base.area_setup import AreaSetup
 
-DEFAULT_MODEL = MODELS / "buildings.onnx"
 RULES_FILE, CAMERAS_FILE = "rules.csv", "cameras.csv"
 LAND_COVER_FILE, LABEL_MAP_FILE = "land_cover.gpkg", "label_map.tif"
 DATABASE_FILE, MODEL_FILE, TRAINING_FILE = "reference_database.gpkg", "model.onnx", "training.html"
@@ -174,7 +173,7 @@ class SetUpArea(SemRefAlgorithm):
 
     def _model(self, values: Values) -> str:
         """Return the model of the user or of SemRef; empty without one."""
-        return values.file(self.MODEL) or (str(DEFAULT_MODEL) if DEFAULT_MODEL.is_file() else "")
+        return values.file(self.MODEL) or (str(PHOTO_MODEL) if PHOTO_MODEL.is_file() else "")
 
     # --- before any work ---
 

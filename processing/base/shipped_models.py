@@ -19,8 +19,10 @@ from ..translation import tr
 from ..version import algorithm_help_url
 from .algorithm import ANNOTATION, ICON_PATH, REFERENCE_DATABASE, group_title, prints_help
 
-MODELS = Path(__file__).resolve().parents[2] / "models"
+SHIPPED = Path(__file__).resolve().parents[2] / "models"
 
+PHOTO_MODEL = SHIPPED / "buildings.onnx"
+"""The plugin's model for real photos: buildings."""
 
 _GROUPS = {"Land cover": ANNOTATION, "Reference database": REFERENCE_DATABASE}
 """Groups by their titles in the model files."""
@@ -131,7 +133,7 @@ class ShippedModel(QgsProcessingModelAlgorithm):
 def shipped_models() -> list[ShippedModel]:
     """Return the models that can be read."""
     models = []
-    for path in sorted(MODELS.glob("*.model3")):
+    for path in sorted(SHIPPED.glob("*.model3")):
         model = ShippedModel()
         if model.load(str(path)):
             models.append(model)

@@ -9,13 +9,11 @@ from typing import TYPE_CHECKING, Callable
 
 from qgis.core import QgsApplication, QgsSettings
 
+from ..base.shipped_models import PHOTO_MODEL, SHIPPED
+
 if TYPE_CHECKING:
     from ...core.segmentation.model_card import ModelCard
 
-SHIPPED = Path(__file__).resolve().parents[2] / "models"
-
-PHOTO_MODEL = SHIPPED / "buildings.onnx"
-"""The plugin's model for real photos: buildings."""
 
 MOST_LISTED = 200
 """Largest number of listed models of a folder, because reading them takes time."""

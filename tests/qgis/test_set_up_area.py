@@ -176,7 +176,7 @@ def test_lines_that_cannot_be_used_are_refused(run_algorithm, tagged, repository
     ],
 )
 def test_bad_input_is_one_sentence_and_leaves_nothing(run_algorithm, small, tmp_path, monkeypatch, change, message):
-    monkeypatch.setattr(set_up_area, "DEFAULT_MODEL", tmp_path / "missing.onnx")
+    monkeypatch.setattr(set_up_area, "PHOTO_MODEL", tmp_path / "missing.onnx")
     monkeypatch.setattr(training_environment, "training_python", lambda *_: "python")
     far = (600000.0, 1.0, 0.0, 5000000.0, 0.0, -1.0)
     made = {
