@@ -211,9 +211,7 @@ def localize_flight(  # noqa: PLR0913 - as of ``localize``
     for number, (name, camera) in enumerate(known):
         result = pipeline.run(name, camera, with_pixels=True)
         seen = result.seen
-        flown.append(
-            FlightImage(name, seen.labels_hw, result.level, camera.time_s, result.prior, seen.biases, result.leveling)
-        )
+        flown.append(FlightImage.of(name, result, camera.time_s))
         features = features_of(seen.labels_hw, seen.pixels, result.leveling)
         link = None if before is None else motion_between(before, features, (number - 1, number)).link
         links += [] if link is None else [link]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from enum import Enum
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,6 +15,9 @@ from ..geometry.leveling import Leveling
 from ..geometry.pose import PoseCovariance
 from ..localization import Localization, Method, Place, Prior, Status
 from ..sentences import Sentence
+
+if TYPE_CHECKING:
+    from ..pipeline import ImageResult
 
 
 class PoseSource(str, Enum):
@@ -49,6 +53,12 @@ class FlightImage:
     prior: Prior = Prior()
     biases: KnownBiases = UNBIASED
     leveling: Leveling | None = field(default=None, compare=False, repr=False)
+
+    @classmethod
+    def of(cls, name: str, result: ImageResult, time_s: float | None) -> FlightImage:
+        """Return an image of a flight from its result by itself."""
+        seen = result.seen
+        return cls(name, seen.labels_hw, result.level, time_s, result.prior, seen.biases, result.leveling)
 
     def __post_init__(self) -> None:
         """Check the labels. Raises ParameterError: the array is not a label image."""

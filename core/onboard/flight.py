@@ -88,10 +88,7 @@ class FlightFinder(ImageFinder):
         result = self.pipeline.run(path, camera, with_pixels=True)
         taken_s = self.cameras.time_s(path, camera)
         link = self._link(path, taken_s, result)
-        seen, moment_s = result.seen, time_of(path).timestamp()
-        image = FlightImage(
-            os.path.basename(path), seen.labels_hw, result.level, moment_s, result.prior, seen.biases, result.leveling
-        )
+        image = FlightImage.of(os.path.basename(path), result, time_of(path).timestamp())
         self.tracker = self.tracker or FlightTracker(self.pipeline.localizer, self.settings)
         try:
             pose = self.tracker.add(image, link)

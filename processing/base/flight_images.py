@@ -118,10 +118,8 @@ class FlightReader:
         flight."""
         try:
             result = self._pipeline.run(path, camera, with_pixels=True)
-            seen, name = result.seen, os.path.basename(path)
-            flown = FlightImage(
-                name, seen.labels_hw, result.level, camera.time_s, result.prior, seen.biases, result.leveling
-            )
+            seen = result.seen
+            flown = FlightImage.of(os.path.basename(path), result, camera.time_s)
             features = features_of(seen.labels_hw, seen.pixels, result.leveling)
         except SemRefError as error:
             self.taken.append(TakenImage(path, camera, error=worded(error)))

@@ -72,7 +72,10 @@ MAY_IMPORT = {
         },
         "segmentation": {"geometry", "labels"},
         "pipeline": {"geometry", "labels", "localization", "localizer"},
-        "flight": {"geometry", "labels", "landmarks", "database", "localization", "correlation", "localizer"},
+        "flight": {
+            *("geometry", "labels", "landmarks", "database", "localization", "correlation"),
+            *("localizer", "pipeline"),
+        },
         "onboard": {
             *("flight", "geometry", "labels", "windows", "database", "cache"),
             *("localization", "localizer", "pipeline", "segmentation"),
