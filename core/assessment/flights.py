@@ -39,23 +39,6 @@ SIZE_KNOWN = 1.1
 
 
 @dataclass(frozen=True)
-class FlightPlan:
-    """How to fly a route.
-
-    Attributes:
-        flights: Simulated flights along each line.
-        footprint: Footprint width of an image, m.
-        drift: Error of the motion between images: of each link and of all links together, shares of the distance.
-        seed: The same one repeats the result.
-    """
-
-    flights: int
-    footprint: float
-    drift: float
-    seed: int
-
-
-@dataclass(frozen=True)
 class FlownRoute:
     """Results of F flights over N points of a route, each (F, N), as known during the flight.
 
@@ -110,15 +93,23 @@ class FlownRoute:
 class FlownRoutes:
     """Simulates the flights of a route."""
 
-    def __init__(
-        self, database: ReferenceDatabase, localizer: Localizer, conditions: Conditions, plan: FlightPlan
+    def __init__(  # noqa: PLR0913 - what is flown over, and how
+        self,
+        database: ReferenceDatabase,
+        localizer: Localizer,
+        conditions: Conditions,
+        footprint: float,
+        drift: float,
+        seed: int,
     ) -> None:
         """Prepare the data that all flights share.
 
         Args:
             database: With its overview.
             conditions: Assumed errors of labels and cameras.
-            plan: How to fly the route.
+            footprint: Footprint width of an image, m.
+            drift: Error of the motion between images: of each link and of all links together, shares of the distance.
+            seed: The same one repeats the result.
 
         Raises:
             DatabaseError: The database has no overview or no landmark.
@@ -128,13 +119,14 @@ class FlownRoutes:
                 "{source} has no overview or no landmarks, which simulated flights need. Build it again with both.",
                 source=database.source,
             )
-        self._database, self._localizer, self._conditions, self._plan = database, localizer, conditions, plan
+        self._database, self._localizer, self._conditions = database, localizer, conditions
+        self._footprint, self._drift, self._seed = footprint, drift, seed
         self._frame = database.parameters.overview_frame
         self._source = ArrayLabels(cast(np.ndarray, database.overview))
 
-    def fly(self, points: RoutePoints) -> Steps[FlownRoute]:
-        """Fly along the lines of a route. Raises ParameterError: there are too many images."""
-        flights, count = self._plan.flights, len(points)
+    def fly(self, points: RoutePoints, flights: int) -> Steps[FlownRoute]:
+        """Fly several times along each line of a route. Raises ParameterError: there are too many images."""
+        count = len(points)
         if flights * count > limits.FLOWN_IMAGES:
             raise ParameterError(
                 "The flights have {count} images together; at most {most} can be simulated. Choose fewer flights or a "
@@ -162,15 +154,14 @@ class FlownRoutes:
 
     def _fly(self, points: RoutePoints, members: np.ndarray, number: list[int]) -> Iterator[FlightPose]:
         """Yield the pose of each image of one flight along a line, as known at that image."""
-        plan = self._plan
-        rng = np.random.default_rng([plan.seed, 4, *number])
-        bias = complex(*rng.normal(0, plan.drift, 2))
+        rng = np.random.default_rng([self._seed, 4, *number])
+        bias = complex(*rng.normal(0, self._drift, 2))
         tracker, before = FlightTracker(self._localizer), None
         for n in members.tolist():
             x, y = points.places[n].tolist()
-            size = max(round(plan.footprint / self._frame.pixel_size), 1)
-            view = View(x, y, float(points.headings_deg[n]), plan.footprint / size, size, size)
-            link = None if before is None else link_between(0, (before, view), plan.drift, bias, rng)
+            size = max(round(self._footprint / self._frame.pixel_size), 1)
+            view = View(x, y, float(points.headings_deg[n]), self._footprint / size, size, size)
+            link = None if before is None else link_between(0, (before, view), self._drift, bias, rng)
             yield tracker.add(self._image(view, rng), link)
             before = view
 

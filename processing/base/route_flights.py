@@ -78,16 +78,16 @@ def simulate(
     feedback: QgsProcessingFeedback,
 ) -> FlownRoute | None:
     """Simulate flights along lines; None if the number of flights is 0."""
-    from ...core.assessment.flights import FlightPlan, FlownRoutes
+    from ...core.assessment.flights import FlownRoutes
     from ...core.assessment.route import route_points
 
     count = values.integer(FLIGHTS)
     if not count:
         return None
-    plan = FlightPlan(count, footprint, values.number(DRIFT) / 100, values.integer(SEED))
     points = route_points(lines, values.optional_number(IMAGE_DISTANCE) or footprint / 3)
-    routes = FlownRoutes(database, localizer, conditions, plan)
-    return follow(interruptible(routes.fly(points), feedback), feedback, FLOWN_PERCENT, DONE_PERCENT)
+    drift = values.number(DRIFT) / 100
+    routes = FlownRoutes(database, localizer, conditions, footprint, drift, values.integer(SEED))
+    return follow(interruptible(routes.fly(points, count), feedback), feedback, FLOWN_PERCENT, DONE_PERCENT)
 
 
 def numbers(route: AssessedRoute) -> dict[str, float]:

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from semref.core.assessment.flights import FlightPlan, FlownRoute, FlownRoutes
+from semref.core.assessment.flights import FlownRoute, FlownRoutes
 from semref.core.assessment.route import ShiftHint, best_shift, gaps, route_points, stretch
 from semref.core.errors import DatabaseError, ParameterError
 from semref.core.simulation.conditions import Conditions
@@ -80,8 +80,8 @@ ALONG = np.array([(600110.0, 5199700.0), (600880.0, 5199700.0)])
 
 @pytest.fixture(scope="module")
 def result(assessed_database, localizer):
-    routes = FlownRoutes(assessed_database, localizer, CLEAR, FlightPlan(2, 220.0, 0.02, 5))
-    return result_of(routes.fly(route_points([ALONG], 70.0)))
+    routes = FlownRoutes(assessed_database, localizer, CLEAR, 220.0, 0.02, 5)
+    return result_of(routes.fly(route_points([ALONG], 70.0), 2))
 
 
 @pytest.mark.slow
@@ -122,7 +122,7 @@ def test_impossible_flights_are_refused(assessed_database, localizer):
 
     without = replace(assessed_database, overview=None)
     with pytest.raises(DatabaseError, match="no overview"):
-        FlownRoutes(without, localizer, CLEAR, FlightPlan(1, 200.0, 0.01, 1))
-    routes = FlownRoutes(assessed_database, localizer, CLEAR, FlightPlan(20_001, 200.0, 0.01, 1))
+        FlownRoutes(without, localizer, CLEAR, 200.0, 0.01, 1)
+    routes = FlownRoutes(assessed_database, localizer, CLEAR, 200.0, 0.01, 1)
     with pytest.raises(ParameterError, match="at most 20000"):
-        next(routes.fly(route_points([ALONG], 50.0)))
+        next(routes.fly(route_points([ALONG], 50.0), 20_001))
