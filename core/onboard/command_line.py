@@ -33,7 +33,7 @@ from .image_records import ERROR, ImageFinder, label_reader
 from .log import json_line, log_event, start_log
 from .mavlink import MESSAGES, MavlinkSink, split_address
 from .read import read_onboard
-from .sinks import check_sink
+from .sinks import check_sink, write_to_stdout
 from .state_file import StateFile
 from .tables import OdometryTable
 from .watch import watch
@@ -139,9 +139,8 @@ def _place(check: Callable[[str], object]) -> Callable[[str], str]:
 
 def _write(text: str) -> None:
     """Write a line to stdout, with escapes for bytes that are not text; raises ParameterError if that fails."""
-    encoding = getattr(sys.stdout, "encoding", None) or "utf-8"
     try:
-        print(text.encode(encoding, "backslashreplace").decode(encoding), flush=True)
+        write_to_stdout(f"{text}\n")
     except OSError as error:
         raise ParameterError(
             "{where} can't be written: {reason}. Choose another output.", where="stdout", reason=reason_of(error)

@@ -57,8 +57,13 @@ class Sink:
 
 class _StandardOutput(Sink):
     def _take(self, line: str) -> None:
-        encoding = getattr(sys.stdout, "encoding", None) or "utf-8"
-        print(line.encode(encoding, "backslashreplace").decode(encoding), end="", flush=True)
+        write_to_stdout(line)
+
+
+def write_to_stdout(text: str) -> None:
+    """Write a text, with escapes for characters that stdout can't encode; raises OSError."""
+    encoding = getattr(sys.stdout, "encoding", None) or "utf-8"
+    print(text.encode(encoding, "backslashreplace").decode(encoding), end="", flush=True)
 
 
 def not_written(where: str, error: OSError | ValueError) -> ParameterError:
