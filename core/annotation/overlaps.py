@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Sequence
-from dataclasses import replace
 from itertools import combinations
+from typing import Any
 
 import numpy as np
 import shapely
@@ -39,7 +39,7 @@ def find_duplicates(polygons: AnnotatedPolygons, partition: PlanarPartition) -> 
         decided = bool(polygons.priorities[first] != polygons.priorities[n])
         differs = polygons.classes[first] != polygons.classes[n]
         severity = ERROR if differs and not decided else WARNING
-        found.append(replace(_pair(DUPLICATE, severity, polygons, (n, first)), decided=decided))
+        found.append(_pair(DUPLICATE, severity, polygons, (n, first), decided=decided))
     return found, repeated
 
 
@@ -128,9 +128,8 @@ def find_same_class_neighbors(
     found = []
     for pair, length in lengths.items():
         smaller, larger = sorted(pair, key=lambda n: (areas[n], n))
-        finding = _pair(SAME_CLASS_NEIGHBORS, INFORMATION, polygons, (smaller, larger))
-        is_landmark = bool(polygons.classes[smaller] in landmark_classes)
-        found.append(replace(finding, number=length, is_landmark=is_landmark))
+        more = {"number": length, "is_landmark": bool(polygons.classes[smaller] in landmark_classes)}
+        found.append(_pair(SAME_CLASS_NEIGHBORS, INFORMATION, polygons, (smaller, larger), **more))
     return found
 
 
@@ -160,8 +159,8 @@ def _overlap(
 ) -> Finding:
     upper, lower = sorted(pair, key=lambda n: -ranks[n])
     decided = bool(polygons.priorities[upper] != polygons.priorities[lower])
-    finding = _pair(OVERLAP, INFORMATION if decided else ERROR, polygons, (upper, lower), shared)
-    return replace(finding, decided=decided)
+    severity = INFORMATION if decided else ERROR
+    return _pair(OVERLAP, severity, polygons, (upper, lower), shared, decided=decided)
 
 
 def _pair(
@@ -170,6 +169,7 @@ def _pair(
     polygons: AnnotatedPolygons,
     pair: tuple[int, int],
     geometry: shapely.Geometry | None = None,
+    **more: Any,  # noqa: ANN401 - further attributes of Finding
 ) -> Finding:
     """Return a finding about two polygons, by index; it shows ``geometry``, or the first polygon."""
     one, other = pair
@@ -183,4 +183,5 @@ def _pair(
         int(polygons.classes[one]),
         int(polygons.classes[other]),
         float(shapely.area(shown)),
+        **more,
     )

@@ -83,11 +83,6 @@ def feature_geometries(features: Sequence[AnnotatedFeature]) -> np.ndarray:
     return geometries
 
 
-def split_parts(geometries: np.ndarray) -> FeatureParts:
-    """Return the single parts of (M,) shapely geometries or None."""
-    return shapely.get_parts(geometries, return_index=True)
-
-
 def valid_polygons(features: Sequence[AnnotatedFeature], parts: FeatureParts) -> AnnotatedPolygons:
     """Return the polygons with area of features with a class; invalid ones are made valid as in rasterizing."""
     geometries, place = _made_valid(parts)

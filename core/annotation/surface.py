@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from typing import Callable
+from dataclasses import dataclass
+from typing import Any, Callable
 
 import numpy as np
 import shapely
@@ -19,7 +19,6 @@ from .polygons import (
     AnnotatedPolygons,
     FeatureParts,
     feature_geometries,
-    split_parts,
     to_wkb,
     valid_polygons,
 )
@@ -55,27 +54,23 @@ def find_unusable(
         if feature.wkb is None:
             found.append(_finding(NO_GEOMETRY, WARNING, feature))
         elif geometry is None:
-            found.append(replace(_finding(INVALID, ERROR, feature), reason=UNREADABLE))
+            found.append(_finding(INVALID, ERROR, feature, reason=UNREADABLE))
         elif geometry.is_empty:
             found.append(_finding(NO_GEOMETRY, WARNING, feature))
         elif n not in with_area and (feature.class_value != NOTHING or areas[n] == 0):
             x, y = shapely.get_coordinates(geometry)[0]
-            found.append(replace(_finding(NO_AREA, WARNING, feature), wkb=_mark_at(x, y), area=0.0))
+            found.append(_finding(NO_AREA, WARNING, feature, wkb=_mark_at(x, y), area=0.0))
     return found
 
 
 def _invalid(feature: AnnotatedFeature, geometry: shapely.Geometry) -> Finding:
     why, x, y = _reason(geometry)
-    return replace(
-        _finding(INVALID, ERROR, feature),
-        wkb=_mark_at(x, y),
-        area=float(shapely.area(geometry)),
-        reason=f"{why} ({x:.2f}, {y:.2f})",
-    )
+    area, reason = float(shapely.area(geometry)), f"{why} ({x:.2f}, {y:.2f})"
+    return _finding(INVALID, ERROR, feature, wkb=_mark_at(x, y), area=area, reason=reason)
 
 
-def _finding(kind: str, severity: str, feature: AnnotatedFeature) -> Finding:
-    return Finding(kind, severity, feature_id=feature.feature_id, class_value=feature.class_value)
+def _finding(kind: str, severity: str, feature: AnnotatedFeature, **more: Any) -> Finding:  # noqa: ANN401 - of Finding
+    return Finding(kind, severity, feature_id=feature.feature_id, class_value=feature.class_value, **more)
 
 
 def _mark_at(x: float, y: float) -> bytes:
@@ -128,7 +123,7 @@ def overlay_polygons(
     """
     yield "Checking geometries", 0.0
     geometries = feature_geometries(features)
-    parts = split_parts(geometries)
+    parts = shapely.get_parts(geometries, return_index=True)
     findings = find_invalid(features, geometries, parts)
     polygons = valid_polygons(features, parts)
     findings += find_unusable(features, geometries, polygons)

@@ -8,7 +8,6 @@ from semref.core.annotation.polygons import (
     FARTHEST_M,
     AnnotatedFeature,
     feature_geometries,
-    split_parts,
     valid_polygons,
 )
 from semref.core.errors import AnnotationError
@@ -59,7 +58,7 @@ BOWTIE = shapely.from_wkt("POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))")
 
 def polygons_of(*features):
     features = numbered(features)
-    return valid_polygons(features, split_parts(feature_geometries(features)))
+    return valid_polygons(features, shapely.get_parts(feature_geometries(features), return_index=True))
 
 
 def test_parts_keep_the_place_of_their_feature():
