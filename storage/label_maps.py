@@ -44,13 +44,13 @@ class GdalLabels:
         """
         self._path = path
         self._keeps_blocks = keeps_blocks
-        self._dataset = open_raster(path)
-        self._band = self._dataset.GetRasterBand(1)
-        if self._dataset.RasterCount != 1:
+        self.dataset = open_raster(path)
+        self._band = self.dataset.GetRasterBand(1)
+        if self.dataset.RasterCount != 1:
             raise LabelMapError(
                 "{path} has {bands} bands; a label map has one: decode a color image with “Decode color labels” first.",
                 path=path,
-                bands=self._dataset.RasterCount,
+                bands=self.dataset.RasterCount,
             )
         if self._band.DataType not in _INTEGER_TYPES:
             kind = gdal.GetDataTypeName(self._band.DataType)
@@ -62,12 +62,7 @@ class GdalLabels:
     @property
     def shape_hw(self) -> tuple[int, int]:
         """(height, width) in pixels."""
-        return self._dataset.RasterYSize, self._dataset.RasterXSize
-
-    @property
-    def dataset(self) -> gdal.Dataset:
-        """The open file."""
-        return self._dataset
+        return self.dataset.RasterYSize, self.dataset.RasterXSize
 
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
         """Return (height, width) uint8 labels, 0 for no data.
@@ -78,8 +73,8 @@ class GdalLabels:
         """
         block = read_by_gdal(self._path, self._band.ReadAsArray, column, row, width, height)
         # Blocks that are not read again would only fill GDAL's cache.
-        if not self._keeps_blocks or width == self._dataset.RasterXSize:
-            self._dataset.FlushCache()
+        if not self._keeps_blocks or width == self.dataset.RasterXSize:
+            self.dataset.FlushCache()
         if self._nodata is not None and self._nodata != 0:
             block[block == self._nodata] = 0
         if block.dtype == np.uint8:

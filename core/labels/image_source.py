@@ -70,12 +70,7 @@ class ImagePart:
             row: First row in the whole image.
             shape_hw: (height, width) of the piece, which must be inside the image.
         """
-        self._image, self._column, self._row, self._shape_hw = image, column, row, shape_hw
-
-    @property
-    def shape_hw(self) -> tuple[int, int]:
-        """(height, width) in pixels."""
-        return self._shape_hw
+        self._image, self._column, self._row, self.shape_hw = image, column, row, shape_hw
 
     def read(self, column: int, row: int, width: int, height: int) -> tuple[np.ndarray, np.ndarray | None]:
         """Read a piece; see ``ImageSource``."""

@@ -84,14 +84,9 @@ class ResampledImage:
     def __init__(self, image: ImageSource, shape_hw: tuple[int, int]) -> None:
         """Set the image and the requested (height, width)."""
         self._image = image
-        self._shape_hw = shape_hw
+        self.shape_hw = shape_hw
         shrinks = shape_hw[1] < image.shape_hw[1]
         self._rows, self._columns = (_Axis(old, new, shrinks) for old, new in zip(image.shape_hw, shape_hw))
-
-    @property
-    def shape_hw(self) -> tuple[int, int]:
-        """(height, width) in pixels."""
-        return self._shape_hw
 
     def read(self, column: int, row: int, width: int, height: int) -> tuple[np.ndarray, np.ndarray | None]:
         """Return a piece of the resampled image, see ``ImageSource``."""
