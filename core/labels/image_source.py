@@ -33,13 +33,8 @@ class ArrayImage:
             image_hw3: (H, W, 3) uint8, red first.
             has_data_hw: (H, W) bool, pixels with data; None for all.
         """
-        self._image_hw3 = image_hw3
-        self._has_data_hw = has_data_hw
-
-    @property
-    def shape_hw(self) -> tuple[int, int]:
-        """(height, width) in pixels."""
-        return self._image_hw3.shape[0], self._image_hw3.shape[1]
+        self._image_hw3, self._has_data_hw = image_hw3, has_data_hw
+        self.shape_hw = image_hw3.shape[0], image_hw3.shape[1]
 
     def read(self, column: int, row: int, width: int, height: int) -> tuple[np.ndarray, np.ndarray | None]:
         """Return views of a piece of the image and of its data mask."""
@@ -89,12 +84,7 @@ class MaskedImage:
 
     def __init__(self, image: ImageSource, mask: PixelMask) -> None:
         """Read nothing yet."""
-        self._image, self._mask = image, mask
-
-    @property
-    def shape_hw(self) -> tuple[int, int]:
-        """(height, width) in pixels."""
-        return self._image.shape_hw
+        self._image, self._mask, self.shape_hw = image, mask, image.shape_hw
 
     def read(self, column: int, row: int, width: int, height: int) -> tuple[np.ndarray, np.ndarray | None]:
         """Read a piece, see ``ImageSource``; a piece outside the mask is not read."""

@@ -28,11 +28,7 @@ class ArrayLabels:
     def __init__(self, labels_hw: np.ndarray) -> None:
         """Wrap the labels without a copy; ``labels_hw``: (H, W) uint8 labels."""
         self._labels_hw = labels_hw
-
-    @property
-    def shape_hw(self) -> tuple[int, int]:
-        """(height, width) in pixels."""
-        return self._labels_hw.shape[0], self._labels_hw.shape[1]
+        self.shape_hw = labels_hw.shape[0], labels_hw.shape[1]
 
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
         """Return a view of a piece of the labels."""
