@@ -75,15 +75,7 @@ class EvaluationReport:
             page.section(
                 tr("Success by offset and landmarks"),
                 page.columns(
-                    self._rates_chart(
-                        success_by_offset,
-                        charts.linear_axis(tr("Offset from the nearest window, share of the stride"), 0.5),
-                        tr("Success against offset"),
-                        tr(
-                            "Correct positions of shifted windows, without noise, scaling or rotation. "
-                            "Bands: 95 % intervals."
-                        ),
-                    ),
+                    self._offset_chart(),
                     self._landmarks_table(),
                 ),
             ),
@@ -137,11 +129,13 @@ class EvaluationReport:
         ]
         return page.records(summaries, columns)
 
-    def _rates_chart(self, rates_of, x_axis, name: str, caption: str) -> str:
-        series = [rate_series(title, rates_of(self.trials, method)) for method, title in self.methods.items()]
-        return page.figure(
-            charts.line_chart(series, x_axis, charts.percent_axis(tr("Correct positions")), name), caption
-        )
+    def _offset_chart(self) -> str:
+        series = [rate_series(title, success_by_offset(self.trials, method)) for method, title in self.methods.items()]
+        x_axis = charts.linear_axis(tr("Offset from the nearest window, share of the stride"), 0.5)
+        y_axis = charts.percent_axis(tr("Correct positions"))
+        chart = charts.line_chart(series, x_axis, y_axis, tr("Success against offset"))
+        text = tr("Correct positions of shifted windows, without noise, scaling or rotation. Bands: 95 % intervals.")
+        return page.figure(chart, text)
 
     def _landmarks_table(self) -> str:
         found = {
@@ -223,8 +217,8 @@ class EvaluationReport:
                 if one.is_fix
                 else worded(result.status.title)
             )
-            distance = [_decimal(result.distance, 3)] if _has_distances(trials) else []
-            confidence = _decimal(result.confidence if one.is_fix else None, 2)
+            distance = [page.fixed(result.distance, ".3f")] if _has_distances(trials) else []
+            confidence = page.fixed(result.confidence if one.is_fix else None, ".2f")
             cells += [found, page.number(one.error, "m"), *distance, confidence]
         return cells
 
@@ -254,10 +248,6 @@ def _definitions() -> str:
 def _has_distances(trials: Sequence[Trial]) -> bool:
     """Whether a method compares vectors."""
     return any(one.result.distance is not None for one in trials)
-
-
-def _decimal(value: float | None, decimals: int) -> str:
-    return page.NOTHING if value is None else shown(value, f".{decimals}f")
 
 
 def _thin(x: np.ndarray, y: np.ndarray, most: int = 400) -> tuple[np.ndarray, np.ndarray]:

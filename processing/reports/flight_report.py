@@ -130,15 +130,11 @@ def _image_row(number: int, item: LocalizedImage) -> list[str]:
         measures = [
             str(item.pose.track) if item.pose.track else page.NOTHING,
             *(shown(value, ".1f") for value in item.position),
-            _known(result.heading_deg, ".1f", "°"),
-            _known(result.error_95_m, ",.2f", f"{page.NO_BREAK}m"),
+            page.fixed(result.heading_deg, ".1f", "°"),
+            page.fixed(result.error_95_m, ",.2f", f"{page.NO_BREAK}m"),
             error_probability(result.confidence) if result.confidence else page.NOTHING,
         ]
     return [str(number), item.name, text, _source_text(item), *measures, item.reason]
-
-
-def _known(value: float | None, spec: str, unit: str) -> str:
-    return page.NOTHING if value is None else shown(value, spec) + unit
 
 
 def _source_text(item: LocalizedImage) -> str:

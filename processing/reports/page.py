@@ -139,6 +139,11 @@ def rate_text(rate: Rate) -> str:
     return f"{percent(rate.share)} ({interval_text(rate)})" if rate.trials else NOTHING
 
 
+def fixed(value: float | None, spec: str, unit: str = "") -> str:
+    """Return a number by Python's format specification, with its unit; NOTHING for None."""
+    return NOTHING if value is None else shown(value, spec) + unit
+
+
 def number(value, unit: str = "", digits: int = 3) -> str:
     """Return a number with ``digits`` significant digits and its unit; NOTHING for None."""
     if value is None:
