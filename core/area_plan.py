@@ -36,7 +36,7 @@ FEW_LANDMARKS = 8
 
 
 @dataclass(frozen=True)
-class MapLandmarks:
+class MeasuredLandmarks:
     """Landmarks of a map within an extent.
 
     Attributes:
@@ -73,7 +73,7 @@ class AreaPlan:
     megabytes: float
 
 
-def plan_area(found: MapLandmarks, photo_m: tuple[float, float], imagery_pixel_m: float | None = None) -> AreaPlan:
+def plan_area(found: MeasuredLandmarks, photo_m: tuple[float, float], imagery_pixel_m: float | None = None) -> AreaPlan:
     """Return the sizes for a map with at least one landmark.
 
     Args:

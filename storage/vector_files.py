@@ -52,7 +52,7 @@ def no_place(path: str | Path, reason: str) -> ParameterError:
     return ParameterError("{path} can't be written: {reason}; choose another place.", path=path, reason=reason)
 
 
-def copy_database(path: str, target: str) -> None:
+def copy_geopackage(path: str, target: str) -> None:
     """Copy a GeoPackage with all committed changes. Raises ParameterError: it can't be read."""
     try:
         closing = contextlib.closing

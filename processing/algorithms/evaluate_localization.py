@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from ...core.evaluation.trial import Trial
     from ...storage.label_maps import GdalLabels
 
-USUAL: dict[str, tuple[float, float]] = {
+RANGES: dict[str, tuple[float, float]] = {
     "SCALE": (0.8, 1.25),
     "ROTATION": (0.0, 360.0),
     "OFFSET": (0.0, 0.5),
@@ -157,7 +157,7 @@ class EvaluateLocalization(SemRefAlgorithm):
 
     def _range_parameters(self) -> list[Declared]:
         """Return the ranges that the values of trials are drawn from."""
-        defaults = {key: f"{low:g},{high:g}" for key, (low, high) in USUAL.items()}
+        defaults = {key: f"{low:g},{high:g}" for key, (low, high) in RANGES.items()}
         ranges = (
             (self.SCALE, tr("Scale"), tr("Footprint width of an image, as a multiple of the window size.")),
             (
@@ -190,7 +190,7 @@ class EvaluateLocalization(SemRefAlgorithm):
         """Return the ranges. Raises ParameterError for impossible ranges."""
         from ...core.evaluation.evaluation import TrialRanges
 
-        ranges = noise_ranges(values, USUAL, values.range)
+        ranges = noise_ranges(values, RANGES, values.range)
         return TrialRanges(**{key.lower(): found for key, found in ranges.items()})
 
     def read_layers(self, values: Values) -> None:

@@ -25,7 +25,7 @@ from qgis.core import (
     QgsVectorLayerFeatureSource,
 )
 
-from ...core.area_plan import FEW_LANDMARKS, AreaPlan, MapLandmarks, plan_area
+from ...core.area_plan import FEW_LANDMARKS, AreaPlan, MeasuredLandmarks, plan_area
 from ...core.errors import AnnotationError, ParameterError, SemRefError
 from ...core.labels.class_colors import is_usual_landmark
 from ...core.labels.openstreetmap import Rules, tags_of
@@ -292,7 +292,7 @@ def read_area(
         raise _nothing_found(area.name, classes, known)
     points = np.array([(point.x(), point.y()) for point in centers])
     bounds = extent.xMinimum(), extent.yMinimum(), extent.xMaximum(), extent.yMaximum()
-    landmarks = MapLandmarks(np.array(areas), np.array(widths), points, bounds)
+    landmarks = MeasuredLandmarks(np.array(areas), np.array(widths), points, bounds)
     plan = plan_area(landmarks, photos.size_m, imagery_pixel_m)
     if photos.is_assumed:
         text = tr("The photos have no camera data. Their pixels are assumed to be as large as those of the imagery.")

@@ -21,7 +21,7 @@ from ...core.errors import ParameterError, UnwritableError
 from ...core.labels.class_table import ClassTable
 from ...storage.atomic_output import Batch
 from ...storage.replaceable import require_closed
-from ...storage.vector_files import content_digest, copy_database, feature_count, lacks_spatial_index
+from ...storage.vector_files import content_digest, copy_geopackage, feature_count, lacks_spatial_index
 from ..compat import make_field
 from ..layers.database_layers import OPENED, open_when_done
 from ..layers.layer_metadata import Note, save_in_database
@@ -197,7 +197,7 @@ class Outputs:
             self._copies[path] = self._batch.file(path, tables=None)
             before = _digest(path)
             if before:
-                copy_database(path, self._copies[path])
+                copy_geopackage(path, self._copies[path])
             self.require(lambda: _require_unchanged(path, before))
         return self._copies[path]
 

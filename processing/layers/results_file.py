@@ -6,7 +6,7 @@ from qgis.core import QgsVectorLayer
 
 from ...core.errors import ParameterError
 from ...storage.atomic_output import written_beside
-from ...storage.vector_files import copy_database, leave_wal
+from ...storage.vector_files import copy_geopackage, leave_wal
 
 OUTPUTS = {
     "OUTPUT": "positions",
@@ -34,7 +34,7 @@ def save_results(file: str, path: str) -> None:
     """Copy a file of results with styles and metadata. Raises ParameterError."""
     open_results(file)
     with written_beside(path, ".gpkg", TABLES) as temporary:
-        copy_database(file, temporary)
+        copy_geopackage(file, temporary)
         leave_wal(temporary)
 
 

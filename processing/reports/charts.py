@@ -164,7 +164,7 @@ def line_chart(series: Sequence[Series], x_axis: Axis, y_axis: Axis, name: str, 
     return frame.drawing(parts + frame.legend(), name)
 
 
-def profile(
+def profile_chart(
     success: Series,
     seen: Series,
     x_axis: Axis,

@@ -39,7 +39,7 @@ SuccessClass = tuple[float, float, str, str]
 """(from, to, color, text) of a class of expected success."""
 
 
-class Ground:
+class PageMap:
     """Transform of map coordinates to a map on the page, with a scale bar."""
 
     def __init__(self, x_min: float, y_min: float, x_max: float, y_max: float, least_height: float = 120) -> None:
@@ -121,8 +121,8 @@ def _kinds(success: np.ndarray, classes: Sequence[SuccessClass]) -> np.ndarray:
     return sum((success >= low).astype(int) for low, *_ in classes[1:])
 
 
-def route_ground(points: RoutePoints) -> Ground:
-    return Ground(*points.places.min(0), *points.places.max(0), ROUTE_HEIGHT)
+def route_ground(points: RoutePoints) -> PageMap:
+    return PageMap(*points.places.min(0), *points.places.max(0), ROUTE_HEIGHT)
 
 
 def route_map(
@@ -158,7 +158,7 @@ def flight_map(placed: Sequence[tuple[int, LocalizedImage]], name: str) -> str:
     """Return a map of the placed images of a flight, with their numbers: discs, headings and 95 % ellipses."""
     far = np.array([item.ellipse.semi_major if item.ellipse else 0.0 for _, item in placed])[:, None]
     places = np.array([item.position for _, item in placed])
-    ground = Ground(*(places - far).min(0), *(places + far).max(0))
+    ground = PageMap(*(places - far).min(0), *(places + far).max(0))
     parts = []
     for track in sorted({item.pose.track for _, item in placed}):
         path = [ground.at(item.position) for _, item in placed if item.pose.track == track]

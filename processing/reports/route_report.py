@@ -99,7 +99,7 @@ def profile(route: AssessedRoute, line: int) -> str:
     along, estimates = route.points.along[members] / 1000, route.estimates.part(members)
     length = max(route.points.lengths[line], 1e-9) / 1000
     most = _round_up(float(estimates.landmarks.max()))
-    return charts.profile(
+    return charts.profile_chart(
         charts.Series(tr("Expected success"), along, estimates.success, estimates.low, estimates.high),
         charts.Series(tr("Landmarks in view"), along, estimates.landmarks),
         charts.Axis(

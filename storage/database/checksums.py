@@ -143,7 +143,7 @@ def _stored_checksums(connection: sqlite3.Connection) -> list[dict]:
     return found
 
 
-def require_unchanged(connection: sqlite3.Connection, found: Mapping[str, str]) -> None:
+def require_checksums(connection: sqlite3.Connection, found: Mapping[str, str]) -> None:
     """Raise ValueError if a table differs from its stored checksum; old databases have no checksums."""
     for stated in _stored_checksums(connection):
         for name, checksum in found.items():

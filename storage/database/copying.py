@@ -101,11 +101,11 @@ def _own_triggers() -> list[tuple[str, str]]:
         dataset = ogr.GetDriverByName("GPKG").CreateDataSource(path)
         for name in schema.LAYERS:
             schema.create_layer(dataset, name, None)
-        schema.close(dataset)
+        schema.flush(dataset)
         del dataset
         options = ["APPEND_SUBDATASET=YES", f"RASTER_TABLE={schema.OVERVIEW}"]
         pixel = gdal.GetDriverByName("MEM").Create("", 1, 1)
         pixel.SetGeoTransform((0.0, 1.0, 0.0, 0.0, 0.0, -1.0))
-        schema.close(gdal.GetDriverByName("GPKG").CreateCopy(path, pixel, options=options))
+        schema.flush(gdal.GetDriverByName("GPKG").CreateCopy(path, pixel, options=options))
         with contextlib.closing(sqlite3.connect(path)) as template:
             return template.execute("SELECT tbl_name, sql FROM sqlite_master WHERE type = 'trigger'").fetchall()

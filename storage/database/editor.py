@@ -59,7 +59,7 @@ def _edit(path: str, stored: StoredDatabase, changes: DatabaseChanges) -> Steps[
         # Deleting features does not shrink the extent of the layer.
         dataset.ExecuteSQL("RECOMPUTE EXTENT ON references")
     schema.commit(dataset)
-    schema.close(dataset)
+    schema.flush(dataset)
 
 
 def _edit_layers(dataset: gdal.Dataset, stored: StoredDatabase, changes: DatabaseChanges) -> Iterator[None]:
@@ -112,7 +112,7 @@ def _edit_overview(path: str, changes: DatabaseChanges) -> None:
     band = dataset.GetRasterBand(1)
     for column, row, labels in changes.overview:
         band.WriteArray(labels, column, row)
-    schema.close(dataset)
+    schema.flush(dataset)
 
 
 def _open(path: str, kind: int, options: Sequence[str] = ()) -> gdal.Dataset:

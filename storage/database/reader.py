@@ -24,7 +24,7 @@ from ...core.values import read_json
 from ..gdal_errors import gdal_failure, gdal_failures
 from . import schema
 from .cached_columns import Columns, cached_columns
-from .checksums import CHECKSUMS, checksums_of, keeps_shown, overview_checksum, require_unchanged, shown_checksums
+from .checksums import CHECKSUMS, checksums_of, keeps_shown, overview_checksum, require_checksums, shown_checksums
 from .connection import DatabaseChangedError, Snapshot, require_unchanged_since, snapshot
 from .rows import columns_of, read_references, read_windows
 
@@ -77,9 +77,9 @@ def _read(connection: Snapshot, path: str, is_checked: bool = True, is_cached: b
         windows, landmarks = read_windows(connection, parameters, path), read_references(connection)
         require_sound(windows, landmarks, parameters, table)
         if is_checked:
-            require_unchanged(connection, checksums_of(connection, windows, landmarks))
+            require_checksums(connection, checksums_of(connection, windows, landmarks))
             if keeps_shown(connection):
-                require_unchanged(connection, shown_checksums(connection))
+                require_checksums(connection, shown_checksums(connection))
         return windows, landmarks
 
     windows, landmarks = cached_columns(connection, read) if is_cached else read()
@@ -89,7 +89,7 @@ def _read(connection: Snapshot, path: str, is_checked: bool = True, is_cached: b
 def _overview(connection: Snapshot, path: str) -> np.ndarray:
     """Read the overview with GDAL, under the connection's lock; a replaced file is detected."""
     parameters = _read_parameters(connection, path)
-    require_unchanged(connection, {schema.OVERVIEW: overview_checksum(connection)})
+    require_checksums(connection, {schema.OVERVIEW: overview_checksum(connection)})
     overview = None
     with gdal_failures() as failures:
         dataset = gdal.OpenEx(path, gdal.OF_RASTER, ["GPKG"], [f"TABLE={schema.OVERVIEW}"])
@@ -166,7 +166,7 @@ def _with_bounds(connection: sqlite3.Connection, database: ReferenceDatabase, pa
     bounds = _read_bounds(connection)
     if bounds is None:
         return database
-    require_unchanged(connection, {schema.BOUNDS: digest([bounds])})
+    require_checksums(connection, {schema.BOUNDS: digest([bounds])})
     if len(bounds) != len(database.references):
         raise DatabaseError(
             "{path} has {count} landmarks and bounds of {bounds}; build it again.",

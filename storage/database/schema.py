@@ -116,7 +116,7 @@ def commit(dataset: gdal.Dataset) -> None:
         raise unwritten_database()
 
 
-def close(dataset: gdal.Dataset) -> None:
+def flush(dataset: gdal.Dataset) -> None:
     """Write pending data. Raises UnwritableError if this fails."""
     gdal.ErrorReset()
     dataset.FlushCache()

@@ -90,7 +90,7 @@ def write_database(  # noqa: PLR0913 - what a file holds; only the plugin has PR
         for n, _ in enumerate(_write_layers(dataset, srs, rows_of)):
             if n % _FEATURES_A_STEP == 0:
                 yield "Writing the database", 0.9 * n / total
-        schema.close(dataset)
+        schema.flush(dataset)
         yield "Writing the database", 0.9
         _write_overview(path, database, srs, overview)
         leave_wal(path)

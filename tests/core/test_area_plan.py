@@ -3,7 +3,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from semref.core.area_plan import MapLandmarks, plan_area, training_resolution_cm
+from semref.core.area_plan import MeasuredLandmarks, plan_area, training_resolution_cm
 
 
 @pytest.fixture
@@ -11,7 +11,7 @@ def village():
     """Return 400 houses of 6 × 10 m on 800 × 800 m, every 40 m."""
     axis = np.arange(20.0, 800, 40)
     centers = np.array([(x, y) for x in axis for y in axis])
-    return MapLandmarks(np.full(400, 60.0), np.full(400, 6.0), centers, (0.0, 0.0, 800.0, 800.0))
+    return MeasuredLandmarks(np.full(400, 60.0), np.full(400, 6.0), centers, (0.0, 0.0, 800.0, 800.0))
 
 
 def test_window_and_stride_follow_from_the_shorter_side_of_a_photo(village):

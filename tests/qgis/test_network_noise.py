@@ -9,8 +9,7 @@ from semref.core.localization import Method
 from semref.core.simulation.conditions import ASSUMED, LARGEST_LENS, LARGEST_TILT_DEG, conditions_of
 from semref.core.simulation.label_errors import spoil_labels
 from semref.core.simulation.noise import LabelNoise
-from semref.processing.algorithms.evaluate_localization import ORDER
-from semref.processing.algorithms.evaluate_localization import USUAL as RANGES
+from semref.processing.algorithms.evaluate_localization import ORDER, RANGES
 from semref.processing.base.assessing import USUAL
 from semref.processing.base.values import Values
 from semref.processing.reports import page
