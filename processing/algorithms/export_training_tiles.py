@@ -72,7 +72,7 @@ class ExportTrainingTiles(SemRefAlgorithm):
         )
 
     def read_layers(self, values: Values) -> None:
-        self._image, self._labels = (values.label_map(key) for key in (self.IMAGE, self.LABELS))
+        self._image, self._labels = values.image(self.IMAGE), values.label_map(self.LABELS)
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
         from ...core.labels.training_tiles import TRAIN, VALIDATION
