@@ -119,7 +119,7 @@ class MavlinkSink(Sink):
             where = round(latitude * 1e7), round(longitude * 1e7)
             self._mavlink.set_gps_global_origin_send(self._system, *where, 0, _microseconds(taken))
             self._has_origin = True
-        (self._send_odometry if self._message == "odometry" else self._send_vision)(place, taken)
+        {"odometry": self._send_odometry, "vision": self._send_vision}[self._message](place, taken)
 
     def _send_odometry(self, place: _VehiclePose, taken: datetime) -> None:
         dialect, unknown = self._dialect, math.nan
