@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from operator import add
 
 import numpy as np
 
@@ -45,13 +46,7 @@ class LandmarkErrors:
 
     def __add__(self, other: LandmarkErrors) -> LandmarkErrors:
         """Return the sum of both."""
-        return LandmarkErrors(
-            self.annotated + other.annotated,
-            self.missed + other.missed,
-            self.misnamed + other.misnamed,
-            self.invented + other.invented,
-            self.apart_px + other.apart_px,
-        )
+        return LandmarkErrors(*map(add, vars(self).values(), vars(other).values()))
 
     def ragged_px(self, shift_px: float = 0.0) -> float | None:
         """Return the boundary jitter: standard deviation beyond a shift of the class; None without measurements."""

@@ -43,13 +43,7 @@ class Landmarks:
 
     def select(self, index: np.ndarray) -> Landmarks:
         """Return the landmarks for a boolean mask or an index array, in that order."""
-        return Landmarks(
-            self.centers_xy[index],
-            self.classes[index],
-            self.areas_px[index],
-            self.bounds[index],
-            self.touches_edge[index],
-        )
+        return Landmarks(*(column[index] for column in vars(self).values()))
 
 
 def extract_landmarks(labels_hw: np.ndarray, class_values: Sequence[int], minimum_area_px: float) -> Landmarks:

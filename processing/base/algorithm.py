@@ -61,7 +61,6 @@ class Canceled(Exception):
     """The user canceled; nothing was written."""
 
     def message(self) -> str:
-        """Return the message for the user."""
         return tr("Canceled. Nothing was written.")
 
 

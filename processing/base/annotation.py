@@ -114,9 +114,7 @@ class AnnotationAlgorithm(SemRefAlgorithm):
 
         source = self._source
         lookup = self.classes(values, feedback)
-        transform = None
-        if crs != source.crs:
-            transform = QgsCoordinateTransform(source.crs, crs, values.transform_context)
+        transform = QgsCoordinateTransform(source.crs, crs, values.transform_context)
         counts = AnnotationCounts()
         features = each(source.read(), feedback, source.count, last)
         polygons = list(burn_polygons(source, features, lookup, transform, counts))

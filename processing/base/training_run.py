@@ -36,7 +36,6 @@ class CanceledKeeping(Canceled):
         self.folder = folder
 
     def message(self) -> str:
-        """Return the message for the user."""
         text = tr(
             "Canceled. The state of the training is saved in {folder}. Run it again with the same output to continue."
         )

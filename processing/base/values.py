@@ -51,7 +51,6 @@ class Values:
 
     @property
     def transform_context(self) -> QgsCoordinateTransformContext:
-        """Coordinate transforms of the project."""
         return self.context.transformContext()
 
     def raw(self, key: str) -> Any:

@@ -135,7 +135,6 @@ def _shape(geometry: QgsGeometry, decimals: int) -> str:
 
 
 def _largest_overlap(feature: QgsFeature, pieces: list[_Piece], numbers: list[int]) -> int:
-    """Return the index in ``numbers`` of the piece with the largest overlap."""
     box = feature.geometry().boundingBox()
     overlaps = [box.intersect(pieces[number].geometry.boundingBox()).area() for number in numbers]
     return overlaps.index(max(overlaps))

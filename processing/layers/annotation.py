@@ -11,7 +11,6 @@ from qgis.core import (
     QgsCategorizedSymbolRenderer,
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
-    QgsCsException,
     QgsExpression,
     QgsFeature,
     QgsFeatureIterator,
@@ -31,6 +30,7 @@ from ...core.labels.class_table import ClassTable
 from ...storage.rasterize import BurnPolygon
 from ..compat import POLYGON_GEOMETRY, is_null
 from ..translation import tr
+from .reference_systems import transformed_geometry
 
 _NO_PRIORITY = float("-inf")
 """Priority of features without a value; all others cover them."""
@@ -268,7 +268,7 @@ def burn_polygons(
     source: AnnotationSource,
     features: Iterable[QgsFeature],
     lookup: ClassLookup,
-    transform: QgsCoordinateTransform | None,
+    transform: QgsCoordinateTransform,
     counts: AnnotationCounts,
 ) -> Iterator[BurnPolygon]:
     """Yield the polygons of the source's features, and update ``counts``."""
@@ -302,7 +302,7 @@ def drawing_priority(feature: QgsFeature, source: AnnotationSource, draw_order: 
 
 
 def _parts(
-    geometry: QgsGeometry, transform: QgsCoordinateTransform | None, counts: AnnotationCounts
+    geometry: QgsGeometry, transform: QgsCoordinateTransform, counts: AnnotationCounts
 ) -> list[tuple[bytes, tuple[float, float, float, float]]]:
     """Return (WKB, bounds) of the valid single polygons of a feature.
 
@@ -311,14 +311,11 @@ def _parts(
     if QgsWkbTypes.hasZ(geometry.wkbType()):
         counts.three_dimensional += 1
     # GDAL can't rasterize arcs.
-    geometry.convertToStraightSegment()
-    if transform is not None:
-        try:
-            geometry.transform(transform)
-        except QgsCsException:
-            counts.unprojectable += 1
-            return []
-    parts = geometry.asGeometryCollection() if geometry.isMultipart() else [geometry]
+    placed = transformed_geometry(transform, geometry)
+    if placed is None:
+        counts.unprojectable += 1
+        return []
+    parts = placed.asGeometryCollection() if placed.isMultipart() else [placed]
     counts.multipart += len(parts) > 1
     found, repaired = [], False
     for part in parts:

@@ -9,9 +9,7 @@ from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
     QgsCoordinateTransformContext,
-    QgsCsException,
     QgsFeature,
-    QgsGeometry,
     QgsRectangle,
     QgsWkbTypes,
 )
@@ -31,7 +29,7 @@ from ...core.annotation.findings import (
 from ...core.annotation.polygons import AnnotatedFeature
 from ..compat import is_null
 from .annotation import AnnotationSource, drawing_priority
-from .reference_systems import WGS84, transformed_box
+from .reference_systems import WGS84, transformed_box, transformed_geometry
 
 
 @dataclass
@@ -52,13 +50,13 @@ def read_features(
     with_attributes: bool = False,
 ) -> AnnotationReading:
     """Return the source's features with geometries in the metric ``crs``, and findings about single features."""
-    transform = QgsCoordinateTransform(source.crs, crs, transform_context) if crs != source.crs else None
+    transform = QgsCoordinateTransform(source.crs, crs, transform_context)
     is_inside = _is_in_area_of_use(source, transform_context)
     reading = AnnotationReading()
     for feature in features:
         geometry = feature.geometry()
         outside = not geometry.isNull() and not geometry.isEmpty() and not is_inside(geometry.boundingBox())
-        placed = _reproject(geometry, transform)
+        placed = None if geometry.isNull() else transformed_geometry(transform, geometry)
         wkb = None if placed is None else placed.asWkb().data()
         about = {"wkb": wkb, "feature_id": feature.id(), "area": placed.area() if placed else None}
         if outside or (placed is None and not geometry.isNull()):
@@ -90,20 +88,6 @@ def _class_value(
         findings.append(Finding(UNKNOWN_CLASS, severity, **about, reason=raw_text(raw)))
         return NOTHING
     return value
-
-
-def _reproject(geometry: QgsGeometry, transform: QgsCoordinateTransform | None) -> QgsGeometry | None:
-    """Return the geometry without arcs in the metric CRS; None without geometry or if it can't be reprojected."""
-    if geometry.isNull():
-        return None
-    placed = QgsGeometry(geometry)
-    placed.convertToStraightSegment()
-    if transform is not None:
-        try:
-            placed.transform(transform)
-        except QgsCsException:
-            return None
-    return placed
 
 
 def _is_in_area_of_use(

@@ -11,7 +11,6 @@ from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
     QgsCoordinateTransformContext,
-    QgsCsException,
     QgsGeometry,
     QgsProcessingFeatureSource,
     QgsRectangle,
@@ -20,7 +19,7 @@ from qgis.PyQt.QtGui import QTransform
 
 from ...core.errors import ParameterError
 from ...storage.rasterize import AreaMask
-from .reference_systems import misplaced
+from .reference_systems import misplaced, transformed_geometry
 
 _SEGMENTS = 12
 """Segments of a quarter circle where a corridor turns."""
@@ -138,12 +137,9 @@ def _reproject(
     to_map = QgsCoordinateTransform(area.crs, crs, context)
     moved = []
     for given in area.geometries:
-        geometry = QgsGeometry(given)
-        geometry.convertToStraightSegment()
-        try:
-            geometry.transform(to_map)
-        except QgsCsException:
-            raise misplaced(area.name, area.crs) from None
+        geometry = transformed_geometry(to_map, given)
+        if geometry is None:
+            raise misplaced(area.name, area.crs)
         moved.append(geometry.makeValid())
     return moved
 

@@ -49,7 +49,6 @@ class LocalizedImage:
 
     @property
     def name(self) -> str:
-        """File name."""
         return os.path.basename(self.path)
 
     @property

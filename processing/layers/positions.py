@@ -52,7 +52,6 @@ class PositionRow:
 
     @property
     def has_place(self) -> bool:
-        """Whether position, heading and pixel size are known."""
         return None not in (self.position, self.heading_deg, self.pixel_size)
 
     def corners(self, shape_hw: tuple[int, int]) -> np.ndarray:

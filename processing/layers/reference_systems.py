@@ -9,6 +9,7 @@ from qgis.core import (
     QgsCoordinateTransformContext,
     QgsCsException,
     QgsDistanceArea,
+    QgsGeometry,
     QgsPointXY,
     QgsRectangle,
 )
@@ -43,6 +44,17 @@ def transformed_point(transform: QgsCoordinateTransform, point: QgsPointXY) -> Q
         return QgsPointXY(transform.transform(point))
     except QgsCsException:
         return None
+
+
+def transformed_geometry(transform: QgsCoordinateTransform, geometry: QgsGeometry) -> QgsGeometry | None:
+    """Return the geometry in the other CRS, with segments instead of arcs; None if it can't be transformed."""
+    moved = QgsGeometry(geometry)
+    moved.convertToStraightSegment()
+    try:
+        moved.transform(transform)
+    except QgsCsException:
+        return None
+    return moved
 
 
 def misplaced(layer: str, crs: QgsCoordinateReferenceSystem) -> ParameterError:

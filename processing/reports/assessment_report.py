@@ -198,7 +198,6 @@ def trust(results: Sequence[AssessedFootprint]) -> list[str]:
 
 
 def assumptions(conditions: Conditions, correlation: bool) -> str:
-    """Return the text with the assumptions."""
     noise = conditions.noise
     text = tr(
         "Assumptions: {missed} missed, {spurious} spurious and {mislabeled} mislabeled landmarks. {background} of the "

@@ -64,7 +64,6 @@ class EvaluationReport:
     ground: str
 
     def html(self) -> str:
-        """Return the page."""
         summaries = [summarize(self.trials, method) for method in self.methods]
         return page.page(
             tr("Evaluation of localization"),

@@ -71,7 +71,6 @@ def paragraph(text: str) -> str:
 
 
 def figure(picture: str, caption: str) -> str:
-    """Return a chart with its caption."""
     return macros().figure(picture, caption)
 
 
