@@ -253,11 +253,6 @@ class MapPyramid:
             self._stored.append(EvidenceLevel(evidence, parts[f"known_{len(self._stored)}"], (pixel, pixel)))
 
     @property
-    def bytes(self) -> int:
-        """Memory of labels and evidence."""
-        return self.labels.nbytes + sum(level.evidence.nbytes + level.known.nbytes for level in self._stored)
-
-    @property
     def quiet(self) -> float:
         """Energy per pixel that is added to the map's own in a score."""
         return self.settings.quiet_energy * self.energy

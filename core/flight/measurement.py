@@ -50,7 +50,6 @@ class Measurement:
 
     state: np.ndarray
     covariance: np.ndarray
-    score: float | None = None
 
 
 def full_covariance(known: PoseCovariance, pixel_size: float) -> np.ndarray | None:
@@ -117,7 +116,7 @@ def _measure_at(
     if full is None:
         return None
     moved = np.array([pose.x, -pose.y, np.radians(pose.heading_deg), np.log(pose.pixel_size_m)])
-    return Measurement(moved, full, score=float(score))
+    return Measurement(moved, full)
 
 
 def mixture(found: Sequence[tuple[Measurement, float]]) -> Measurement:
@@ -160,9 +159,7 @@ def measure_by_landmarks(
         localizer = localizer.with_view(image.leveling.view)
     found = localizer.localize_by_constellation(image.labels_hw, prior, image.biases)
     measured = own_measurement(found, localizer.pyramid)
-    if measured is None or distance(measured, state, covariance) > GATE:
-        return None
-    return Measurement(measured.state, measured.covariance)
+    return measured if measured is not None and distance(measured, state, covariance) <= GATE else None
 
 
 def distance(measured: Measurement, state: np.ndarray, covariance: np.ndarray) -> float:

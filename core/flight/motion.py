@@ -110,27 +110,8 @@ class Link:
         """Return the motion of mirrored images (left and right exchanged), which can't be right anywhere."""
         sign = np.array([-1.0, 1.0, -1.0, 1.0])
         known = np.array(self.covariance) * np.outer(sign, sign)
-        return Link(
-            self.first,
-            self.second,
-            (-self.translation[0], self.translation[1]),
-            -self.turn,
-            self.log_scale,
-            as_rows(known),
-            self.source,
-            self.in_meters,
-        )
-
-    def after(self, center: complex, turn: complex) -> tuple[complex, complex]:
-        """Return center and turn of the second image (``core/geometry/pose.py``) from those of the first."""
-        unit = turn / abs(turn) if self.in_meters else turn
-        return center + unit * self.step, turn * self.ratio
-
-    def before(self, center: complex, turn: complex) -> tuple[complex, complex]:
-        """Return center and turn of the first image from those of the second."""
-        earlier = turn / self.ratio
-        unit = earlier / abs(earlier) if self.in_meters else earlier
-        return center - unit * self.step, earlier
+        right, down = self.translation
+        return replace(self, translation=(-right, down), turn=-self.turn, covariance=as_rows(known))
 
     @classmethod
     def of_odometry(  # noqa: PLR0913 - a row of a table
@@ -253,15 +234,13 @@ def halves(over: Link) -> tuple[Link, Link]:
     unit = half / abs(half) if over.in_meters else half
     step = over.step / (1 + unit)
     loose = np.diag([*[(share * abs(step)) ** 2] * 2, np.radians(heading_deg) ** 2, size**2])
-    covariance = as_rows(np.array(over.covariance) / 2 + loose)
-    first = Link(
-        over.first,
-        over.first + 1,
-        (step.real, -step.imag),
-        over.turn / 2,
-        over.log_scale / 2,
-        covariance,
-        LinkSource.ASSUMED,
-        over.in_meters,
+    first = replace(
+        over,
+        second=over.first + 1,
+        translation=(step.real, -step.imag),
+        turn=over.turn / 2,
+        log_scale=over.log_scale / 2,
+        covariance=as_rows(np.array(over.covariance) / 2 + loose),
+        source=LinkSource.ASSUMED,
     )
     return first, replace(first, first=over.first + 1, second=over.second)

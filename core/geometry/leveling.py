@@ -275,11 +275,10 @@ def leveling(
     if not height or not width:
         raise LabelMapError("The image has no pixels.")
     bent = None if lens is None else BentImage(lens, shape_hw, focal_length_px)
-    rays = np.array([(x, y, focal_length_px) for x, y in _around(width / 2, height / 2)])
-    around = rays
+    corners_xy = around_xy = np.array([(0, 0), (width, 0), (width, height), (0, height)], float)
     if bent is not None:
-        corners_xy = np.array([(0, 0), (width, 0), (width, height), (0, height)], float)
-        rays, around = (_rays(points, shape_hw, focal_length_px) for points in (bent.straight(corners_xy), bent.border))
+        corners_xy, around_xy = bent.straight(corners_xy), bent.border
+    rays, around = (_rays(points, shape_hw, focal_length_px) for points in (corners_xy, around_xy))
     depths = around @ attitude.down
     steepest = float(np.degrees(np.arccos(np.clip(depths / np.linalg.norm(around, axis=1), -1, 1)).max()))
     if steepest > STEEPEST_VIEW_DEG:
@@ -319,11 +318,6 @@ def _rays(pixels_xy: np.ndarray, shape_hw: tuple[int, int], focal_length_px: flo
     height, width = shape_hw
     x, y = pixels_xy.T
     return np.column_stack([x - width / 2, height / 2 - y, np.full(len(pixels_xy), focal_length_px)])
-
-
-def _around(x: float, y: float) -> tuple[tuple[float, float], ...]:
-    """Return the upper left, upper right, lower right and lower left corner, y up."""
-    return (-x, y), (x, y), (x, -y), (-x, -y)
 
 
 def _ground_matrix(down: np.ndarray, focal_length_px: float) -> np.ndarray:

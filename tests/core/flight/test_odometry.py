@@ -25,9 +25,8 @@ def test_a_row_gives_the_motion_since_the_previous_row_up_and_right_in_a_view_to
     assert (link.first, link.second, link.source, link.in_meters) == (0, 1, LinkSource.ODOMETRY, True)
     assert link.translation == pytest.approx((3, -200))
     assert link.turn == pytest.approx(math.radians(-10))
-    center, turn = link.after(0j, 1 + 0j)
-    assert center == pytest.approx(3 + 200j)
-    assert math.degrees(math.atan2(turn.imag, turn.real)) == pytest.approx(10)
+    assert link.step == pytest.approx(3 + 200j)
+    assert math.degrees(math.atan2(link.ratio.imag, link.ratio.real)) == pytest.approx(10)
 
 
 def test_spreads_are_those_of_the_table_or_a_share_of_the_way(tmp_path):
@@ -50,8 +49,8 @@ def test_steps_of_images_that_the_flight_lacks_are_put_together(tmp_path):
 def test_a_table_in_the_other_order_is_turned_round(tmp_path):
     (there,) = links(tmp_path, ["a,,,", "b,3,200,-30"], ["b", "a"])
     (back,) = links(tmp_path, ["a,,,", "b,3,200,-30"], ["a", "b"])
-    pose = back.after(10 + 5j, 2 * np.exp(0.3j))
-    assert there.after(*pose) == pytest.approx((10 + 5j, 2 * np.exp(0.3j)))
+    assert back.ratio * there.ratio == pytest.approx(1)
+    assert back.step + back.ratio / abs(back.ratio) * there.step == pytest.approx(0)
 
 
 @pytest.mark.parametrize(
