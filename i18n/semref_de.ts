@@ -160,6 +160,14 @@
    <translation>Ein typisches Foto zeigt etwa {count} Landmarken, nötig sind aber mindestens {least}. Fliegen Sie höher oder verwenden Sie eine Karte mit mehr Gebäuden.</translation>
   </message>
   <message>
+   <source>A typical photo shows {width:.0f} m of ground, more than the map. Check the ground width of a photo.</source>
+   <translation>Ein typisches Foto zeigt {width:.0f} m Boden, mehr als die Karte. Prüfen Sie die Bodenbreite eines Fotos.</translation>
+  </message>
+  <message>
+   <source>A unit of the layer’s CRS ({source}) is not a meter on the ground. The result is in {target}.</source>
+   <translation>Eine Einheit des Layer-KBS ({source}) ist am Boden kein Meter. Das Ergebnis ist in {target}.</translation>
+  </message>
+  <message>
    <source>A vector of {count} landmarks is too short; use at least {least}.</source>
    <translation>Ein Vektor aus {count} Landmarken ist zu kurz; verwenden Sie mindestens {least}.</translation>
   </message>
@@ -1940,6 +1948,10 @@ Bilder ohne Position werden weggelassen, ebenso wahrscheinliche Positionen und P
    <translation>Im {part} des Bildes stimmen die Klassen kaum mit der Karte überein ({agreement:.2f}; ganzes Bild {whole:.2f}): verändertes Gelände, falsche Klassen oder ein anderer Ort. Für den Rest gilt die Position.</translation>
   </message>
   <message>
+   <source>In {crs}, 1 m on the map is {scale:.2f} m on the ground. Sizes and radii differ by this factor, and heights of cameras do not fit. Warp the label map to its UTM zone.</source>
+   <translation>In {crs} ist 1 m auf der Karte {scale:.2f} m am Boden. Größen und Radien weichen um diesen Faktor ab, und Kamerahöhen passen nicht. Transformieren Sie die Klassenkarte in ihre UTM-Zone.</translation>
+  </message>
+  <message>
    <source>Include the overview</source>
    <translation>Übersicht einschließen</translation>
   </message>
@@ -3492,8 +3504,8 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
    <translation>Programme (*)</translation>
   </message>
   <message>
-   <source>Projected CRS with meters. If not set, the CRS of the layer is used if its unit is the meter, otherwise a UTM zone.</source>
-   <translation>Projiziertes KBS in Metern. Ohne Angabe wird das KBS des Layers verwendet, wenn seine Einheit der Meter ist, sonst eine UTM-Zone.</translation>
+   <source>Projected CRS with meters. If not set, the CRS of the layer is used if its unit is a meter on the ground, otherwise a UTM zone.</source>
+   <translation>Projiziertes KBS in Metern. Ohne Angabe wird das KBS des Layers verwendet, wenn seine Einheit am Boden ein Meter ist, sonst eine UTM-Zone.</translation>
   </message>
   <message>
    <source>Property</source>
@@ -5202,10 +5214,6 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
   <message>
    <source>The training failed: the loss is not a number. Train with a lower learning rate.</source>
    <translation>Das Training ist gescheitert: Der Verlust ist keine Zahl. Trainieren Sie mit einer kleineren Lernrate.</translation>
-  </message>
-  <message>
-   <source>The unit of the layer’s CRS ({source}) is not the meter. The result is in {target}.</source>
-   <translation>Die Einheit des Layer-KBS ({source}) ist nicht Meter. Das Ergebnis ist in {target}.</translation>
   </message>
   <message>
    <source>The weights of {path} are in another file ({name}). Export the network as one file.</source>
@@ -7498,6 +7506,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>“{source}” has classes that the class table does not have: {unknown}; add them to the table ({classes}) or leave those features out.</source>
    <translation>„{source}“ hat Klassen, die in der Klassentabelle fehlen: {unknown}; ergänzen Sie sie in der Tabelle ({classes}) oder lassen Sie diese Objekte weg.</translation>
+  </message>
+  <message>
+   <source>“{source}” has no features to use. Choose a layer with polygons, or change the selection.</source>
+   <translation>„{source}“ hat keine Objekte, die verwendet werden können. Wählen Sie einen Layer mit Polygonen oder ändern Sie die Auswahl.</translation>
   </message>
   <message>
    <source>“{source}” is in {crs}, but the positions are in {positions_crs}. Choose the layers of one run of “Localize images”.</source>

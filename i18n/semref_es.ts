@@ -160,6 +160,14 @@
    <translation>Una foto típica muestra unos {count} hitos, pero se necesitan al menos {least}. Vuele más alto o use un mapa con más edificios.</translation>
   </message>
   <message>
+   <source>A typical photo shows {width:.0f} m of ground, more than the map. Check the ground width of a photo.</source>
+   <translation>Una foto típica muestra {width:.0f} m de terreno, más que el mapa. Compruebe el ancho de terreno de una foto.</translation>
+  </message>
+  <message>
+   <source>A unit of the layer’s CRS ({source}) is not a meter on the ground. The result is in {target}.</source>
+   <translation>Una unidad del SRC de la capa ({source}) no es un metro en el terreno. El resultado está en {target}.</translation>
+  </message>
+  <message>
    <source>A vector of {count} landmarks is too short; use at least {least}.</source>
    <translation>Un vector de {count} hitos es demasiado corto; use al menos {least}.</translation>
   </message>
@@ -1940,6 +1948,10 @@ Se omiten las imágenes sin posición, y también las posiciones probables y las
    <translation>En la {part} de la imagen, las clases apenas coinciden con el mapa ({agreement:.2f}; imagen entera {whole:.2f}): terreno cambiado, etiquetas erróneas u otro lugar. La posición es válida para el resto.</translation>
   </message>
   <message>
+   <source>In {crs}, 1 m on the map is {scale:.2f} m on the ground. Sizes and radii differ by this factor, and heights of cameras do not fit. Warp the label map to its UTM zone.</source>
+   <translation>En {crs}, 1 m en el mapa son {scale:.2f} m en el terreno. Los tamaños y radios difieren en este factor, y las alturas de las cámaras no concuerdan. Reproyecte el mapa de etiquetas a su zona UTM.</translation>
+  </message>
+  <message>
    <source>Include the overview</source>
    <translation>Incluir la vista general</translation>
   </message>
@@ -3492,8 +3504,8 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
    <translation>Programas (*)</translation>
   </message>
   <message>
-   <source>Projected CRS with meters. If not set, the CRS of the layer is used if its unit is the meter, otherwise a UTM zone.</source>
-   <translation>SRC proyectado con metros. Si no se indica, se usa el SRC de la capa si su unidad es el metro; si no, una zona UTM.</translation>
+   <source>Projected CRS with meters. If not set, the CRS of the layer is used if its unit is a meter on the ground, otherwise a UTM zone.</source>
+   <translation>SRC proyectado con metros. Si no se indica, se usa el SRC de la capa si su unidad es un metro en el terreno; si no, una zona UTM.</translation>
   </message>
   <message>
    <source>Property</source>
@@ -5202,10 +5214,6 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
   <message>
    <source>The training failed: the loss is not a number. Train with a lower learning rate.</source>
    <translation>El entrenamiento falló: la pérdida no es un número. Entrene con una tasa de aprendizaje menor.</translation>
-  </message>
-  <message>
-   <source>The unit of the layer’s CRS ({source}) is not the meter. The result is in {target}.</source>
-   <translation>La unidad del SRC de la capa ({source}) no es el metro. El resultado está en {target}.</translation>
   </message>
   <message>
    <source>The weights of {path} are in another file ({name}). Export the network as one file.</source>
@@ -7498,6 +7506,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>“{source}” has classes that the class table does not have: {unknown}; add them to the table ({classes}) or leave those features out.</source>
    <translation>“{source}” tiene clases que la tabla de clases no tiene: {unknown}; añádalas a la tabla ({classes}) o deje fuera esos objetos espaciales.</translation>
+  </message>
+  <message>
+   <source>“{source}” has no features to use. Choose a layer with polygons, or change the selection.</source>
+   <translation>“{source}” no tiene objetos espaciales que usar. Elija una capa con polígonos o cambie la selección.</translation>
   </message>
   <message>
    <source>“{source}” is in {crs}, but the positions are in {positions_crs}. Choose the layers of one run of “Localize images”.</source>

@@ -160,6 +160,14 @@
    <translation>Une photo typique montre environ {count} repères visuels, mais il en faut au moins {least}. Volez plus haut, ou utilisez une carte avec plus de bâtiments.</translation>
   </message>
   <message>
+   <source>A typical photo shows {width:.0f} m of ground, more than the map. Check the ground width of a photo.</source>
+   <translation>Une photo typique montre {width:.0f} m de terrain, plus que la carte. Vérifiez la largeur au sol d’une photo.</translation>
+  </message>
+  <message>
+   <source>A unit of the layer’s CRS ({source}) is not a meter on the ground. The result is in {target}.</source>
+   <translation>Une unité du SCR de la couche ({source}) n’est pas un mètre au sol. Le résultat est en {target}.</translation>
+  </message>
+  <message>
    <source>A vector of {count} landmarks is too short; use at least {least}.</source>
    <translation>Un vecteur de {count} repères visuels est trop court ; utilisez-en au moins {least}.</translation>
   </message>
@@ -1940,6 +1948,10 @@ Les images sans position sont exclues, de même que les positions probables et l
    <translation>Dans la {part} de l’image, les classes concordent à peine avec la carte ({agreement:.2f} ; image entière {whole:.2f}) : terrain modifié, étiquettes fausses ou autre endroit. La position est valable pour le reste.</translation>
   </message>
   <message>
+   <source>In {crs}, 1 m on the map is {scale:.2f} m on the ground. Sizes and radii differ by this factor, and heights of cameras do not fit. Warp the label map to its UTM zone.</source>
+   <translation>En {crs}, 1 m sur la carte vaut {scale:.2f} m au sol. Les tailles et les rayons diffèrent de ce facteur, et les hauteurs des caméras ne correspondent pas. Reprojetez la carte d’étiquettes dans sa zone UTM.</translation>
+  </message>
+  <message>
    <source>Include the overview</source>
    <translation>Inclure la vue d’ensemble</translation>
   </message>
@@ -3492,8 +3504,8 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
    <translation>Programmes (*)</translation>
   </message>
   <message>
-   <source>Projected CRS with meters. If not set, the CRS of the layer is used if its unit is the meter, otherwise a UTM zone.</source>
-   <translation>SCR projeté en mètres. Par défaut, le SCR de la couche est utilisé si son unité est le mètre, sinon une zone UTM.</translation>
+   <source>Projected CRS with meters. If not set, the CRS of the layer is used if its unit is a meter on the ground, otherwise a UTM zone.</source>
+   <translation>SCR projeté en mètres. Par défaut, le SCR de la couche est utilisé si son unité est un mètre au sol, sinon une zone UTM.</translation>
   </message>
   <message>
    <source>Property</source>
@@ -5202,10 +5214,6 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   <message>
    <source>The training failed: the loss is not a number. Train with a lower learning rate.</source>
    <translation>L’entraînement a échoué : la perte n’est pas un nombre. Entraînez avec un taux d’apprentissage plus faible.</translation>
-  </message>
-  <message>
-   <source>The unit of the layer’s CRS ({source}) is not the meter. The result is in {target}.</source>
-   <translation>L’unité du SCR de la couche ({source}) n’est pas le mètre. Le résultat est en {target}.</translation>
   </message>
   <message>
    <source>The weights of {path} are in another file ({name}). Export the network as one file.</source>
@@ -7498,6 +7506,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>“{source}” has classes that the class table does not have: {unknown}; add them to the table ({classes}) or leave those features out.</source>
    <translation>« {source} » contient des classes qui manquent à la table des classes : {unknown} ; ajoutez-les à la table ({classes}) ou laissez ces entités de côté.</translation>
+  </message>
+  <message>
+   <source>“{source}” has no features to use. Choose a layer with polygons, or change the selection.</source>
+   <translation>« {source} » n’a aucune entité à utiliser. Choisissez une couche avec des polygones, ou changez la sélection.</translation>
   </message>
   <message>
    <source>“{source}” is in {crs}, but the positions are in {positions_crs}. Choose the layers of one run of “Localize images”.</source>

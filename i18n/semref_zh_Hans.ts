@@ -160,6 +160,14 @@
    <translation>一张典型照片显示约 {count} 个地标，但至少需要 {least} 个。请提高飞行高度，或使用建筑物更多的地图。</translation>
   </message>
   <message>
+   <source>A typical photo shows {width:.0f} m of ground, more than the map. Check the ground width of a photo.</source>
+   <translation>一张典型照片显示 {width:.0f} m 的地面，超出地图范围。请检查照片的地面宽度。</translation>
+  </message>
+  <message>
+   <source>A unit of the layer’s CRS ({source}) is not a meter on the ground. The result is in {target}.</source>
+   <translation>图层坐标参照系（{source}）的单位在地面上不等于一米。结果采用 {target}。</translation>
+  </message>
+  <message>
    <source>A vector of {count} landmarks is too short; use at least {least}.</source>
    <translation>由 {count} 个地标组成的向量太短；请至少使用 {least} 个。</translation>
   </message>
@@ -1940,6 +1948,10 @@ Images without a position are left out, and so are likely positions and position
    <translation>在影像的{part}，类别与地图几乎不符（{agreement:.2f}；整幅影像 {whole:.2f}）：地面已变化、标签错误，或者这是另一地点。定位结果对其余部分有效。</translation>
   </message>
   <message>
+   <source>In {crs}, 1 m on the map is {scale:.2f} m on the ground. Sizes and radii differ by this factor, and heights of cameras do not fit. Warp the label map to its UTM zone.</source>
+   <translation>在 {crs} 中，地图上的 1 m 在地面上为 {scale:.2f} m。尺寸和半径相差这个倍数，相机高度也不相符。请将标签图重投影到所在的 UTM 分带。</translation>
+  </message>
+  <message>
    <source>Include the overview</source>
    <translation>包含概览</translation>
   </message>
@@ -3492,8 +3504,8 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation>程序 (*)</translation>
   </message>
   <message>
-   <source>Projected CRS with meters. If not set, the CRS of the layer is used if its unit is the meter, otherwise a UTM zone.</source>
-   <translation>以米为单位的投影坐标参照系。如果未设置，且图层坐标参照系的单位为米，则使用该坐标参照系，否则使用 UTM 分带。</translation>
+   <source>Projected CRS with meters. If not set, the CRS of the layer is used if its unit is a meter on the ground, otherwise a UTM zone.</source>
+   <translation>以米为单位的投影坐标参照系。如果未设置，且图层坐标参照系的单位在地面上为一米，则使用该坐标参照系，否则使用 UTM 分带。</translation>
   </message>
   <message>
    <source>Property</source>
@@ -5202,10 +5214,6 @@ Use a label map of another date than that of the database, with a map displaceme
   <message>
    <source>The training failed: the loss is not a number. Train with a lower learning rate.</source>
    <translation>训练失败：损失不是数值。请用较低的学习率训练。</translation>
-  </message>
-  <message>
-   <source>The unit of the layer’s CRS ({source}) is not the meter. The result is in {target}.</source>
-   <translation>图层坐标参照系的单位（{source}）不是米。结果采用 {target}。</translation>
   </message>
   <message>
    <source>The weights of {path} are in another file ({name}). Export the network as one file.</source>
@@ -7498,6 +7506,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>“{source}” has classes that the class table does not have: {unknown}; add them to the table ({classes}) or leave those features out.</source>
    <translation>“{source}”有类别表中没有的类别：{unknown}；请将其添加到表中（{classes}），或舍弃这些要素。</translation>
+  </message>
+  <message>
+   <source>“{source}” has no features to use. Choose a layer with polygons, or change the selection.</source>
+   <translation>“{source}”没有可用的要素。请选择包含多边形的图层，或更改选择。</translation>
   </message>
   <message>
    <source>“{source}” is in {crs}, but the positions are in {positions_crs}. Choose the layers of one run of “Localize images”.</source>

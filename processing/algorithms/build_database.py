@@ -11,6 +11,7 @@ from qgis.core import (
     QgsProcessingParameterFileDestination,
     QgsProcessingParameterNumber,
     QgsProcessingParameterString,
+    QgsRectangle,
 )
 
 from ...core.errors import ParameterError
@@ -136,11 +137,18 @@ class BuildDatabase(SemRefAlgorithm):
         from ...storage.label_maps import GdalLabels
         from ..layers.class_styles import database_styles
         from ..layers.layer_inputs import map_frame
-        from ..layers.reference_systems import longitudes_latitudes
+        from ..layers.reference_systems import TRUE_TO_SCALE, describe_crs, ground_scale, longitudes_latitudes
 
         self._before = {self._layer.path: state(self._layer.path)}
         labels = GdalLabels(self._layer.path)
         frame = map_frame(labels, self._layer)
+        scale = ground_scale(self._layer.crs, QgsRectangle(*frame.extent).center(), values.transform_context)
+        if scale is not None and abs(scale - 1) > TRUE_TO_SCALE:
+            text = tr(
+                "In {crs}, 1 m on the map is {scale:.2f} m on the ground. Sizes and radii differ by this factor, and "
+                "heights of cameras do not fit. Warp the label map to its UTM zone."
+            )
+            feedback.pushWarning(text.format(crs=describe_crs(self._layer.crs), scale=scale))
         table = self._table(values, labels, feedback)
         settings = self._settings(values)
         shape_hw = frame.reduced(settings.overview_factor).shape_hw

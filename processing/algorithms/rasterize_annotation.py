@@ -68,8 +68,8 @@ class RasterizeAnnotation(AnnotationAlgorithm):
             ),
             with_help(
                 QgsProcessingParameterCrs(self.TARGET_CRS, "Target CRS", optional=True),
-                "Projected CRS with meters. If not set, the CRS of the layer is used if its unit is the meter, "
-                "otherwise a UTM zone.",
+                "Projected CRS with meters. If not set, the CRS of the layer is used if its unit is a meter on the "
+                "ground, otherwise a UTM zone.",
             ),
             with_help(
                 QgsProcessingParameterBoolean(

@@ -82,11 +82,8 @@ class AnnotationAlgorithm(SemRefAlgorithm):
         source, asked = self._source, asked or QgsCoordinateReferenceSystem()
         crs = metric_crs(source.crs, asked, source.extent, values.transform_context)
         if crs != source.crs and not asked.isValid():
-            feedback.pushWarning(
-                tr("The unit of the layer’s CRS ({source}) is not the meter. The result is in {target}.").format(
-                    source=describe_crs(source.crs), target=describe_crs(crs)
-                )
-            )
+            text = tr("A unit of the layer’s CRS ({source}) is not a meter on the ground. The result is in {target}.")
+            feedback.pushWarning(text.format(source=describe_crs(source.crs), target=describe_crs(crs)))
         return crs
 
     def read_features(

@@ -20,7 +20,7 @@ from ...storage.images import GdalImage
 from ...storage.label_maps import GdalLabels, RasterFile, require_map_grid
 from ...storage.rasters import open_raster
 from ..compat import is_metric, wkt_for_gdal
-from .reference_systems import describe_crs, ellipsoidal_measure
+from .reference_systems import describe_crs, ellipsoidal_measure, is_true_to_scale
 
 
 @dataclass(frozen=True)
@@ -114,12 +114,13 @@ def pixel_size_m(image: GdalImage, crs: QgsCoordinateReferenceSystem) -> tuple[f
     if transform is None or not crs.isValid():
         return None
     x0, dx_column, dx_row, y0, dy_column, dy_row = transform
-    if is_metric(crs):
-        return hypot(dx_column, dy_column), hypot(dx_row, dy_row)
     height, width = image.shape_hw
     x = x0 + dx_column * width / 2 + dx_row * height / 2
     y = y0 + dy_column * width / 2 + dy_row * height / 2
-    measure, middle = ellipsoidal_measure(crs, QgsCoordinateTransformContext()), QgsPointXY(x, y)
+    middle, context = QgsPointXY(x, y), QgsCoordinateTransformContext()
+    if is_true_to_scale(crs, middle, context):
+        return hypot(dx_column, dy_column), hypot(dx_row, dy_row)
+    measure = ellipsoidal_measure(crs, context)
     along_row = measure.measureLine(middle, QgsPointXY(x + dx_column, y + dy_column))
     return along_row, measure.measureLine(middle, QgsPointXY(x + dx_row, y + dy_row))
 

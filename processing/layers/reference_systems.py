@@ -21,6 +21,9 @@ from ..compat import is_metric
 
 WGS84 = "EPSG:4326"
 
+TRUE_TO_SCALE = 0.01
+"""Largest relative scale error of a CRS in meters. In Europe, the scale of web maps is off by about a third."""
+
 _UTM_NORTH, _UTM_SOUTH = 32600, 32700
 _UPS_NORTH, _UPS_SOUTH = 32661, 32761
 
@@ -78,7 +81,7 @@ def metric_crs(
     extent: QgsRectangle,
     transform_context: QgsCoordinateTransformContext,
 ) -> QgsCoordinateReferenceSystem:
-    """Return the CRS for a label map: ``target`` if valid, or ``source`` if metric, or a UTM zone for ``extent``.
+    """Return the CRS for a label map: ``target`` if valid, ``source`` if true to scale, or a UTM zone for ``extent``.
 
     Raises:
         ParameterError: ``target`` is not metric, or ``source`` is unknown.
@@ -93,7 +96,30 @@ def metric_crs(
                 "{crs} is not in meters. Choose a projected CRS in meters as target CRS.", crs=describe_crs(target)
             )
         return target
-    return source if is_metric(source) else utm_zone(source, extent, transform_context)
+    is_true = is_true_to_scale(source, extent.center(), transform_context)
+    return source if is_true else utm_zone(source, extent, transform_context)
+
+
+def is_true_to_scale(
+    crs: QgsCoordinateReferenceSystem, place: QgsPointXY, transform_context: QgsCoordinateTransformContext
+) -> bool:
+    """Return whether a unit of the CRS is 1 m on the ground. A local CRS and a place outside the CRS count as true."""
+    if not is_metric(crs):
+        return False
+    scale = ground_scale(crs, place, transform_context)
+    return scale is None or abs(scale - 1) <= TRUE_TO_SCALE
+
+
+def ground_scale(
+    crs: QgsCoordinateReferenceSystem, place: QgsPointXY, transform_context: QgsCoordinateTransformContext
+) -> float | None:
+    """Return the ground length, m, of a map unit to the east; None for a local CRS and a place outside the CRS."""
+    step = 100.0
+    transform = QgsCoordinateTransform(crs, QgsCoordinateReferenceSystem(WGS84), transform_context)
+    if not transform.isValid() or transformed_point(transform, place) is None:
+        return None
+    measure = ellipsoidal_measure(crs, transform_context)
+    return measure.measureLine(place, QgsPointXY(place.x() + step, place.y())) / step or None
 
 
 def utm_zone(

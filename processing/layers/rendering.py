@@ -16,7 +16,6 @@ from qgis.core import (
     QgsMapLayer,
     QgsMapRendererSequentialJob,
     QgsMapSettings,
-    QgsPointXY,
     QgsProject,
     QgsRasterLayer,
     QgsRectangle,
@@ -29,9 +28,9 @@ from ...core.errors import ImageError
 from ...core.geometry.frame import MapFrame
 from ...core.steps import Steps
 from ...storage.pictures import ColorPicture
-from ..compat import MAP_TILE, is_metric, wkt_for_gdal
+from ..compat import MAP_TILE, wkt_for_gdal
 from .downloads import Downloads, install, watched_downloads
-from .reference_systems import describe_crs, ellipsoidal_measure, transformed_box, utm_zone
+from .reference_systems import describe_crs, metric_crs, transformed_box
 
 TILE_PX = 1024
 """Edge of a drawn tile; a cancel takes effect within CANCEL_EVERY_MS."""
@@ -40,9 +39,6 @@ CANCEL_EVERY_MS = 200
 
 PICTURE_DPI = 192
 """Resolution of a map's picture on paper, which sets the size of symbols and texts."""
-
-TRUE_TO_SCALE = 0.01
-"""Largest relative scale error of a CRS for drawing. In Europe, the scale of web maps is off by about a third."""
 
 
 def needs_drawing(layer: QgsRasterLayer | None) -> bool:
@@ -75,7 +71,7 @@ def plan_drawing(
     Raises:
         ImageError: The extent can't be transformed to a metric CRS, or is too large.
     """
-    crs = _true_crs(extent, extent_crs, context)
+    crs = metric_crs(extent_crs, QgsCoordinateReferenceSystem(), extent, context)
     ground = transformed_box(QgsCoordinateTransform(extent_crs, crs, context), extent)
     if ground.isEmpty() or not ground.isFinite():
         raise ImageError(
@@ -253,18 +249,3 @@ def _pixels(image: QImage, shape_hw: tuple[int, int]) -> np.ndarray:
     bits = plain.constBits()
     bits.setsize(plain.bytesPerLine() * plain.height())
     return np.frombuffer(bits, np.uint8).reshape(height, plain.bytesPerLine() // 4, 4)[:, :width].copy()
-
-
-def _true_crs(
-    extent: QgsRectangle, crs: QgsCoordinateReferenceSystem, context: QgsCoordinateTransformContext
-) -> QgsCoordinateReferenceSystem:
-    """Return the extent's CRS if it is metric and true to scale, otherwise the UTM zone."""
-    if is_metric(crs) and abs(_scale(extent.center(), crs, context) - 1) <= TRUE_TO_SCALE:
-        return crs
-    return utm_zone(crs, extent, context)
-
-
-def _scale(place: QgsPointXY, crs: QgsCoordinateReferenceSystem, context: QgsCoordinateTransformContext) -> float:
-    """Return the ground length, m, of a map unit to the east."""
-    step = 100.0
-    return ellipsoidal_measure(crs, context).measureLine(place, QgsPointXY(place.x() + step, place.y())) / step

@@ -110,9 +110,7 @@ class TrainingGround:
     def crs(self) -> QgsCoordinateReferenceSystem:
         """CRS in meters; invalid if the image has no CRS."""
         crs = self.layer.crs
-        if not crs.isValid() or is_metric(crs):
-            return crs
-        return metric_crs(crs, QgsCoordinateReferenceSystem(), self.extent, self.context)
+        return metric_crs(crs, QgsCoordinateReferenceSystem(), self.extent, self.context) if crs.isValid() else crs
 
     def image(self, folder: Path) -> RasterFile:
         """Return the prepared image, with its VRT in ``folder``. Raises SemRefError."""

@@ -132,6 +132,9 @@ def test_degrees_are_turned_into_meters(segment, tmp_path):
     raster = gdal.Open(segment(image, MODEL=str(model)))
     # At 60° north a degree of longitude is half as long.
     assert (raster.RasterXSize, raster.RasterYSize) == pytest.approx((230 / 4, 170 / 2), abs=1)
+    web_map = write_raster(tmp_path / "b.tif", PHOTO, crs=3857, transform=(1e6, 1, 0, 8399738, 0, -1))
+    raster = gdal.Open(segment(web_map, MODEL=str(model)))
+    assert (raster.RasterXSize, raster.RasterYSize) == pytest.approx((230 / 4, 170 / 4), abs=1)
 
 
 def test_a_label_map_of_many_rows_is_written_whole(segment, tmp_path):

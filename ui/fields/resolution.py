@@ -15,7 +15,6 @@ from qgis.core import (
 )
 
 from ...core.area_plan import training_resolution_cm
-from ...processing.compat import is_metric
 from ...processing.layers.guess_fields import BUILDING
 from ...processing.layers.reference_systems import metric_crs
 
@@ -32,8 +31,7 @@ def proposed_resolution_cm(layer: QgsVectorLayer | None, given: dict[str, str], 
     if layer is None or not crs.isValid() or not layer.crs().isValid():
         return None
     context = QgsProject.instance().transformContext()
-    if not is_metric(crs):
-        crs = metric_crs(crs, QgsCoordinateReferenceSystem(), photo.extent(), context)
+    crs = metric_crs(crs, QgsCoordinateReferenceSystem(), photo.extent(), context)
     moved = QgsCoordinateTransform(layer.crs(), crs, context)
     try:
         widths = _widths(layer, given, moved)

@@ -90,12 +90,15 @@ def test_roles_of_the_stored_class_table_are_the_default(build, tmp_path):
     assert [row[2] for row in made["classes"] if row[4] == "reference"] == ["building", "water", "bare_land"]
 
 
-def test_windows_without_vector_are_counted_in_the_log(run_algorithm, label_map, feedback, tmp_path, query):
+def test_windows_without_vector_and_a_web_map_are_noted_in_the_log(run_algorithm, label_map, feedback, tmp_path, query):
     sizes = {"WINDOW_SIZE": SIZE, "STRIDE": STRIDE, "MINIMUM_AREA": MINIMUM_AREA}
     asked = {"LABELS": str(label_map), "REFERENCE_CLASSES": "1;2;3", "DATABASE": str(tmp_path / "area.gpkg")}
     run_algorithm(BUILD, {**asked, **sizes}, feedback)
     lacking = query("SELECT count(*) FROM windows WHERE vector IS NULL")[0][0]
-    assert f"{lacking} windows" in feedback.textLog()
+    assert f"{lacking} windows" in feedback.textLog() and "on the ground" not in feedback.textLog()
+    asked["LABELS"] = str(write_raster(tmp_path / "a.tif", map_labels(), crs=3857, transform=(0, 1, 0, 8399738, 0, -1)))
+    run_algorithm(BUILD, {**asked, **sizes}, feedback)
+    assert "EPSG:3857 WGS 84 / Pseudo-Mercator, 1 m on the map is 0.50 m on the ground" in feedback.textLog()
 
 
 def test_a_local_crs_that_leads_to_no_longitude_gives_null(build, tmp_path):

@@ -150,13 +150,13 @@ def test_the_utm_zone_is_right_on_both_halves_of_the_earth(rasterize, tmp_path, 
     assert QgsRasterLayer(rasterize(layer, PIXEL_SIZE=10)["OUTPUT"]).crs().authid() == zone
 
 
-def test_a_crs_in_feet_becomes_meters_with_a_note(rasterize, tmp_path, feedback):
-    # EPSG:2263 is New York Long Island in US survey feet; 1000 ft are 304.8 m.
-    feet = "POLYGON ((985000 200000, 986000 200000, 986000 201000, 985000 201000, 985000 200000))"
-    results = rasterize(write_layer(tmp_path / "a.gpkg", [(feet, "field")], crs=2263))
-    assert QgsRasterLayer(results["OUTPUT"]).crs().authid() == "EPSG:32618"
-    assert (read_pixels(results["OUTPUT"]) == 1).sum() == pytest.approx(304.8**2, rel=0.01)
-    assert "EPSG:2263" in feedback.textLog()
+# New York Long Island in US survey feet, and web maps at 60° north, where a unit is half a meter on the ground.
+@pytest.mark.parametrize(("crs", "x", "y", "edge_m"), [(2263, 985000, 2e5, 304.8), (3857, 1e6, 8399738, 500)])
+def test_units_that_are_no_meters_become_meters_with_a_note(rasterize, tmp_path, feedback, crs, x, y, edge_m):
+    square_of_1000 = f"POLYGON (({x} {y}, {x + 1e3} {y}, {x + 1e3} {y + 1e3}, {x} {y + 1e3}, {x} {y}))"
+    results = rasterize(write_layer(tmp_path / "a.gpkg", [(square_of_1000, "field")], crs=crs))
+    assert (read_pixels(results["OUTPUT"]) == 1).sum() == pytest.approx(edge_m**2, rel=0.01)
+    assert f"EPSG:{crs}" in feedback.textLog() and "UTM zone" in feedback.textLog()
 
 
 def test_selected_and_filtered_features_up_to_a_limit_and_edits_are_burnt(labels, tmp_path, project):
