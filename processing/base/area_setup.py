@@ -297,6 +297,11 @@ def read_area(
     if photos.is_assumed:
         text = tr("The photos have no camera data. Their pixels are assumed to be as large as those of the imagery.")
         warnings.append(text)
+    if photos.size_m[0] > max(extent.width(), extent.height()):
+        text = tr(
+            "A typical photo shows {width:.0f} m of ground, more than the map. Check the ground width of a photo."
+        )
+        warnings.append(text.format(width=photos.size_m[0]))
     if plan.per_photo < FEW_LANDMARKS:
         text = tr(
             "A typical photo shows about {count} landmarks, but at least {least} are needed. Fly higher, or use a map "

@@ -231,8 +231,17 @@ def class_lookup(source: AnnotationSource, given: ClassTable | None, canceled: C
         return ClassLookup(given)
     found = source.styled or [((value,), str(value), "") for value in _distinct_values(source, canceled)]
     if not found and not canceled():
-        raise AnnotationError("No feature of “{source}” has a class. Fill the class field first.", source=source.name)
+        raise _no_class(source)
     return lookup_of(found, source.class_is_number)
+
+
+def _no_class(source: AnnotationSource) -> AnnotationError:
+    if source.count == 0:
+        return AnnotationError(
+            "“{source}” has no features to use. Choose a layer with polygons, or change the selection.",
+            source=source.name,
+        )
+    return AnnotationError("No feature of “{source}” has a class. Fill the class field first.", source=source.name)
 
 
 def class_texts(source: AnnotationSource, canceled: Callable[[], bool]) -> list[FoundClass]:
@@ -241,7 +250,7 @@ def class_texts(source: AnnotationSource, canceled: Callable[[], bool]) -> list[
     texts = [raw_text(value) for value in _distinct_values(source, canceled)]
     texts += [text for text in styles if text not in texts]
     if not texts and not canceled():
-        raise AnnotationError("No feature of “{source}” has a class. Fill the class field first.", source=source.name)
+        raise _no_class(source)
     is_value = source.class_is_number and all(is_whole(text) and 1 <= int(text) <= 255 for text in texts)
     return [FoundClass(t, *styles.get(t, (t, "")), int(t) if is_value else None) for t in texts]
 
