@@ -20,6 +20,7 @@ from qgis.PyQt.QtWidgets import (
     QFileDialog,
     QFormLayout,
     QFrame,
+    QProgressBar,
     QPushButton,
     QScrollArea,
     QSizePolicy,
@@ -41,7 +42,7 @@ from .running.background import Reader, shut_down
 from .running.localization_run import named_results
 from .widgets.controls import message_label
 from .widgets.layouts import row_of
-from .widgets.progress import RemainingBar, StatusLine
+from .widgets.progress import StatusLine
 
 ALGORITHM = "semref:setuparea"
 _FOLDER_SETTING = "semref/area_folder"
@@ -86,7 +87,8 @@ class SetUpAreaDialog(QDialog):
         self.model.setFilePath(model if os.path.isfile(model) else "")
         self.folder = _files(QgsFileWidget.StorageMode.GetDirectory)
         self._inputs, self.summary = QWidget(), message_label()
-        self.progress, self.state = RemainingBar(), StatusLine()
+        # Without the remaining time: the steps take very different times.
+        self.progress, self.state = QProgressBar(), StatusLine()
         self.start, self.close_button = QPushButton(tr("Run")), QPushButton(tr("Close"))
         self._run, self._reader, self._soon = AlgorithmRun(self), Reader(self), QTimer(self)
         self._feedback, self._context = QgsProcessingFeedback(False), QgsProcessingContext()
@@ -143,7 +145,7 @@ class SetUpAreaDialog(QDialog):
         self._reader.answered.connect(self._show_area)
         self._reader.failed.connect(self.summary.setText)
         self._run.failed.connect(self._show_fault)
-        self._run.progressed.connect(self.progress.show_percent)
+        self._run.progressed.connect(lambda percent: self.progress.setValue(round(percent)))
         self._run.textChanged.connect(self.state.show_text)
         self._run.done.connect(self._finish)
         self._run.canceled.connect(lambda: self._show_fault(tr("Canceled. Press “Run” to continue.")))
@@ -230,7 +232,7 @@ class SetUpAreaDialog(QDialog):
 
     def _show_running(self, is_running: bool) -> None:
         self.progress.setVisible(is_running)
-        self.progress.begin()
+        self.progress.setValue(0)
         self.state.show_text("")
         self.start.setText(tr("Cancel") if is_running else tr("Run"))
         self.start.setEnabled(True)

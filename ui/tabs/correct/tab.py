@@ -181,7 +181,7 @@ class CorrectTab(QWidget):
             self._soon.stop()
             self._done &= self._kinds.keys()
             self.progress.setRange(0, max(len(self._counted), 1))
-            self.progress.setTextVisible(bool(self._counted))
+            self.progress.setVisible(bool(self._counted))
             self._show_progress()
             self.places.fit_columns()
             self._list_kinds()
@@ -274,6 +274,7 @@ class CorrectTab(QWidget):
         if self._repaired is not None:
             repaired_step, places = self._repaired
             self._done = self._done | places if step >= repaired_step else self._done - places
+            self._report = self._report if step >= repaired_step else ""
             self._store_done()
             self._fill()
 
