@@ -125,16 +125,13 @@ def test_a_resampled_label_map_has_square_pixels_as_databases_need_them_and_keep
     assert (found[:, :50] == 0).all() and (found[:, 50:] > 0).all()
 
 
-def test_degrees_are_turned_into_meters(segment, tmp_path):
+@pytest.mark.parametrize(("crs", "x", "y", "unit", "down"), [(4326, 8, 60, 1 / 111_320, 2), (3857, 1e6, 8399738, 1, 4)])
+def test_degrees_and_units_of_web_maps_are_turned_into_meters(segment, tmp_path, crs, x, y, unit, down):
     model = write_model(tmp_path / "m.onnx", metadata=metadata(resolution=200))
-    degree_m = 111_320.0
-    image = write_raster(tmp_path / "a.tif", PHOTO, crs=4326, transform=(8, 1 / degree_m, 0, 60, 0, -1 / degree_m))
+    image = write_raster(tmp_path / "a.tif", PHOTO, crs=crs, transform=(x, unit, 0, y, 0, -unit))
     raster = gdal.Open(segment(image, MODEL=str(model)))
-    # At 60° north a degree of longitude is half as long.
-    assert (raster.RasterXSize, raster.RasterYSize) == pytest.approx((230 / 4, 170 / 2), abs=1)
-    web_map = write_raster(tmp_path / "b.tif", PHOTO, crs=3857, transform=(1e6, 1, 0, 8399738, 0, -1))
-    raster = gdal.Open(segment(web_map, MODEL=str(model)))
-    assert (raster.RasterXSize, raster.RasterYSize) == pytest.approx((230 / 4, 170 / 4), abs=1)
+    # At 60° north a degree of longitude is half as long, and so is a unit of web maps.
+    assert (raster.RasterXSize, raster.RasterYSize) == pytest.approx((230 / 4, 170 / down), abs=1)
 
 
 def test_a_label_map_of_many_rows_is_written_whole(segment, tmp_path):

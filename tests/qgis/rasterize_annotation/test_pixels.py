@@ -94,9 +94,8 @@ def test_polygons_without_shape_area_or_class_are_skipped_and_counted(labels, tm
 
 def test_heights_are_left_out_and_counted(labels, tmp_path, feedback):
     flat, solid = square(0, 0, 10), "POLYGON Z " + square(2, 2, 4)[8:].replace(",", " 7,").replace("))", " 7))")
-    layer = write_layer(tmp_path / "a.gpkg", [(flat, "a"), (solid, "b")])
     assert ogr.CreateGeometryFromWkt(solid).Is3D()
-    made = labels(layer)
+    made = labels(write_layer(tmp_path / "a.gpkg", [(flat, "a"), (solid, "b")]))
     assert (made[2:6, 2:6] == 2).all() and (made == 2).sum() == 16
     assert "Heights (Z) left out: 1 feature." in feedback.textLog()
 
@@ -133,12 +132,10 @@ def test_an_extent_around_or_beside_the_polygons_is_unlabeled_there_with_a_warni
 
 def test_degrees_become_the_utm_zone_of_the_middle_with_a_note(rasterize, tmp_path, feedback):
     degrees = "POLYGON ((9.5 47.0, 9.52 47.0, 9.52 47.01, 9.5 47.01, 9.5 47.0))"
-    layer = write_layer(tmp_path / "a.gpkg", [(degrees, "field")], crs=4326)
-    results = rasterize(layer, PIXEL_SIZE=10)
+    results = rasterize(write_layer(tmp_path / "a.gpkg", [(degrees, "field")], crs=4326), PIXEL_SIZE=10)
     assert QgsRasterLayer(results["OUTPUT"]).crs().authid() == "EPSG:32632"
     # 0.02° of longitude at 47° are 1521 m, 0.01° of latitude 1112 m; the rest is convergence of the meridians.
-    labeled = (read_pixels(results["OUTPUT"]) == 1).sum() * 100
-    assert labeled == pytest.approx(1521 * 1112, rel=0.01)
+    assert (read_pixels(results["OUTPUT"]) == 1).sum() * 100 == pytest.approx(1521 * 1112, rel=0.01)
     assert "EPSG:4326" in feedback.textLog() and "EPSG:32632" in feedback.textLog()
 
 
