@@ -47,8 +47,8 @@ class Place:
     """A place that is used for training, or left out, as a whole.
 
     Attributes:
-        name: Name of the place.
-        about: Location and description.
+        name: Key of the place.
+        about: Location, a colon, and a description.
         drawn: Classes that were drawn completely.
         photos: Photos of the place.
     """

@@ -1,7 +1,7 @@
 """Train a network for real photos: buildings, and with Dubai's mosaics also roads, vegetation, water and land.
 
     .venv/bin/python tools/training/train_photos.py OUTPUT_FOLDER --python PYTHON_WITH_TORCH [--without-dubai]
-        [--leave-out PLACE …] [--minutes 10] [--seed 1671]
+        [--leave-out PLACE …] [--minutes 10] [--seed 1671] [--encoder NAME --encoder-weights FILE]
 
 The script reads banepa, oam_buildings and dubai_aerial ($SEMREF_DATA or ../shared/data). It writes
 OUTPUT_FOLDER/photos.onnx (buildings.onnx with --without-dubai) with the model's card, also as .json.
@@ -49,6 +49,8 @@ def main() -> None:
     parser.add_argument("--leave-out", nargs="+", default=[], choices=names, help="tested without training on it")
     parser.add_argument("--minutes", type=float, default=10.0, help="minutes of processor time; default %(default)s")
     parser.add_argument("--seed", type=int, default=1671)
+    parser.add_argument("--encoder", default=LITE0, help="its name in segmentation_models_pytorch")
+    parser.add_argument("--encoder-weights", default=PACKAGED, help="file with its weights")
     options = parser.parse_args()
     folder = prepare(parser, options, "oam_buildings")
     name = BUILDINGS_ONLY if options.without_dubai else PHOTOS
@@ -89,8 +91,8 @@ def train(options: argparse.Namespace, name: str, model: Path, tiles: dict[str, 
         tuple(tiles),
         str(model),
         str(model.with_suffix(".training")),
-        encoder=LITE0,
-        encoder_weights=PACKAGED,
+        encoder=options.encoder,
+        encoder_weights=options.encoder_weights,
         learn_unlabeled=name == BUILDINGS_ONLY,
         complete=complete if name == PHOTOS else {},
         epochs=MANY_EPOCHS,
@@ -113,9 +115,15 @@ def card_of(name: str, title: str, places: list[Place]) -> dict:
     unlike = list(dict.fromkeys(places))
     return {
         "name": title,
-        "trained_on": [{"place": one.name, "about": one.about, "classes": list(one.drawn)} for one in unlike],
+        "trained_on": [{**ground_of(one), "classes": list(one.drawn)} for one in unlike],
         **CARDS[name],
     }
+
+
+def ground_of(one: Place) -> dict[str, str]:
+    """Return location and description of a place, for the card."""
+    location, _, about = one.about.partition(": ")
+    return {"place": location, "about": about}
 
 
 def tested_on(one: Place, name: str, model: Path, folder: Path) -> dict:
@@ -133,7 +141,7 @@ def tested_on(one: Place, name: str, model: Path, folder: Path) -> dict:
             true, answer = (truth == entry.value) & known, (found == entry.value) & known
             counts[entry.name] += (true & answer).sum(), true.sum(), answer.sum()
     iou = {c: round(both / max(true + answer - both, 1), 3) for c, (both, true, answer) in counts.items()}
-    return {"place": one.name, "about": one.about, "how": "left out", "iou": iou}
+    return {**ground_of(one), "how": "left out", "iou": iou}
 
 
 def write_card(folder: Path, name: str) -> None:
