@@ -220,7 +220,9 @@ class SetUpArea(SemRefAlgorithm):
 
         feedback.setProgressText(tr("Reading the photos and the map"))
         width_m = values.optional_number(self.PHOTO_WIDTH)
-        photos = read_photos(values.files(self.PHOTOS), width_m, self._imagery_pixel_m, feedback)
+        context, imagery_m = values.transform_context, self._imagery_pixel_m
+        whole_map = self._map.degrees(context)
+        photos = read_photos(values.files(self.PHOTOS), width_m, imagery_m, whole_map, feedback)
         given = values.extent_as_given(self.EXTENT)
         rules, known = read_rules(str(RULES_PATH)), self._known(values)
         of_lines = {name.casefold() for name in rules.for_lines.classes}
@@ -229,7 +231,7 @@ class SetUpArea(SemRefAlgorithm):
                 "The model has none of the classes of lines, {classes}. Choose another model, or leave out the lines.",
                 classes=sorted(of_lines),
             )
-        context, pixel_m = values.transform_context, self._imagery_pixel_m if self._trains(values) else None
+        pixel_m = imagery_m if self._trains(values) else None
         area = read_area(self._map, photos, given, rules, known, pixel_m, context, feedback)
         if self._drawn is not None:
             # Refuses imagery with too many pixels before any work.

@@ -95,6 +95,11 @@ class AreaMap:
         self._lines = QgsVectorLayerFeatureSource(self.lines)
         self._to_lines = QgsCoordinateTransform(self.crs, lines.crs(), context)
 
+    def degrees(self, context: QgsCoordinateTransformContext) -> QgsRectangle:
+        """Return the extent in longitudes and latitudes."""
+        to_degrees = QgsCoordinateTransform(self.crs, QgsCoordinateReferenceSystem(WGS84), context)
+        return transformed_box(to_degrees, self.extent)
+
     def polygons(self, extent: QgsRectangle, rules: Rules) -> Iterator[tuple[str, QgsGeometry]]:
         """Yield (class name, geometry) of each polygon that touches an extent in the layer's CRS; empty: no class."""
         for feature in self._features.getFeatures(QgsFeatureRequest().setFilterRect(extent)):
@@ -148,7 +153,11 @@ class AreaPhotos:
 
 
 def read_photos(
-    paths: Sequence[str], width_m: float | None, imagery_pixel_m: float | None, feedback: QgsProcessingFeedback
+    paths: Sequence[str],
+    width_m: float | None,
+    imagery_pixel_m: float | None,
+    whole_map: QgsRectangle,
+    feedback: QgsProcessingFeedback,
 ) -> AreaPhotos:
     """Read sizes and GPS positions of photos.
 
@@ -156,6 +165,7 @@ def read_photos(
         paths: Files and folders; may be empty if ``width_m`` is known.
         width_m: Ground width of a typical photo; None if unknown.
         imagery_pixel_m: Pixel size of the imagery, which photos without camera data are assumed to have.
+        whole_map: In degrees. Photos with a GPS position outside do not count for the ground width, unless all are.
 
     Raises:
         ParameterError: The ground width is unknown.
@@ -164,7 +174,8 @@ def read_photos(
     files = image_files(list(paths))
     shapes: dict[str, tuple[int, int]] = {}
     sizes: dict[str, float | None] = {}
-    places, faults = [], []
+    places: dict[str, tuple[float, float]] = {}
+    faults = []
     for path in files:
         check_canceled(feedback)
         try:
@@ -176,10 +187,13 @@ def read_photos(
         shapes[path] = raster.RasterYSize, raster.RasterXSize
         sizes[path] = _pixel_size_m(path, shapes[path])
         place = photo_lon_lat(path)
-        places += [] if place is None else [place]
+        if place is not None:
+            places[path] = place
     if faults and not shapes:
         raise faults[0]
-    known = [size * shapes[path][1] for path, size in sizes.items() if size]
+    elsewhere = {path for path, place in places.items() if not whole_map.contains(QgsPointXY(*place))}
+    counted = sizes.keys() - elsewhere or sizes.keys()
+    known = [size * shapes[path][1] for path, size in sizes.items() if size and path in counted]
     is_assumed = width_m is None and not known
     if is_assumed and not (imagery_pixel_m and shapes):
         raise ParameterError(
@@ -191,7 +205,7 @@ def read_photos(
     typical_m = width_m or median(known or [imagery_pixel_m * width for _, width in shapes.values()])
     ratio = median([height / width for height, width in shapes.values()]) if shapes else RATIO
     unknown = [path for path, size in sizes.items() if not size]
-    return AreaPhotos(files, (typical_m, typical_m * ratio), unknown, places, is_assumed)
+    return AreaPhotos(files, (typical_m, typical_m * ratio), unknown, list(places.values()), is_assumed)
 
 
 def _pixel_size_m(path: str, shape_hw: tuple[int, int]) -> float | None:

@@ -50,7 +50,7 @@ def test_photos_of_one_name_in_two_formats_and_folders_have_the_stated_ground_wi
     shapes = {"one.jpg": (32, 24), "day 2/one.jpg": (64, 48), 'a "b".jpg': (40, 30)}
     photos = [write_photo(tmp_path / name, size_wh) for name, size_wh in shapes.items()]
     photos.append(str(write_raster(tmp_path / "one.tif", np.zeros((20, 80), np.uint8), transform=None)))
-    read = read_photos(photos, 160.0, None, QgsProcessingFeedback())
+    read = read_photos(photos, 160.0, None, QgsVectorLayer().extent(), QgsProcessingFeedback())
     table = write_text(tmp_path / "cameras.csv", camera_table(read))
     sizes = zip(read_cameras(photos, str(table)), [(24, 32), (48, 64), (30, 40), (20, 80)])
     assert [camera.pixel_size(shape) for camera, shape in sizes] == pytest.approx([5, 2.5, 4, 2])
@@ -198,13 +198,17 @@ def test_a_photo_of_another_place_does_not_stop_photos_without_gps(run_algorithm
     photos = [write_photo(tmp_path / "far.jpg", **FAR_PLACE), write_photo(tmp_path / "unknown.jpg")]
     assert Path(run_algorithm(SETUP, {**small, "PHOTOS": photos}, feedback)["POSITIONS"].partition("|")[0]).is_file()
     assert "Photos with a GPS position outside the map: 1 of 1." in feedback.textLog()
+    # Its ground width is known, but does not count.
+    write_text(tmp_path / "far.jgw", "50\n0\n0\n-50\n0\n0\n")
+    write_text(tmp_path / "far.jpg.aux.xml", "<PAMDataset><SRS>EPSG:32632</SRS></PAMDataset>")
+    with pytest.raises(QgsProcessingException, match="Enter the ground width"):
+        run_algorithm(SETUP, {**small, "PHOTOS": photos, "PHOTO_WIDTH": None})
 
 
 def test_files_of_others_and_of_other_values_are_not_replaced(run_algorithm, small):
     folder = Path(small["FOLDER"])
     folder.mkdir()
-    foreign = folder / "label_map.tif"
-    foreign.write_text("mine", encoding="utf-8")
+    foreign = write_text(folder / "label_map.tif", "mine")
     with pytest.raises(QgsProcessingException, match="label_map.tif exists and was not made by a run with the same"):
         run_algorithm(SETUP, small)
     assert foreign.read_text(encoding="utf-8") == "mine" and files_in(folder) == {"label_map.tif"}
@@ -282,14 +286,11 @@ def test_it_has_annotation_class_table_orthophoto_and_photos(sample):
     layer = QgsVectorLayer(str(sample / "landcover.shp"), "annotation", "ogr")
     orthophoto = gdal.Open(str(sample / "orthophoto.tif"))
     photos = [gdal.Open(str(path)) for path in sorted((sample / "photos").iterdir())]
-    assert layer.featureCount() > 500
-    assert layer.crs().authid() == "EPSG:25832"
-    assert layer.fields().names() == ["class", "class_id", "zorder"]
-    assert {"building", "water"} < layer.uniqueValues(0)
+    assert layer.featureCount() > 500 and len(photos) == 12 and {"building", "water"} < layer.uniqueValues(0)
+    assert layer.crs().authid() == "EPSG:25832" and layer.fields().names() == ["class", "class_id", "zorder"]
     assert (orthophoto.RasterXSize, orthophoto.RasterYSize, orthophoto.RasterCount) == (4000, 3000, 3)
     assert {(photo.RasterXSize, photo.RasterYSize, photo.RasterCount) for photo in photos} == {(640, 640, 3)}
     assert sorted(true_places(sample)) == sorted(path.name for path in (sample / "photos").iterdir())
-    assert len(photos) == 12
 
 
 def test_it_has_a_flight_with_the_times_of_its_photos(sample):
@@ -297,5 +298,4 @@ def test_it_has_a_flight_with_the_times_of_its_photos(sample):
         rows = list(csv.DictReader(file))
     assert [row["image"] for row in rows] == sorted(path.name for path in (sample / "flight").iterdir())
     times = [datetime.fromisoformat(row["time"]) for row in rows]
-    assert {(b - a).total_seconds() for a, b in zip(times, times[1:])} == {12}
-    assert len(rows) == 16
+    assert len(rows) == 16 and {(b - a).total_seconds() for a, b in zip(times, times[1:])} == {12}
