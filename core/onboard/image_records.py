@@ -43,6 +43,9 @@ def label_reader(model_path: str | None, threads: int, table: ClassTable, device
     if not model_path:
 
         def read(path: str, camera: Camera | None = None, with_pixels: bool = False) -> SeenLabels:
+            if path.lower().endswith((".jpg", ".jpeg")):
+                reason = "The image is a photo, but no model is selected. Its colors are read as class colors."
+                log_event(logging.WARNING, "no_model", image=path, reason=reason)
             return SeenLabels(read_label_image(path, table))
 
         return read

@@ -64,8 +64,7 @@ def test_without_json_a_person_can_read_it_and_places_far_from_near_are_not_sear
 def test_an_image_without_a_fix_has_a_reason(area, image, capsys):
     code = main(["localize", image("a.png"), image("b.png", NOTHING), "--database", area, "--json"])
     rows = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
-    assert code == SOME_WITHOUT_FIX
-    assert [row["status"] for row in rows] == ["fix", "too_few_references"]
+    assert (code, [row["status"] for row in rows]) == (SOME_WITHOUT_FIX, ["fix", "too_few_references"])
     assert rows[1]["reason"] and rows[1]["x"] is None
 
 
@@ -82,14 +81,17 @@ def test_a_likely_position_is_shown_but_is_no_fix(area, image, capsys):
     assert re.search(line, capsys.readouterr().out)
 
 
-def test_a_bad_image_does_not_stop_the_others(area, image, tmp_path, capsys):
+def test_a_bad_image_or_a_photo_without_a_model_does_not_stop_the_others(area, image, tmp_path, capsys):
     (tmp_path / "a.png").write_bytes(b"no image")
     image("b.png")
+    image("c.jpg", NOTHING)
     assert main(["localize", str(tmp_path), "--database", area, "--json"]) == REFUSED
     captured = capsys.readouterr()
     rows = [json.loads(line) for line in captured.out.splitlines()]
-    assert [row["status"] for row in rows] == ["error", "fix"]
-    assert {"level": "warning", "event": "image", "status": "error"}.items() <= json.loads(captured.err).items()
+    assert [row["status"] for row in rows] == ["error", "fix", "too_few_references"]
+    bad, photo = map(json.loads, captured.err.splitlines())
+    assert (bad["level"], bad["event"], bad["status"]) == ("warning", "image", "error")
+    assert (photo["event"], photo["image"]) == ("no_model", str(tmp_path / "c.jpg"))
 
 
 @pytest.mark.parametrize(
