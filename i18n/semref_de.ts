@@ -3940,8 +3940,8 @@ Bei einer Überlappung bleibt das Polygon mit der höheren Priorität, sonst das
    <translation>Die ganze Datenbank durchsuchen</translation>
   </message>
   <message>
-   <source>Searching better lines beside {count} gaps.</source>
-   <translation>Bessere Linien neben {count} Lücken werden gesucht.</translation>
+   <source>Searching better lines beside gaps: {count}.</source>
+   <translation>Bessere Linien neben Lücken werden gesucht: {count}.</translation>
   </message>
   <message>
    <source>Searching for the Python of QGIS…</source>
@@ -7466,6 +7466,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million. Choose a smaller extent, or download the image as a file from its provider.</source>
    <translation>„{layer}“ würde mit {width} × {height} Pixeln gezeichnet, mehr als {most_million} Millionen. Wählen Sie eine kleinere Ausdehnung oder laden Sie das Bild als Datei vom Anbieter herunter.</translation>
+  </message>
+  <message>
+   <source>“{name}” has no line. Draw a route, or change the selection.</source>
+   <translation>„{name}“ hat keine Linie. Zeichnen Sie eine Route oder ändern Sie die Auswahl.</translation>
   </message>
   <message>
    <source>“{output}” ({path}) is also in an earlier row, which would be overwritten. Select another file in each row.</source>

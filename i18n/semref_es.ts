@@ -3940,8 +3940,8 @@ En un solapamiento se conserva el polígono con mayor prioridad; si no la hay, e
    <translation>Buscar en toda la base de datos</translation>
   </message>
   <message>
-   <source>Searching better lines beside {count} gaps.</source>
-   <translation>Buscando mejores líneas junto a {count} huecos.</translation>
+   <source>Searching better lines beside gaps: {count}.</source>
+   <translation>Buscando mejores líneas junto a huecos: {count}.</translation>
   </message>
   <message>
    <source>Searching for the Python of QGIS…</source>
@@ -7466,6 +7466,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million. Choose a smaller extent, or download the image as a file from its provider.</source>
    <translation>“{layer}” se dibujaría con {width} × {height} píxeles, más de {most_million} millones. Elija una extensión menor o descargue la imagen como archivo de su proveedor.</translation>
+  </message>
+  <message>
+   <source>“{name}” has no line. Draw a route, or change the selection.</source>
+   <translation>“{name}” no tiene ninguna línea. Dibuje una ruta o cambie la selección.</translation>
   </message>
   <message>
    <source>“{output}” ({path}) is also in an earlier row, which would be overwritten. Select another file in each row.</source>

@@ -3940,8 +3940,8 @@ Dans un recouvrement, le polygone de priorité supérieure est conservé, sinon 
    <translation>Chercher dans toute la base de données</translation>
   </message>
   <message>
-   <source>Searching better lines beside {count} gaps.</source>
-   <translation>Recherche de meilleures lignes à côté de {count} lacunes.</translation>
+   <source>Searching better lines beside gaps: {count}.</source>
+   <translation>Recherche de meilleures lignes à côté de lacunes : {count}.</translation>
   </message>
   <message>
    <source>Searching for the Python of QGIS…</source>
@@ -7466,6 +7466,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million. Choose a smaller extent, or download the image as a file from its provider.</source>
    <translation>« {layer} » serait dessinée avec {width} × {height} pixels, soit plus de {most_million} millions. Choisissez une emprise plus petite, ou téléchargez l’image sous forme de fichier auprès de son fournisseur.</translation>
+  </message>
+  <message>
+   <source>“{name}” has no line. Draw a route, or change the selection.</source>
+   <translation>« {name} » n’a aucune ligne. Dessinez une route ou modifiez la sélection.</translation>
   </message>
   <message>
    <source>“{output}” ({path}) is also in an earlier row, which would be overwritten. Select another file in each row.</source>

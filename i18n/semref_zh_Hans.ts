@@ -3940,8 +3940,8 @@ In an overlap the polygon with the higher priority is kept, otherwise the smalle
    <translation>搜索整个数据库</translation>
   </message>
   <message>
-   <source>Searching better lines beside {count} gaps.</source>
-   <translation>正在为 {count} 处间断搜索旁边更好的线。</translation>
+   <source>Searching better lines beside gaps: {count}.</source>
+   <translation>正在为间断处搜索旁边更好的线：{count}。</translation>
   </message>
   <message>
    <source>Searching for the Python of QGIS…</source>
@@ -7466,6 +7466,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million. Choose a smaller extent, or download the image as a file from its provider.</source>
    <translation>“{layer}”将以 {width} × {height} 像元绘制，超过 {most_million} 百万。请选择更小的范围，或从其提供者处下载影像文件。</translation>
+  </message>
+  <message>
+   <source>“{name}” has no line. Draw a route, or change the selection.</source>
+   <translation>“{name}”没有线。请绘制航线，或更改选择。</translation>
   </message>
   <message>
    <source>“{output}” ({path}) is also in an earlier row, which would be overwritten. Select another file in each row.</source>

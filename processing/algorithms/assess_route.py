@@ -250,7 +250,7 @@ class AssessRoute(AssessAlgorithm):
         offsets = [share * largest for share in SHIFTS]
         chosen = np.concatenate([gap.points for gap in stretches])
         places = np.concatenate([points.shifted(chosen, offset) for offset in offsets])
-        feedback.pushInfo(tr("Searching better lines beside {count} gaps.").format(count=len(stretches)))
+        feedback.pushInfo(tr("Searching better lines beside gaps: {count}.").format(count=len(stretches)))
         found = self._estimate(
             assessment, places, 0.0, max(count // 2, 1), feedback, (65 * part, 95 * part)
         ).success.reshape(len(offsets), -1)

@@ -46,6 +46,8 @@ def route_of_source(source: QgsProcessingFeatureSource) -> Route:
         # Curves become the lines that QGIS draws.
         for part in (part for part in parts if part.type() == LINE_GEOMETRY):
             lines.append(np.array([(point.x(), point.y()) for point in part.asPolyline()], np.float64).reshape(-1, 2))
+    if not lines:
+        raise ParameterError("“{name}” has no line. Draw a route, or change the selection.", name=source.sourceName())
     return _require_lines(Route(tuple(lines), source.sourceCrs(), source.sourceName()), source.sourceName())
 
 

@@ -188,10 +188,12 @@ def _gap_table(route: AssessedRoute) -> list[str]:
 
 
 def _reason(route: AssessedRoute, gap: RouteGap) -> str:
-    if not route.inside[gap.points].any():
-        return tr("outside the map")
-    reasons = [route.estimates.reasons[n] for n in gap.points.tolist()]
-    return reason_titles().get(max(reasons, key=reasons.count), page.NOTHING)
+    titles, outside = reason_titles(), tr("outside the map")
+    reasons = [
+        titles.get(route.estimates.reasons[n], page.NOTHING) if route.inside[n] else outside
+        for n in gap.points.tolist()
+    ]
+    return max(reasons, key=reasons.count)
 
 
 def _hint(hint: ShiftHint | None) -> str:
