@@ -12,6 +12,10 @@
    <translation>%v von %m erledigt</translation>
   </message>
   <message>
+   <source>--near: the search area does not touch the map (x {x_min:.0f} to {x_max:.0f}, y {y_min:.0f} to {y_max:.0f}). Enter coordinates of the map.</source>
+   <translation>--near: Das Suchgebiet berührt die Karte nicht (x {x_min:.0f} bis {x_max:.0f}, y {y_min:.0f} bis {y_max:.0f}). Geben Sie Koordinaten der Karte ein.</translation>
+  </message>
+  <message>
    <source>--state {path} is a file of another kind and would be replaced. Choose another name.</source>
    <translation>--state {path} ist eine Datei anderer Art und würde ersetzt. Wählen Sie einen anderen Namen.</translation>
   </message>

@@ -12,6 +12,10 @@
    <translation>%v de %m hechos</translation>
   </message>
   <message>
+   <source>--near: the search area does not touch the map (x {x_min:.0f} to {x_max:.0f}, y {y_min:.0f} to {y_max:.0f}). Enter coordinates of the map.</source>
+   <translation>--near: el área de búsqueda no toca el mapa (x de {x_min:.0f} a {x_max:.0f}, y de {y_min:.0f} a {y_max:.0f}). Introduzca coordenadas del mapa.</translation>
+  </message>
+  <message>
    <source>--state {path} is a file of another kind and would be replaced. Choose another name.</source>
    <translation>--state {path} es un archivo de otro tipo y se reemplazaría. Elija otro nombre.</translation>
   </message>

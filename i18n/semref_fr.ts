@@ -12,6 +12,10 @@
    <translation>%v sur %m terminés</translation>
   </message>
   <message>
+   <source>--near: the search area does not touch the map (x {x_min:.0f} to {x_max:.0f}, y {y_min:.0f} to {y_max:.0f}). Enter coordinates of the map.</source>
+   <translation>--near : la zone de recherche ne touche pas la carte (x de {x_min:.0f} à {x_max:.0f}, y de {y_min:.0f} à {y_max:.0f}). Saisissez des coordonnées de la carte.</translation>
+  </message>
+  <message>
    <source>--state {path} is a file of another kind and would be replaced. Choose another name.</source>
    <translation>--state {path} est un fichier d’un autre type et serait remplacé. Choisissez un autre nom.</translation>
   </message>

@@ -12,6 +12,10 @@
    <translation>已完成 %v / %m</translation>
   </message>
   <message>
+   <source>--near: the search area does not touch the map (x {x_min:.0f} to {x_max:.0f}, y {y_min:.0f} to {y_max:.0f}). Enter coordinates of the map.</source>
+   <translation>--near：搜索区域未接触地图（x {x_min:.0f} 至 {x_max:.0f}，y {y_min:.0f} 至 {y_max:.0f}）。请输入地图坐标。</translation>
+  </message>
+  <message>
    <source>--state {path} is a file of another kind and would be replaced. Choose another name.</source>
    <translation>--state {path} 是其他类型的文件，会被替换。请选择其他名称。</translation>
   </message>

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import contextlib
 import logging
+import math
 import os
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -317,6 +318,20 @@ def exit_code(statuses: set[str]) -> int:
     return ALL_FIXED if statuses <= {Status.FIX.key} else SOME_WITHOUT_FIX
 
 
+def _check_near(near: list[float], extent: tuple[float, float, float, float]) -> None:
+    """Raise ParameterError if the search area is outside the map, for example if it is longitude and latitude."""
+    (x, y, radius), (x_min, y_min, x_max, y_max) = near, extent
+    if math.hypot(max(x_min - x, x - x_max, 0.0), max(y_min - y, y - y_max, 0.0)) > radius:
+        raise ParameterError(
+            "--near: the search area does not touch the map (x {x_min:.0f} to {x_max:.0f}, y {y_min:.0f} to "
+            "{y_max:.0f}). Enter coordinates of the map.",
+            x_min=x_min,
+            x_max=x_max,
+            y_min=y_min,
+            y_max=y_max,
+        )
+
+
 def _image_finder(options: argparse.Namespace, onboard: OnboardDatabase, looks_again: bool) -> ImageFinder:
     """Return how to localize according to the options; everything that can be refused is refused here.
 
@@ -333,6 +348,8 @@ def _image_finder(options: argparse.Namespace, onboard: OnboardDatabase, looks_a
             database=options.database,
         )
     prior = Prior(tuple(options.near[:2]), options.near[2]) if options.near else Prior()
+    if options.near:
+        _check_near(options.near, onboard.database.parameters.extent)
     read_labels = label_reader(options.model, options.threads, onboard.database.class_table, options.device)
     log_event(
         logging.INFO,

@@ -32,8 +32,7 @@ def image(tmp_path):
 def test_info_shows_the_content_of_the_file(area, capsys):
     assert main(["info", area]) == ALL_FIXED
     said = capsys.readouterr().out
-    for text in ("references:", "1 building, 2 water", "position_error", "content_hash"):
-        assert text in said
+    assert all(text in said for text in ("references:", "1 building, 2 water", "position_error", "content_hash"))
     assert main(["info", area, "--json"]) == ALL_FIXED
     found = json.loads(capsys.readouterr().out)
     assert (found["references"], found["crs"]) == (len(read_onboard(area).database.references), "a metric CRS")
@@ -100,6 +99,7 @@ def test_a_bad_image_or_a_photo_without_a_model_does_not_stop_the_others(area, i
         (["localize", "IMAGE", "--database", "missing.npz"], "The file missing.npz does not exist"),
         (["localize", "FOLDER", "--database", "DATABASE"], "contains no image"),
         (["localize", "IMAGE", "--database", "DATABASE", "--model", "no.onnx"], "no.onnx"),
+        (["localize", "IMAGE", "--database", "DATABASE", "--near", "47", "9", "500"], "touch the map (x 600000 to"),
         (["watch", "nowhere", "--database", "DATABASE"], "The folder nowhere does not exist"),
         (["info", "IMAGE"], "not an onboard file"),
         (["info", "FOLDER"], "is a folder, pipe or device"),
