@@ -5072,6 +5072,10 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Die Polygone behalten die Pixelkanten, weil die Vereinfachung Shapely 2.1 mit GEOS 3.12 braucht.</translation>
   </message>
   <message>
+   <source>The position can be wrong, because most of the search area is outside the map: the error probability is {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>Die Position kann falsch sein, weil der größte Teil des Suchgebiets außerhalb der Karte liegt: Die Irrtumswahrscheinlichkeit ist {risk:.2g}; erlaubt ist höchstens {allowed:.2g}.</translation>
+  </message>
+  <message>
    <source>The position is outside the area of the project’s CRS. Choose another CRS to show it.</source>
    <translation>Die Position liegt außerhalb des Gültigkeitsbereichs des Projekt-KBS. Wählen Sie ein anderes KBS, um sie zu zeigen.</translation>
   </message>

@@ -5072,6 +5072,10 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>Los polígonos conservan los bordes de los píxeles, porque la simplificación necesita Shapely 2.1 con GEOS 3.12.</translation>
   </message>
   <message>
+   <source>The position can be wrong, because most of the search area is outside the map: the error probability is {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>La posición puede ser errónea, porque la mayor parte de la zona de búsqueda está fuera del mapa: la probabilidad de error es {risk:.2g}; se permite {allowed:.2g} como máximo.</translation>
+  </message>
+  <message>
    <source>The position is outside the area of the project’s CRS. Choose another CRS to show it.</source>
    <translation>La posición está fuera del área del SRC del proyecto. Elija otro SRC para mostrarla.</translation>
   </message>

@@ -5072,6 +5072,10 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>Les polygones gardent les bords des pixels, car la simplification exige Shapely 2.1 avec GEOS 3.12.</translation>
   </message>
   <message>
+   <source>The position can be wrong, because most of the search area is outside the map: the error probability is {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>La position peut être fausse, car la plus grande partie de la zone de recherche est hors de la carte : la probabilité d’erreur est de {risk:.2g} ; {allowed:.2g} au plus est admis.</translation>
+  </message>
+  <message>
    <source>The position is outside the area of the project’s CRS. Choose another CRS to show it.</source>
    <translation>La position est hors du domaine du SCR du projet. Choisissez un autre SCR pour l’afficher.</translation>
   </message>

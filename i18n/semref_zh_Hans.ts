@@ -5072,6 +5072,10 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>多边形保留像元边缘，因为简化需要 Shapely 2.1 和 GEOS 3.12。</translation>
   </message>
   <message>
+   <source>The position can be wrong, because most of the search area is outside the map: the error probability is {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>位置可能有误，因为搜索区域的大部分在地图之外：错误概率为 {risk:.2g}；最大允许 {allowed:.2g}。</translation>
+  </message>
+  <message>
    <source>The position is outside the area of the project’s CRS. Choose another CRS to show it.</source>
    <translation>位置超出工程坐标参照系的适用区域。请选择其他坐标参照系来显示。</translation>
   </message>

@@ -234,6 +234,57 @@ def combine_without_fix(
     )
 
 
+def share_on_map(prior: Prior, extent: tuple[float, float, float, float]) -> float:
+    """Return the share of the search area, a square, that is on the map; 1 if it contains the whole map.
+
+    Args:
+        prior: Of the image.
+        extent: Of the map (x_min, y_min, x_max, y_max).
+    """
+    if prior.position is None or not prior.radius:
+        return 1.0
+    (x, y), radius = prior.position, prior.radius
+    x_min, y_min, x_max, y_max = extent
+    width = max(min(x + radius, x_max) - max(x - radius, x_min), 0.0)
+    height = max(min(y + radius, y_max) - max(y - radius, y_min), 0.0)
+    return width * height / min((2 * radius) ** 2, (x_max - x_min) * (y_max - y_min))
+
+
+def doubt_outside(found: Localization, on_map: float, settings: LocalizerSettings = LOCALIZER) -> Localization:
+    """Return a candidate with the probability that the true place is in the part of the search area outside the map.
+
+    The methods compare places on the map only, as if the true one were among them.
+
+    Args:
+        found: Not yet shown as likely.
+        on_map: Share of the search area on the map; from a half on, it makes no candidate less probable.
+        settings: Maximum error probability.
+    """
+    if found.risk is None or on_map >= 0.5:
+        return found
+    risk = risk_of(log_odds_of(found.risk) + float(np.log(on_map / (1 - on_map))) if on_map > 0 else -np.inf)
+    if not found.is_fix:
+        return replace(found, risk=risk)
+    if risk <= settings.allowed_risk:
+        return replace(found, risk=risk, confidence=1 - risk)
+    reason = Sentence(
+        "The position can be wrong, because most of the search area is outside the map: the error probability is "
+        "{risk:.2g}; at most {allowed:.2g} is allowed.",
+        risk=risk,
+        allowed=settings.allowed_risk,
+    )
+    places = () if found.best is None else (found.best,)
+    return replace(
+        found,
+        status=Status.AMBIGUOUS,
+        reason=reason,
+        confidence=None,
+        risk=risk,
+        is_doubted=True,
+        alternatives=places,
+    )
+
+
 def show_likely(found: Localization, settings: LocalizerSettings = LOCALIZER) -> Localization:
     """Return a candidate as a likely position if only its error probability, at most LIKELY_RISK, prevents a fix."""
     if not found.is_doubted or found.risk is None or found.risk > LIKELY_RISK:

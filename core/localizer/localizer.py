@@ -40,7 +40,9 @@ from .combined import (
     combine_without_fix,
     confirm,
     confirm_by_earlier,
+    doubt_outside,
     prior_near,
+    share_on_map,
     show_likely,
     with_search_range,
 )
@@ -402,7 +404,8 @@ class Localizer:
             found = self.localize_by_constellation(labels_hw, prior, biases)
         if earlier is not None:
             found = confirm_by_earlier(found, earlier, min(_shape(labels_hw)), self.settings)
-        found = show_likely(found, self.settings)
+        on_map = share_on_map(prior or Prior(), self._database.parameters.extent)
+        found = show_likely(doubt_outside(found, on_map, self.settings), self.settings)
         place = found.place
         if place is None:
             return self._with_search_range(found, method, _shape(labels_hw), prior or Prior())

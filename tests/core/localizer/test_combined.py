@@ -18,7 +18,10 @@ from semref.core.localizer.combined import (
     combine_without_fix,
     confirm,
     confirm_by_earlier,
+    doubt_outside,
     prior_near,
+    share_on_map,
+    show_likely,
 )
 from semref.core.localizer.localizer import Localizer
 from semref.core.localizer.settings import LOCALIZER
@@ -79,9 +82,8 @@ def distance(position, column=1203.7, row=905.2) -> float:
 def test_a_fix_of_the_constellation_is_taken_as_it_is(localizer):
     image = view(GROUND, HOUSES)
     found = localizer.localize(image, Method.AUTOMATIC)
-    assert found.status == Status.FIX and found.method == Method.CONSTELLATION
     alone = localizer.localize_by_constellation(image)
-    assert found == replace(alone, risk=found.risk, confidence=found.confidence)
+    assert alone.is_fix and found == replace(alone, risk=found.risk, confidence=found.confidence)
 
 
 @pytest.mark.parametrize("built", [HOUSES, NOTHING_BUILT])
@@ -99,33 +101,29 @@ def test_landmarks_that_class_areas_speak_against_are_no_fix(localizer):
     found = localizer.localize(image, Method.AUTOMATIC)
     assert found.status == Status.AMBIGUOUS and found.position is None
     assert "class areas" in str(found.reason)
-    (place,) = found.alternatives
-    assert distance(place.position) < 2
+    assert [distance(place.position) < 2 for place in found.alternatives] == [True]
 
 
 @pytest.mark.parametrize("built", [NOTHING_BUILT, MOVED_HOUSES], ids=["none", "moved"])
 def test_class_areas_are_enough_where_landmarks_are_missing_or_do_not_come_out_whole(localizer, built):
     found = localizer.localize(view(GROUND, built), Method.AUTOMATIC)
     assert (found.status, found.method, found.reason) == (Status.FIX, Method.MAP_CORRELATION, None)
-    assert distance(found.position) < 4
-    assert 0 < found.error_95_m < 30 and found.confidence > 0.9
+    assert distance(found.position) < 4 and 0 < found.error_95_m < 30 and found.confidence > 0.9
     assert (found.references > 20) == built.any()
 
 
 @pytest.mark.slow
 def test_class_areas_resolve_an_ambiguity_of_landmarks():
-    built = HOUSES.copy()
-    built[:, WIDTH // 2 :] = built[:, : WIDTH // 2]
-    twin_houses = built
+    twin_houses = HOUSES.copy()
+    twin_houses[:, WIDTH // 2 :] = twin_houses[:, : WIDTH // 2]
     localizer = localizer_of(GROUND, twin_houses)
     for column in (600, 600 + WIDTH // 2):
         image = view(GROUND, twin_houses, column, 1000)
         unsure = localizer.localize_by_constellation(image)
         assert unsure.status == Status.AMBIGUOUS and len(unsure.alternatives) == 2
         found = localizer.localize(image, Method.AUTOMATIC)
-        assert (found.status, found.method) == (Status.FIX, Method.CONSTELLATION)
-        assert (found.reason, found.alternatives) == (None, ())
-        assert distance(found.position, column, 1000) < 1
+        assert (found.status, found.method, found.reason) == (Status.FIX, Method.CONSTELLATION, None)
+        assert distance(found.position, column, 1000) < 1 and found.alternatives == ()
         assert found.error_95_m < 3 and found.best.inliers > 10 and found.confidence > 0.99
 
 
@@ -172,6 +170,18 @@ def test_a_prior_applies_to_both_methods(localizer):
     here = Prior(position=(ORIGIN[0] + 1150, ORIGIN[1] - 950), radius=150.0)
     assert localizer.localize(image, Method.AUTOMATIC, here).status == Status.FIX
     assert localizer.localize(image, Method.AUTOMATIC, replace(here, position=ORIGIN)).status != Status.FIX
+
+
+def test_a_search_area_mostly_outside_the_map_makes_a_position_less_probable():
+    priors = Prior(), Prior((5.0, 20.0), 1e5), Prior((5.0, 5.0), 4.0), Prior((-4.0, 20.0), 5.0), Prior((60.0, 5.0), 9.0)
+    assert [share_on_map(prior, (0.0, 0.0, 10.0, 40.0)) for prior in priors] == pytest.approx([1, 1, 1, 0.1, 0])
+    assert doubt_outside(AREAS, 0.5) == AREAS
+    found = doubt_outside(AREAS, 0.2)
+    assert found.is_fix and (found.risk, 1 - found.confidence) == pytest.approx((4e-5, 4e-5), rel=1e-3)
+    found = doubt_outside(AREAS, 0.01)
+    assert (found.status, found.alternatives) == (Status.AMBIGUOUS, (AREAS.best,))
+    assert show_likely(found).is_likely and found.risk == pytest.approx(99e-5, rel=1e-2)
+    assert doubt_outside(doubted(AREAS, 0.01), 0.0).risk == 1
 
 
 PLACE = Place((100.0, 200.0), 30.0, 1.0)

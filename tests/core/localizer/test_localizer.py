@@ -52,19 +52,15 @@ def localizer(localizer_and_windows):
         (with_blocks((60, 60)), "The image shows 0 landmarks; at least 3 more are needed."),
         (with_blocks((60, 60), (5, 5, 9, 3)), "The image shows 0 landmarks; at least 3 more are needed."),
         (with_blocks((60, 60), (5, 5, 9, 2)), "The image shows 1 landmark; at least 2 more are needed."),
-        (
-            with_blocks((60, 60), (5, 5, 9, 2), (25, 25, 9, 5)),
-            "The image shows 2 landmarks; at least 1 more is needed.",
-        ),
+        (with_blocks((60, 60), (5, 5, 9, 2), (25, 9, 9, 5)), "The image shows 2 landmarks; at least 1 more is needed."),
         (with_blocks((1, 1)), "The image shows 0 landmarks; at least 3 more are needed."),
         (np.full((1, 1), 2, np.uint8), "The image shows 0 landmarks; at least 3 more are needed."),
     ],
 )
 def test_an_image_with_too_few_references_has_no_position(localizer, image, reason):
     result = localizer.localize_by_topology_vector(image)
-    assert (result.status, str(result.reason)) == (Status.TOO_FEW_REFERENCES, reason)
+    assert result.status == Status.TOO_FEW_REFERENCES and f"shows {result.references} l" in str(result.reason) == reason
     assert (result.position, result.distance, result.window, result.confidence) == (None, None, None, None)
-    assert str(result.references) in reason
 
 
 @pytest.mark.parametrize("shape", [(0, 0), (0, 20), (20, 0)])
@@ -81,9 +77,8 @@ def test_an_image_cut_on_a_window_is_found_however_it_is_turned_by_right_angles(
         result = localizer.localize_by_topology_vector(np.rot90(cut(MAP, windows.names[k]), quarter_turns))
         assert (result.status, result.window, result.window_index) == (Status.FIX, windows.names[k], k)
         assert result.distance < 2e-5 and result.confidence > 0.99999
-        assert result.position == tuple(windows.centers[k])
-        assert result.references == windows.counts[k]
-        assert result.reason is None
+        expected = tuple(windows.centers[k]), windows.counts[k], None
+        assert (result.position, result.references, result.reason) == expected
 
 
 @pytest.mark.parametrize("factor", [2, 3, 5])
@@ -119,8 +114,7 @@ def test_an_image_that_no_vector_is_near_to_is_no_match():
     localizer, _ = localizer_of(with_blocks((60, 60), *around))
     image = with_blocks((60, 60), (5, 28, 5, 2), (28, 5, 5, 2), (50, 40, 5, 2))
     result = localizer.localize_by_topology_vector(image)
-    assert result.status == Status.NO_MATCH
-    assert result.distance > 2
+    assert result.status == Status.NO_MATCH and result.distance > 2
     said = f"The most similar window has the distance {result.distance:.3f}; at most 2 is accepted."
     assert str(result.reason) == said
     assert (result.position, result.window, result.confidence, result.references) == (None, None, None, 3)

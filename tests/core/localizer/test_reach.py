@@ -29,14 +29,12 @@ def asked(results, times, answers, speed=10.0, allowed=1e-4):
 
 def test_an_image_is_searched_around_the_position_nearest_in_time():
     searched, found = asked([fix(0), NOTHING, fix(800)], [0, 60, 80], {1: fix(700)})
-    assert searched == [(1, 800.0, 205.0)]
-    assert found[1].position == (700.0, 0.0)
+    assert (searched, found[1].position) == ([(1, 800.0, 205.0)], (700.0, 0.0))
 
 
 def test_the_error_probability_is_that_of_both_positions():
     _, found = asked([fix(0, risk=2e-5), NOTHING], [0, 10], {1: fix(50, risk=3e-5)})
-    assert found[1].risk == pytest.approx(5e-5)
-    assert found[1].confidence == pytest.approx(1 - 5e-5)
+    assert (found[1].risk, 1 - found[1].confidence) == pytest.approx((5e-5, 5e-5))
 
 
 def test_the_start_leaves_less_error_probability_for_the_search_and_is_not_used_if_none():
@@ -59,8 +57,7 @@ def test_an_image_that_was_not_found_is_searched_again_only_on_clearly_less_grou
 
 def test_images_without_a_time_and_positions_without_a_probability_are_left_alone():
     no_risk = Localization(Status.FIX, Method.TOPOLOGY_VECTOR, best=Place((0.0, 0.0)), confidence=0.9)
-    assert asked([fix(0), NOTHING], [0, None], {1: fix(50)}) == ([], {})
-    assert asked([fix(0), NOTHING], [None, 10], {1: fix(50)}) == ([], {})
+    assert all(asked([fix(0), NOTHING], times, {1: fix(50)}) == ([], {}) for times in ([0, None], [None, 10]))
     assert asked([no_risk, NOTHING, None], [0, 10, 20], {1: fix(50)}) == ([], {})
 
 
@@ -74,8 +71,8 @@ def test_a_prior_is_only_made_smaller():
     narrowed = reach.narrow(Prior(heading_deg=10.0))
     assert (narrowed.position, narrowed.radius, narrowed.heading_deg) == ((100.0, 0.0), 200.0, 10.0)
     assert reach.narrow(Prior((0.0, 0.0), 300.0)).radius == 200.0
-    assert reach.narrow(Prior((0.0, 0.0), 150.0)) is None
-    assert reach.narrow(Prior((0.0, 0.0), 299.0)) is None, "it would allow places outside the search area"
+    # They would allow places outside the search area.
+    assert {reach.narrow(Prior((0.0, 0.0), radius)) for radius in (150.0, 299.0)} == {None}
 
 
 def flagged(times, xs, speed=10.0, errors=None, confidences=None) -> list:
@@ -103,8 +100,7 @@ def test_the_fewest_fixes_are_flagged(times, xs, expected):
 
 
 def test_errors_of_both_fixes_are_allowed_for_and_fixes_of_the_same_moment_must_be_close():
-    assert flagged([0, 1, 2], [0, 16, 20], errors=[3, 3, 3]) == []
-    assert flagged([0, 1, 2], [0, 17, 20], errors=[3, 3, 3]) == [1]
+    assert [flagged([0, 1, 2], [0, x, 20], errors=[3, 3, 3]) for x in (16, 17)] == [[], [1]]
     assert flagged([0, 0, 1], [0, 50, 5]) == [1]
 
 
