@@ -43,9 +43,7 @@ def check_by_areas(
             risk=risk,
             allowed=settings.allowed_risk,
         )
-        status = Status.NO_MATCH if risk > MORE_LIKELY_WRONG else Status.AMBIGUOUS
-        places = () if found.best is None or status is Status.NO_MATCH else (found.best,)
-        return replace(found, status=status, reason=reason, confidence=None, is_doubted=True, alternatives=places)
+        return _doubted(found, reason, risk)
     return _as_fix(found, risk) if found.is_fix or found.is_doubted and risk <= settings.allowed_risk else found
 
 
@@ -116,6 +114,15 @@ def confirm_by_earlier(
     alone = log_odds_of(found.risk)
     risk = risk_of(max(alone, offset + slope * (alone + log_odds_of(earlier.risk))))
     return _as_fix(found, risk) if risk <= settings.allowed_risk else replace(found, risk=risk)
+
+
+def _doubted(found: Localization, reason: Sentence, risk: float) -> Localization:
+    """Return a fix as a candidate with an error probability that is not allowed."""
+    status = Status.NO_MATCH if risk > MORE_LIKELY_WRONG else Status.AMBIGUOUS
+    places = () if found.best is None or status is Status.NO_MATCH else (found.best,)
+    return replace(
+        found, status=status, reason=reason, confidence=None, risk=risk, is_doubted=True, alternatives=places
+    )
 
 
 def _as_fix(found: Localization, risk: float) -> Localization:
@@ -266,23 +273,14 @@ def doubt_outside(found: Localization, on_map: float, settings: LocalizerSetting
     if not found.is_fix:
         return replace(found, risk=risk)
     if risk <= settings.allowed_risk:
-        return replace(found, risk=risk, confidence=1 - risk)
+        return _as_fix(found, risk)
     reason = Sentence(
         "The position can be wrong, because most of the search area is outside the map: the error probability is "
         "{risk:.2g}; at most {allowed:.2g} is allowed.",
         risk=risk,
         allowed=settings.allowed_risk,
     )
-    places = () if found.best is None else (found.best,)
-    return replace(
-        found,
-        status=Status.AMBIGUOUS,
-        reason=reason,
-        confidence=None,
-        risk=risk,
-        is_doubted=True,
-        alternatives=places,
-    )
+    return _doubted(found, reason, risk)
 
 
 def show_likely(found: Localization, settings: LocalizerSettings = LOCALIZER) -> Localization:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import contextlib
 import logging
-import math
 import os
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -20,6 +19,7 @@ from ..errors import DatabaseError, ParameterError, SemRefError, reason_of
 from ..flight.settings import FLIGHT
 from ..labels.image_files import image_files, is_image_name
 from ..localization import LEAST_RISK, RISK, Method, Prior, Status
+from ..localizer.combined import share_on_map
 from ..localizer.localizer import Localizer
 from ..localizer.record import error_probability
 from ..localizer.search import Search
@@ -318,10 +318,10 @@ def exit_code(statuses: set[str]) -> int:
     return ALL_FIXED if statuses <= {Status.FIX.key} else SOME_WITHOUT_FIX
 
 
-def _check_near(near: list[float], extent: tuple[float, float, float, float]) -> None:
+def _check_near(prior: Prior, extent: tuple[float, float, float, float]) -> None:
     """Raise ParameterError if the search area is outside the map, for example if it is longitude and latitude."""
-    (x, y, radius), (x_min, y_min, x_max, y_max) = near, extent
-    if math.hypot(max(x_min - x, x - x_max, 0.0), max(y_min - y, y - y_max, 0.0)) > radius:
+    if share_on_map(prior, extent) == 0:
+        x_min, y_min, x_max, y_max = extent
         raise ParameterError(
             "--near: the search area does not touch the map (x {x_min:.0f} to {x_max:.0f}, y {y_min:.0f} to "
             "{y_max:.0f}). Enter coordinates of the map.",
@@ -348,8 +348,7 @@ def _image_finder(options: argparse.Namespace, onboard: OnboardDatabase, looks_a
             database=options.database,
         )
     prior = Prior(tuple(options.near[:2]), options.near[2]) if options.near else Prior()
-    if options.near:
-        _check_near(options.near, onboard.database.parameters.extent)
+    _check_near(prior, onboard.database.parameters.extent)
     read_labels = label_reader(options.model, options.threads, onboard.database.class_table, options.device)
     log_event(
         logging.INFO,
