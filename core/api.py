@@ -271,7 +271,7 @@ def _prepared(  # noqa: PLR0913 - what is known of the images
     of_files = iter(read_cameras([name for name in names if name not in arrays], cameras))
     known = [(name, Camera() if name in arrays else next(of_files)) for name in names]
     localizer = Localizer(database, replace(LOCALIZER, allowed_risk=risk), sun_deg)
-    localizer.check(search.method)
+    localizer.check(search.method, search.known)
     return Pipeline(localizer, search, _reader(database.class_table, model, arrays)), known
 
 

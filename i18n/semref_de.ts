@@ -12,10 +12,6 @@
    <translation>%v von %m erledigt</translation>
   </message>
   <message>
-   <source>--near: the search area does not touch the map (x {x_min:.0f} to {x_max:.0f}, y {y_min:.0f} to {y_max:.0f}). Enter coordinates of the map.</source>
-   <translation>--near: Das Suchgebiet berührt die Karte nicht (x {x_min:.0f} bis {x_max:.0f}, y {y_min:.0f} bis {y_max:.0f}). Geben Sie Koordinaten der Karte ein.</translation>
-  </message>
-  <message>
    <source>--state {path} is a file of another kind and would be replaced. Choose another name.</source>
    <translation>--state {path} ist eine Datei anderer Art und würde ersetzt. Wählen Sie einen anderen Namen.</translation>
   </message>
@@ -1846,6 +1842,10 @@ Bilder ohne Position werden weggelassen, ebenso wahrscheinliche Positionen und P
   <message>
    <source>Heights (Z) left out: {features}.</source>
    <translation>Z-Werte weggelassen: {features}.</translation>
+  </message>
+  <message>
+   <source>Help</source>
+   <translation>Hilfe</translation>
   </message>
   <message>
    <source>Hide places that are only for information</source>
@@ -5162,6 +5162,10 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
   <message>
    <source>The saved state of the flight has version {version}; this SemRef reads version {known}.</source>
    <translation>Der gespeicherte Zustand des Flugs hat die Version {version}; dieses SemRef liest die Version {known}.</translation>
+  </message>
+  <message>
+   <source>The search area does not touch the map (x {x_min:.0f} to {x_max:.0f}, y {y_min:.0f} to {y_max:.0f}). Choose a position on the map.</source>
+   <translation>Das Suchgebiet berührt die Karte nicht (x {x_min:.0f} bis {x_max:.0f}, y {y_min:.0f} bis {y_max:.0f}). Wählen Sie eine Position auf der Karte.</translation>
   </message>
   <message>
    <source>The search was limited: common patterns were left out, so a better place may have been missed.</source>

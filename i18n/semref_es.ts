@@ -12,10 +12,6 @@
    <translation>%v de %m hechos</translation>
   </message>
   <message>
-   <source>--near: the search area does not touch the map (x {x_min:.0f} to {x_max:.0f}, y {y_min:.0f} to {y_max:.0f}). Enter coordinates of the map.</source>
-   <translation>--near: el área de búsqueda no toca el mapa (x de {x_min:.0f} a {x_max:.0f}, y de {y_min:.0f} a {y_max:.0f}). Introduzca coordenadas del mapa.</translation>
-  </message>
-  <message>
    <source>--state {path} is a file of another kind and would be replaced. Choose another name.</source>
    <translation>--state {path} es un archivo de otro tipo y se reemplazaría. Elija otro nombre.</translation>
   </message>
@@ -1846,6 +1842,10 @@ Se omiten las imágenes sin posición, y también las posiciones probables y las
   <message>
    <source>Heights (Z) left out: {features}.</source>
    <translation>Alturas (Z) omitidas: {features}.</translation>
+  </message>
+  <message>
+   <source>Help</source>
+   <translation>Ayuda</translation>
   </message>
   <message>
    <source>Hide places that are only for information</source>
@@ -5162,6 +5162,10 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
   <message>
    <source>The saved state of the flight has version {version}; this SemRef reads version {known}.</source>
    <translation>El estado guardado del vuelo tiene la versión {version}; este SemRef lee la versión {known}.</translation>
+  </message>
+  <message>
+   <source>The search area does not touch the map (x {x_min:.0f} to {x_max:.0f}, y {y_min:.0f} to {y_max:.0f}). Choose a position on the map.</source>
+   <translation>El área de búsqueda no toca el mapa (x de {x_min:.0f} a {x_max:.0f}, y de {y_min:.0f} a {y_max:.0f}). Elija una posición en el mapa.</translation>
   </message>
   <message>
    <source>The search was limited: common patterns were left out, so a better place may have been missed.</source>

@@ -12,10 +12,6 @@
    <translation>%v sur %m terminés</translation>
   </message>
   <message>
-   <source>--near: the search area does not touch the map (x {x_min:.0f} to {x_max:.0f}, y {y_min:.0f} to {y_max:.0f}). Enter coordinates of the map.</source>
-   <translation>--near : la zone de recherche ne touche pas la carte (x de {x_min:.0f} à {x_max:.0f}, y de {y_min:.0f} à {y_max:.0f}). Saisissez des coordonnées de la carte.</translation>
-  </message>
-  <message>
    <source>--state {path} is a file of another kind and would be replaced. Choose another name.</source>
    <translation>--state {path} est un fichier d’un autre type et serait remplacé. Choisissez un autre nom.</translation>
   </message>
@@ -1846,6 +1842,10 @@ Les images sans position sont exclues, de même que les positions probables et l
   <message>
    <source>Heights (Z) left out: {features}.</source>
    <translation>Altitudes (Z) ignorées : {features}.</translation>
+  </message>
+  <message>
+   <source>Help</source>
+   <translation>Aide</translation>
   </message>
   <message>
    <source>Hide places that are only for information</source>
@@ -5162,6 +5162,10 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   <message>
    <source>The saved state of the flight has version {version}; this SemRef reads version {known}.</source>
    <translation>L’état enregistré du vol a la version {version} ; ce SemRef lit la version {known}.</translation>
+  </message>
+  <message>
+   <source>The search area does not touch the map (x {x_min:.0f} to {x_max:.0f}, y {y_min:.0f} to {y_max:.0f}). Choose a position on the map.</source>
+   <translation>La zone de recherche ne touche pas la carte (x de {x_min:.0f} à {x_max:.0f}, y de {y_min:.0f} à {y_max:.0f}). Choisissez une position sur la carte.</translation>
   </message>
   <message>
    <source>The search was limited: common patterns were left out, so a better place may have been missed.</source>

@@ -12,10 +12,6 @@
    <translation>已完成 %v / %m</translation>
   </message>
   <message>
-   <source>--near: the search area does not touch the map (x {x_min:.0f} to {x_max:.0f}, y {y_min:.0f} to {y_max:.0f}). Enter coordinates of the map.</source>
-   <translation>--near：搜索区域未接触地图（x {x_min:.0f} 至 {x_max:.0f}，y {y_min:.0f} 至 {y_max:.0f}）。请输入地图坐标。</translation>
-  </message>
-  <message>
    <source>--state {path} is a file of another kind and would be replaced. Choose another name.</source>
    <translation>--state {path} 是其他类型的文件，会被替换。请选择其他名称。</translation>
   </message>
@@ -1846,6 +1842,10 @@ Images without a position are left out, and so are likely positions and position
   <message>
    <source>Heights (Z) left out: {features}.</source>
    <translation>已舍弃高度 (Z)：{features}。</translation>
+  </message>
+  <message>
+   <source>Help</source>
+   <translation>帮助</translation>
   </message>
   <message>
    <source>Hide places that are only for information</source>
@@ -5162,6 +5162,10 @@ Use a label map of another date than that of the database, with a map displaceme
   <message>
    <source>The saved state of the flight has version {version}; this SemRef reads version {known}.</source>
    <translation>已保存的航次状态为版本 {version}；此 SemRef 读取版本 {known}。</translation>
+  </message>
+  <message>
+   <source>The search area does not touch the map (x {x_min:.0f} to {x_max:.0f}, y {y_min:.0f} to {y_max:.0f}). Choose a position on the map.</source>
+   <translation>搜索区域未接触地图（x {x_min:.0f} 至 {x_max:.0f}，y {y_min:.0f} 至 {y_max:.0f}）。请选择地图上的位置。</translation>
   </message>
   <message>
    <source>The search was limited: common patterns were left out, so a better place may have been missed.</source>

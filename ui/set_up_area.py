@@ -42,9 +42,11 @@ from .running.background import Reader, shut_down
 from .running.localization_run import named_results
 from .widgets.controls import message_label
 from .widgets.layouts import row_of
+from .widgets.messages import open_guide
 from .widgets.progress import StatusLine
 
 ALGORITHM = "semref:setuparea"
+GUIDE = "tutorials/own_area_and_photos.md"
 _FOLDER_SETTING = "semref/area_folder"
 _WAIT_MS = 400
 """Pause after a change before the map is read again."""
@@ -90,6 +92,7 @@ class SetUpAreaDialog(QDialog):
         # Without the remaining time: the steps take very different times.
         self.progress, self.state = QProgressBar(), StatusLine()
         self.start, self.close_button = QPushButton(tr("Run")), QPushButton(tr("Close"))
+        self.help = QPushButton(tr("Help"))
         self._run, self._reader, self._soon = AlgorithmRun(self), Reader(self), QTimer(self)
         self._feedback, self._context = QgsProcessingFeedback(False), QgsProcessingContext()
         self._used: dict = {}
@@ -133,7 +136,7 @@ class SetUpAreaDialog(QDialog):
         layout.addWidget(scrolled, 1)
         for widget in (self.progress, self.state):
             layout.addWidget(widget)
-        layout.addLayout(row_of((QWidget(), 1), self.start, self.close_button))
+        layout.addLayout(row_of(self.help, (QWidget(), 1), self.start, self.close_button))
 
     def _connect(self) -> None:
         self._soon.setSingleShot(True)
@@ -152,6 +155,7 @@ class SetUpAreaDialog(QDialog):
         self.add_files.clicked.connect(self._choose_photos)
         self.start.clicked.connect(self._start_or_cancel)
         self.close_button.clicked.connect(self.hide)
+        self.help.clicked.connect(lambda: open_guide(page=GUIDE))
         QgsProject.instance().cleared.connect(self._leave_project)
 
     def shut_down(self) -> None:

@@ -19,7 +19,7 @@ from ..correlation.settings import CORRELATION
 from ..correlation.solver import agreement_at, part_against
 from ..correlation.solver import localize as correlate
 from ..database.model import ReferenceDatabase
-from ..errors import DatabaseError, LabelMapError
+from ..errors import DatabaseError, LabelMapError, ParameterError
 from ..geometry.error_settings import UNBIASED, KnownBiases, SharedErrors
 from ..geometry.footprint import image_corners
 from ..labels.class_shares import ClassShares
@@ -354,12 +354,24 @@ class Localizer:
         shorter = max(min(shape_hw), 1)
         return scales[0] * min(edges) / shorter, scales[1] * max(edges) / shorter
 
-    def check(self, method: Method) -> None:
-        """Refuse a method that the database can't support for any image.
+    def check(self, method: Method, prior: Prior | None = None) -> None:
+        """Refuse a method and a prior with which no image can get a position.
 
         Raises:
-            DatabaseError: The database can't support it.
+            DatabaseError: The database can't support the method.
+            ParameterError: The search area is outside the map, for example because it is longitude and latitude.
         """
+        extent = self._database.parameters.extent
+        if share_on_map(prior or Prior(), extent) == 0:
+            x_min, y_min, x_max, y_max = extent
+            raise ParameterError(
+                "The search area does not touch the map (x {x_min:.0f} to {x_max:.0f}, y {y_min:.0f} to {y_max:.0f}). "
+                "Choose a position on the map.",
+                x_min=x_min,
+                x_max=x_max,
+                y_min=y_min,
+                y_max=y_max,
+            )
         if method == Method.TOPOLOGY_VECTOR and not self._database.windows.described.any():
             raise DatabaseError(
                 "No window of the database has the {least} landmarks a topology vector needs; build it with larger "

@@ -19,7 +19,6 @@ from ..errors import DatabaseError, ParameterError, SemRefError, reason_of
 from ..flight.settings import FLIGHT
 from ..labels.image_files import image_files, is_image_name
 from ..localization import LEAST_RISK, RISK, Method, Prior, Status
-from ..localizer.combined import share_on_map
 from ..localizer.localizer import Localizer
 from ..localizer.record import error_probability
 from ..localizer.search import Search
@@ -318,20 +317,6 @@ def exit_code(statuses: set[str]) -> int:
     return ALL_FIXED if statuses <= {Status.FIX.key} else SOME_WITHOUT_FIX
 
 
-def _check_near(prior: Prior, extent: tuple[float, float, float, float]) -> None:
-    """Raise ParameterError if the search area is outside the map, for example if it is longitude and latitude."""
-    if share_on_map(prior, extent) == 0:
-        x_min, y_min, x_max, y_max = extent
-        raise ParameterError(
-            "--near: the search area does not touch the map (x {x_min:.0f} to {x_max:.0f}, y {y_min:.0f} to "
-            "{y_max:.0f}). Enter coordinates of the map.",
-            x_min=x_min,
-            x_max=x_max,
-            y_min=y_min,
-            y_max=y_max,
-        )
-
-
 def _image_finder(options: argparse.Namespace, onboard: OnboardDatabase, looks_again: bool) -> ImageFinder:
     """Return how to localize according to the options; everything that can be refused is refused here.
 
@@ -341,14 +326,13 @@ def _image_finder(options: argparse.Namespace, onboard: OnboardDatabase, looks_a
     cv2.setNumThreads(options.threads)
     method = next(method for method in Method if _option(method) == options.method)
     localizer = Localizer(onboard.database, replace(LOCALIZER, allowed_risk=options.risk), options.sun)
-    localizer.check(method)
     if method == Method.MAP_CORRELATION and not localizer.has_overview:
         raise DatabaseError(
             "{database} has no overview, which map correlation needs. Export it with the overview.",
             database=options.database,
         )
     prior = Prior(tuple(options.near[:2]), options.near[2]) if options.near else Prior()
-    _check_near(prior, onboard.database.parameters.extent)
+    localizer.check(method, prior)
     read_labels = label_reader(options.model, options.threads, onboard.database.class_table, options.device)
     log_event(
         logging.INFO,

@@ -129,6 +129,8 @@ class LocalizeFlight(LocalizeAlgorithm):
         crs = database_crs(database)
         settings = replace(LOCALIZER, allowed_risk=values.number(self.RISK))
         localizer = Localizer(database, settings, values.optional_number(self.SUN_DIRECTION))
+        search = self.search(values, method, crs, values.has(self.MATCHES))
+        localizer.check(method, search.known)
         paths, cameras = in_order(*self.read_images(values, method, feedback))
         steps = cancelable(self._odometry, values, paths, feedback=feedback)
         log = self._read_log(values, feedback)
@@ -136,7 +138,6 @@ class LocalizeFlight(LocalizeAlgorithm):
         read_labels = self.label_reader(values, database.class_table, feedback)
         with outputs.folder(self.LABELS) as folder:
             keep = LabelImages(folder, paths, database.class_table, read_labels.stated_biases)
-            search = self.search(values, method, crs, values.has(self.MATCHES))
             reader = FlightReader(Pipeline(localizer, search, read_labels, looks_again=False), keep)
             for n, (path, camera) in enumerate(zip(paths, cameras)):
                 check_canceled(feedback)

@@ -141,8 +141,8 @@ class LocalizeImages(LocalizeAlgorithm):
         crs = database_crs(database)
         settings = replace(LOCALIZER, allowed_risk=values.number(self.RISK))
         localizer = Localizer(database, settings, values.optional_number(self.SUN_DIRECTION))
-        localizer.check(method)
         search = self.search(values, method, crs, values.has(self.MATCHES))
+        localizer.check(method, search.known)
         read_labels = self.label_reader(values, database.class_table, feedback)
         paths, cameras = self.read_images(values, method, feedback, self._layer is None)
         if self._layer is not None:

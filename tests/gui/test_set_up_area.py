@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 from dock_area import messages, settle, wait_until
 from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer, QgsWkbTypes
+from qgis.PyQt.QtGui import QDesktopServices
 from qgis.PyQt.QtWidgets import QCheckBox, QFileDialog
 
 from semref.ui.set_up_area import add_area
@@ -50,6 +51,10 @@ def test_it_asks_for_what_is_missing_and_shows_sizes(project_map, dialog, sample
     assert not dialog.start.isEnabled()
     dialog.folder.setFilePath(str(tmp_path / "results"))
     wait_until(dialog.start.isEnabled, "the button Run")
+    opened = []
+    monkeypatch.setattr(QDesktopServices, "openUrl", lambda url: opened.append(url.toLocalFile()))
+    dialog.help.click()
+    assert Path(opened[0]).is_file() and "own_area_and_photos" in opened[0]
 
 
 def test_a_long_summary_cuts_off_no_field_on_a_small_screen(dialog):

@@ -118,6 +118,13 @@ def test_a_cancel_ends_at_once_while_a_database_is_read(localize, feedback, tmp_
     go_on.set()
 
 
+@pytest.mark.parametrize("algorithm", [LOCALIZE, "semref:localizeflight"])
+def test_a_prior_position_outside_the_map_is_refused(run_algorithm, database, tmp_path, algorithm):
+    prior = {"PRIOR_POINT": "9.5,47.1 [EPSG:4326]", "PRIOR_RADIUS": 500, "OUTPUT": "memory:"}
+    with pytest.raises(QgsProcessingException, match="search area does not touch the map"):
+        run_algorithm(algorithm, {"IMAGES": [image(tmp_path, "any.tif", window(0, 0))], "DATABASE": database, **prior})
+
+
 def test_too_few_references_give_a_reason_with_the_missing_number(localize, tmp_path):
     labels = np.full((SIZE, SIZE), 4, np.uint8)
     labels[20:40, 20:40] = 1

@@ -73,9 +73,9 @@ def open_file(path: str) -> None:
     QDesktopServices.openUrl(QUrl.fromLocalFile(path))
 
 
-def open_guide() -> None:
-    """Open the user guide in the browser."""
-    QDesktopServices.openUrl(QUrl(guide_url()))
+def open_guide(*, page: str = "README.md") -> None:
+    """Open a page of the user guide in the browser, by default its index."""
+    QDesktopServices.openUrl(QUrl(guide_url(page)))
 
 
 def _escaped(sentence: str) -> str:
