@@ -12,10 +12,7 @@ sys.path.append(str(ROOT / "tools" / "release"))
 import update_translations  # noqa: E402
 
 FILES = sorted((ROOT / "i18n").glob("semref_*.ts"))
-
 each_file = for_each(FILES)
-
-
 TEXTS = update_translations.all_texts()
 
 

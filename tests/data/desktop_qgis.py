@@ -17,7 +17,6 @@ import pytest
 TIMEOUT_S = 1500
 """Time limit of a whole walk, on a busy machine."""
 
-
 OUTPUT_SHOWN = 4000
 """Characters of QGIS's output in a failure message."""
 

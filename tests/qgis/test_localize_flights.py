@@ -12,6 +12,7 @@ LOCALIZE = "semref:localizeimages"
 LABELS = scattered_objects(900, 1000, 1300, seed=5)
 SIZE = 300
 TILT = 25.0
+TABLE = f"image,roll,pitch,field_of_view\n0.png,0,{TILT},60\n"
 
 
 @pytest.fixture(scope="module")
@@ -43,9 +44,6 @@ def localize(run_algorithm, database, tmp_path, feedback):
 def ahead(column=450.0, row=520.0, heading=30.0, tilt=TILT) -> View:
     """Return a camera tilted towards the image's top."""
     return View(WEST + column, NORTH - row, heading, 1.0, SIZE, SIZE, tilt_deg=tilt)
-
-
-TABLE = f"image,roll,pitch,field_of_view\n0.png,0,{TILT},60\n"
 
 
 def test_a_tilted_image_is_leveled_and_found(localize, feedback):

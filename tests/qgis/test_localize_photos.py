@@ -20,7 +20,6 @@ LABELS = scattered_objects(500, 600, 380, seed=7, background=0)
 TO_MODEL = np.array([0, 2, 1, 3], np.uint8)
 """Label of this map → color of made_models; its first class is building."""
 
-
 CLASSES = ["ground", "building", "water", "bare_land"]
 
 

@@ -38,6 +38,7 @@ CHANGELOG = """# Changelog
 
 - First.
 """
+HABITS = [*(ROOT / ".github").rglob("*.yml"), ROOT / "CITATION.cff"]
 
 
 def test_the_news_of_a_version_are_plain_sentences_and_nothing_of_the_rest():
@@ -126,9 +127,6 @@ def test_the_same_source_gives_the_same_zip(sample, tmp_path):
 )
 def test_faults_of_a_zip_are_reported(faults, changed, message):
     assert any(message in fault for fault in faults("", changed))
-
-
-HABITS = [*(ROOT / ".github").rglob("*.yml"), ROOT / "CITATION.cff"]
 
 
 @pytest.mark.parametrize("path", HABITS, ids=[path.name for path in HABITS])

@@ -14,6 +14,7 @@ from semref.core.errors import AnnotationError
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 
 TABLE = ClassTable((LandCoverClass(1, "building", "#ff0000", "reference", 3.0), LandCoverClass(4, "field", "#00ff00")))
+BOWTIE = shapely.from_wkt("POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))")
 
 
 def test_a_table_finds_names_in_any_case_and_values():
@@ -51,9 +52,6 @@ def test_unknown_classes_are_named_the_commonest_first():
     require_known_classes({}, "a layer", TABLE)
     with pytest.raises(AnnotationError, match=r"“a layer” has classes .*“lava” \(3\).*“ice” \(1\)"):
         require_known_classes({"ice": 1, "lava": 3}, "a layer", TABLE)
-
-
-BOWTIE = shapely.from_wkt("POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))")
 
 
 def polygons_of(*features):

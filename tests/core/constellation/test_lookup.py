@@ -16,6 +16,7 @@ ORIGIN = (500_000.0, 5_200_000.0)
 SCALES = (0.4, 2.5)
 TRUE = (900.0, 1100.0, 70.0, 1.1)
 """East and north of the origin, heading and pixel size of the cut."""
+RANKS = np.array([0, 1, 2, -1, 1])
 
 
 def lookup_of(index, query, prior):
@@ -111,9 +112,6 @@ def test_the_mirrored_image_is_looked_up_as_such_with_no_heading_known(index, cu
     query, prior = cut(*TRUE).query, Prior(None, None, 70.0, 5.0, SCALES)
     mirrored = lookup_of(index, query, prior).mirrored()
     same_seeds(find_seeds(mirrored, 10**7), seeds_of(index, query.mirrored(), Prior(pixel_size_range=SCALES)))
-
-
-RANKS = np.array([0, 1, 2, -1, 1])
 
 
 def complex_points(rng, *shape, size):

@@ -12,6 +12,7 @@ from semref.core.localization import Prior
 EDGE = 640
 SEEN = (900.0, 1100.0, 70.0, 1.1)
 """East and north of the origin, heading and pixel size of a cut."""
+STEP = (900.0, 40.0)
 
 
 def evidence_at(pose, log_odds=100.0, count=10, considered=12, noise_factor=1.0, deviation=1.0):
@@ -51,9 +52,6 @@ def built_twice(catalogue):
     classes = np.concatenate([catalogue.classes, catalogue.classes[again], catalogue.classes[~again]])
     areas = np.concatenate([catalogue.areas_m2, catalogue.areas_m2[again], catalogue.areas_m2[~again]])
     return build_index(MapLandmarks(positions, classes, areas, np.zeros(len(positions), bool)), 1.0)
-
-
-STEP = (900.0, 40.0)
 
 
 def test_before_a_fix_ground_around_it_that_looks_the_same_is_tried_unless_a_prior_excludes_it(built_twice, index, cut):

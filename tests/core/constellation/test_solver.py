@@ -155,13 +155,11 @@ def test_two_places_that_are_alike_are_named_as_alternatives_and_a_prior_disting
     assert result.status == Status.FIX and error(result, view) < 1
 
 
+ELSEWHERE = {"position": (ORIGIN[0] + 300, ORIGIN[1] - 300), "radius": 200.0}
+
+
 @pytest.mark.parametrize(
-    "wrong",
-    [
-        {"position": (ORIGIN[0] + 300, ORIGIN[1] - 300), "radius": 200.0},
-        {"heading_deg": 200.0, "heading_range_deg": 20.0},
-        {"pixel_size_range": (1.5, 2.5)},
-    ],
+    "wrong", [ELSEWHERE, {"heading_deg": 200.0, "heading_range_deg": 20.0}, {"pixel_size_range": (1.5, 2.5)}]
 )
 def test_a_prior_that_excludes_the_truth_gives_no_fix(ground, wrong):
     view = seen_from(1800, 1700, 45.0)

@@ -13,6 +13,7 @@ from semref.core.landmarks.landmarks import Landmarks
 from semref.core.localization import Status
 
 TWO_PLACES = "the image may show two places"
+DIAGONAL = 1000.0
 
 
 @pytest.fixture(scope="module")
@@ -62,9 +63,6 @@ def test_a_fix_names_the_part_of_the_image_that_disagrees(ground, half_mapped):
 def test_a_fix_of_one_place_has_no_warning_even_with_poor_labels(ground, seed):
     found = solve(ground, ground.see(seen_from(1400, 1600, 40.0 * seed), NOISE, seed))
     assert (found.status, found.reason) == (Status.FIX, None)
-
-
-DIAGONAL = 1000.0
 
 
 def seen(share_left, share_right, count=60, seed=0, cut=0.0):

@@ -26,6 +26,7 @@ from semref.core.constellation.verification import (
 from semref.core.geometry.pose import Pose, fit_similarity, fit_tilted, huber, numbers_of
 
 EDGE = 640
+TILT = {"stretch": 0.008 - 0.004j, "slope": 1.5e-4 + 1e-4j}
 
 
 def weigh(verifier, query, pose):
@@ -224,9 +225,6 @@ def test_tilted_poses_verified_together_have_the_evidence_of_each_alone(index, v
         assert together.pose.center == pytest.approx(alone.pose.center, rel=1e-9)
         for name in ("matched", "objects", "expected", "possible"):
             np.testing.assert_array_equal(getattr(together, name), getattr(alone, name))
-
-
-TILT = {"stretch": 0.008 - 0.004j, "slope": 1.5e-4 + 1e-4j}
 
 
 @pytest.mark.parametrize(("tilt", "numbers"), [({}, 4), (TILT, 8)], ids=["level", "tilted"])

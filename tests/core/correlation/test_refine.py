@@ -13,6 +13,7 @@ from semref.core.simulation.views import View, cut
 TRUE = ScoredPose(703.4, 598.1, 41.0, 1.03)
 PIXEL_M = 500 / 64 * TRUE.pixel_size_m
 """Size of one evidence pixel on the ground."""
+HEADINGS = np.arange(0.0, 360.0, 30.0)
 
 
 @pytest.fixture(scope="module")
@@ -63,9 +64,6 @@ def test_an_image_of_one_class_agrees_nowhere_and_its_covariance_is_infinite(pat
     (found,) = refine_many(alike, patch_pyramid, [place], 0.0, 2)
     assert found.score == (0.0 if place is TRUE else NOT_COMPARABLE)
     assert np.isinf(pose_covariance(alike, patch_pyramid, place, patch_pyramid.quiet)).all()
-
-
-HEADINGS = np.arange(0.0, 360.0, 30.0)
 
 
 @pytest.mark.parametrize("x, y, heading, size", [(600, 500, 0, 1.0), (850, 640, 120, 1.0), (700, 600, 300, 1.2)])

@@ -16,8 +16,6 @@ from semref.core.steps import advance
 
 FRAME = MapFrame("a metric CRS", (600000.0, 2.0, 0.0, 5200000.0, 0.0, -2.0))
 SETTINGS = BuildSettings(window_size=200.0, stride=74.0, minimum_area=20.0, levels=(1.0, 2.5))
-
-
 LABELS = blobs(0, (1300, 1150), (0, 2, 5), 9)
 
 

@@ -153,8 +153,6 @@ def field_with(*shapes):
 
 
 RIVER, POND, U = (0, 90, HEIGHT, 4), (60, 60, 10, 10), ((20, 20, 100, 3), (20, 140, 100, 3), (117, 20, 3, 123))
-
-
 CHANGES = {
     "pond new": ([], [POND], 0, 1),
     "pond gone": ([POND], [], 1, 0),

@@ -29,6 +29,7 @@ from semref.core.simulation.noise import LabelNoise
 WEST, NORTH = 1000.0, 9000.0
 CLEAN = {"missed": (0, 0), "invented": (0, 0), "misnamed": (0, 0), "ragged": (0, 0)}
 LABELS = scattered_objects(600, 700, 308, seed=3)
+BOTH = [Method.AUTOMATIC, Method.TOPOLOGY_VECTOR]
 
 
 @pytest.fixture(scope="module")
@@ -195,9 +196,6 @@ def test_shared_errors_leave_images_where_they_were(evaluate):
     plain, shared = (list(evaluate(**ranges).trials(5, 2)) for ranges in ({}, {"displaced": (1.0, 1.0)}))
     assert [q.view.position for q in plain] == [q.view.position for q in shared]
     assert [q.noise.missed for q in plain] == [q.noise.missed for q in shared]
-
-
-BOTH = [Method.AUTOMATIC, Method.TOPOLOGY_VECTOR]
 
 
 class Planner:

@@ -16,6 +16,7 @@ from semref.core.simulation.views import PIXELS, View, cut, map_coordinates
 SHAPE = (200, 260)
 FIELD_OF_VIEW = 60.0
 FOCAL = focal_length_from_view(FIELD_OF_VIEW, SHAPE)
+TILTS = [(0, 0), (5, 0), (10, 90), (10, 200), (20, 45), (30, 0), (30, 300), (30, 180)]
 
 
 def tilted(tilt_deg: float, direction_deg: float, heading_deg: float = 25.0) -> View:
@@ -33,9 +34,6 @@ def attitude_of(tilt_deg: float, direction_deg: float) -> Attitude:
 def blocks() -> ArrayLabels:
     small = np.random.default_rng(3).integers(1, 6, (100, 100), dtype=np.uint8)
     return ArrayLabels(np.kron(small, np.ones((10, 10), np.uint8)))
-
-
-TILTS = [(0, 0), (5, 0), (10, 90), (10, 200), (20, 45), (30, 0), (30, 300), (30, 180)]
 
 
 @pytest.mark.parametrize(("tilt", "direction"), TILTS)

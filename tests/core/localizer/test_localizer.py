@@ -14,6 +14,7 @@ from semref.core.localizer.localizer import Localizer, describe_image
 FRAME = MapFrame("a metric CRS", (600000.0, 2.0, 0.0, 5200000.0, 0.0, -2.0))
 SIZE, STRIDE = 60, 20
 SETTINGS = BuildSettings(2.0 * SIZE, 2.0 * STRIDE, minimum_area=28.0)
+MAP = blobs(0, (160, 200), scale=1.8)
 
 
 def localizer_of(labels, settings=SETTINGS):
@@ -31,9 +32,6 @@ def with_blocks(shape, *blocks):
 def cut(labels, name, size=SIZE):
     column, row = map(int, name.split("_"))
     return labels[row : row + size, column : column + size]
-
-
-MAP = blobs(0, (160, 200), scale=1.8)
 
 
 @pytest.fixture(scope="module")

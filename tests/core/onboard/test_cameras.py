@@ -14,7 +14,6 @@ SRT = """1
 
 """
 
-
 pytestmark = pytest.mark.usefixtures("never_late")
 
 

@@ -27,6 +27,7 @@ STEP = 60
 COUNT = 7
 FIRST = (90, 60)
 """Row and column of the first image's first pixel; the flight goes east with the tops up."""
+ODOMETRY = "image,dx_m,dy_m,dheading_deg,sigma_m\n"
 
 
 def center(number):
@@ -346,9 +347,6 @@ def test_one_bad_image_does_not_end_the_flight(watch, folder):
     code, records = watch()
     assert code == REFUSED and records[1]["status"] == "error"
     assert records[-1]["status"] == "fix" and off(records[-1], COUNT - 1) < 3
-
-
-ODOMETRY = "image,dx_m,dy_m,dheading_deg,sigma_m\n"
 
 
 def row(number):

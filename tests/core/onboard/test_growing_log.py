@@ -19,6 +19,7 @@ from semref.core.onboard.image_records import label_reader
 from semref.core.onboard.log import json_line, log_event, start_log
 
 LONG_S = 30.0
+pytestmark = pytest.mark.usefixtures("never_late")
 
 
 def attitude(time_s, heading_deg):
@@ -27,9 +28,6 @@ def attitude(time_s, heading_deg):
     head = bytes([len(content), 0, 0, 7, 1, 1]) + (30).to_bytes(3, "little")
     total = checksum(head + content + bytes([39]))
     return struct.pack(">Q", int(time_s * 1e6)) + b"\xfd" + head + content + struct.pack("<H", total)
-
-
-pytestmark = pytest.mark.usefixtures("never_late")
 
 
 @pytest.fixture

@@ -11,8 +11,6 @@ from semref.core.onboard.log import start_log
 from semref.core.onboard.tables import OdometryTable
 
 HEADER = "image,dx_m,dy_m,dheading_deg,sigma_m\n"
-
-
 pytestmark = pytest.mark.usefixtures("never_late")
 
 

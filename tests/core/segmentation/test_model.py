@@ -12,6 +12,7 @@ from semref.core.segmentation.model import SegmentationModel, averaged_scores
 
 LABELS = np.random.default_rng(2).integers(1, 4, (64, 64)).astype(np.uint8)
 PHOTO = painted(LABELS)
+GOING_ON = Event()
 
 
 @pytest.fixture
@@ -143,9 +144,6 @@ def test_a_missing_onnxruntime_is_reported_with_its_installation(load, monkeypat
     monkeypatch.setitem(sys.modules, "onnxruntime", None)
     with pytest.raises(ModelError, match="Segmentation needs the Python package onnxruntime .*pip install onnxruntime"):
         load()
-
-
-GOING_ON = Event()
 
 
 class Shifting:

@@ -5,6 +5,7 @@ from semref.core.geometry.frame import MapFrame
 from semref.core.simulation.views import PIXELS, View, cut, image_coordinates, lies_on, map_coordinates
 
 MAP = MapFrame.at((700_000.0, 5_200_000.0), 2.0)
+TILTED = {"tilt_deg": 12.0, "tilt_direction_deg": 200.0}
 
 
 @pytest.fixture
@@ -82,9 +83,6 @@ def test_a_lens_moves_the_corners_by_its_share_and_leaves_the_center():
     columns, rows = np.array([320.0, 0.0, 640.0]), np.array([240.0, 0.0, 480.0])
     bent, straight = (np.array(map_coordinates(one, columns, rows)) - [[1000.0], [2000.0]] for one in (view, plain))
     np.testing.assert_allclose(bent, straight * [1.0, 1.03, 1.03])
-
-
-TILTED = {"tilt_deg": 12.0, "tilt_direction_deg": 200.0}
 
 
 @pytest.mark.parametrize(

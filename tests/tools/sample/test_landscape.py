@@ -8,7 +8,6 @@ SEED = 1671
 SMALL_XY = (1500.0, 1300.0)
 """Edge in meters of a small landscape."""
 
-
 pytestmark = pytest.mark.slow
 """Tests that create a whole landscape."""
 
