@@ -5,6 +5,7 @@ import subprocess
 import sys
 import time
 import zlib
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -157,16 +158,13 @@ def test_arrays_are_built_where_no_folder_can_be_made_and_for_a_user_without_a_h
     assert [record.message for record in caplog.records] == ["not_cached"] * 2
     for name in ("SEMREF_CACHE", "XDG_CACHE_HOME", "LOCALAPPDATA"):
         monkeypatch.delenv(name, raising=False)
-    monkeypatch.setattr(cache.Path, "home", lambda: (_ for _ in ()).throw(RuntimeError("no home directory")))
+    monkeypatch.setattr(cache.Path, "home", Mock(side_effect=RuntimeError("no home directory")))
     assert_same(loaded(), arrays())
 
 
 def test_a_folder_that_became_read_only_is_still_read(path, monkeypatch):
     loaded()
-
-    def refused(*_args, **_kwargs):
-        raise PermissionError(13, "Permission denied")
-
+    refused = Mock(side_effect=PermissionError(13, "Permission denied"))
     for function in ("replace", "unlink", "utime"):
         monkeypatch.setattr(os, function, refused)
     monkeypatch.setattr(cache.tempfile, "mkstemp", refused)
@@ -177,7 +175,7 @@ def test_a_folder_that_became_read_only_is_still_read(path, monkeypatch):
 def test_a_disk_that_is_full_leaves_nothing(path, monkeypatch):
     loaded()
     before = sorted(path.parent.iterdir())
-    monkeypatch.setattr(os, "replace", lambda *_: (_ for _ in ()).throw(OSError(28, "No space left on device")))
+    monkeypatch.setattr(os, "replace", Mock(side_effect=OSError(28, "No space left on device")))
     assert_same(loaded(1, digest([b"other"])), arrays(1))
     assert sorted(path.parent.iterdir()) == before
 

@@ -14,6 +14,7 @@ from semref.core.pipeline import Pipeline, localize_labels
 from semref.core.sentences import Sentence
 
 LABELS = np.zeros((40, 60), np.uint8)
+FIX = Localization(Status.FIX, Method.CONSTELLATION, best=Place((1.0, 2.0), heading_deg=30.0, pixel_size_m=0.5))
 
 
 class Localizer:
@@ -31,9 +32,8 @@ class Localizer:
 
     def localize(self, labels_hw, method, prior, with_matches, shares, biases, earlier=None):
         self.asked.append((labels_hw.shape, method, prior, with_matches, shares, biases))
-        return Localization(
-            Status.NO_MATCH, method, reason=Sentence("No place on the map has triangles of landmarks like the image's.")
-        )
+        reason = Sentence("No place on the map has triangles of landmarks like the image's.")
+        return Localization(Status.NO_MATCH, method, reason=reason)
 
 
 def test_scales_become_pixel_sizes_of_the_image_s_shorter_edge():
@@ -70,9 +70,6 @@ def test_a_photo_that_is_not_found_names_its_network():
     assert "trained on" in str(pipeline.run("a.jpg", Camera()).localization.reason)
 
 
-FIX = Localization(Status.FIX, Method.CONSTELLATION, best=Place((1.0, 2.0), heading_deg=30.0, pixel_size_m=0.5))
-
-
 def test_a_fix_has_the_position_of_the_image_and_its_orientation_if_both_parts_are_known():
     assert (FIX.is_fix, FIX.position, FIX.heading_deg, FIX.pixel_size_m) == (True, (1.0, 2.0), 30.0, 0.5)
     assert Place((0.0, 0.0), 30.0, 0.5).oriented == (30.0, 0.5)
@@ -104,9 +101,7 @@ def test_what_explains_a_result_is_no_part_of_a_comparison():
 @pytest.mark.parametrize(("risk", "expected"), [(0.19, Status.LIKELY), (0.21, Status.NO_MATCH)])
 def test_a_doubted_candidate_is_a_likely_position_up_to_a_fifth(risk: float, expected: Status) -> None:
     doubted = Localization(Status.NO_MATCH, Method.CONSTELLATION, best=Place((1.0, 2.0)), risk=risk, is_doubted=True)
-
     found = show_likely(doubted)
-
     assert found.status is expected
     assert (found.position == (1.0, 2.0)) == found.is_likely
     assert found.fix is None
@@ -114,7 +109,6 @@ def test_a_doubted_candidate_is_a_likely_position_up_to_a_fifth(risk: float, exp
 
 def test_an_inaccurate_candidate_is_no_likely_position() -> None:
     flawed = Localization(Status.AMBIGUOUS, Method.CONSTELLATION, best=Place((1.0, 2.0)), risk=0.01)
-
     assert show_likely(flawed) == flawed
 
 

@@ -1,5 +1,6 @@
 import threading
 import time
+from unittest.mock import Mock
 
 import pytest
 from dock_area import logged, settle, wait_until
@@ -31,11 +32,7 @@ def run(qgis_app):
 @pytest.fixture
 def broken(monkeypatch):
     """Rasterize land-cover layer with a fault of its own before its work begins."""
-
-    def read_layers(self, values):
-        raise RuntimeError("a fault in preparing")
-
-    monkeypatch.setattr(RasterizeAnnotation, "read_layers", read_layers)
+    monkeypatch.setattr(RasterizeAnnotation, "read_layers", Mock(side_effect=RuntimeError("a fault in preparing")))
 
 
 def ended(run) -> list:
@@ -105,10 +102,8 @@ def test_a_crs_stays_whole_after_the_task_that_used_it_first(iface, reader, requ
 
 
 def test_errors_are_for_the_user_and_bugs_are_logged(reader):
-    def refuses():
-        raise LabelMapError("Image {path} can't be read: {reason}.", path="photo.jpg", reason="no image")
-
-    reader.read("Reading", refuses)
+    error = LabelMapError("Image {path} can't be read: {reason}.", path="photo.jpg", reason="no image")
+    reader.read("Reading", Mock(side_effect=error))
     ((name, sentence),) = answer_of(reader)
     assert name == "failed" and "photo.jpg" in sentence
     reader.said.clear()

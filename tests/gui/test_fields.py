@@ -196,15 +196,11 @@ def given(area, tmp_path):
     outputs = {name: str(tmp_path / name) for name in ("positions.gpkg", "built.gpkg", "decoded.tif")}
     images = {"DATABASE": area.database, "IMAGES": [labels], "MODEL": str(model)}
     built = {"LABELS": labels, "WINDOW_SIZE": 200.0, "OPEN_OUTPUT": False}
+    decoded = {"INPUT": labels, "CLASS_TABLE": str(table), "METHOD": 1}
     return {
         "localizeimages": {**images, "OUTPUT": outputs["positions.gpkg"]},
         "builddatabase": {**built, "DATABASE": outputs["built.gpkg"]},
-        "decodecolorlabels": {
-            "INPUT": labels,
-            "CLASS_TABLE": str(table),
-            "METHOD": 1,
-            "OUTPUT": outputs["decoded.tif"],
-        },
+        "decodecolorlabels": {**decoded, "OUTPUT": outputs["decoded.tif"]},
     }
 
 

@@ -4,6 +4,7 @@ import sqlite3
 import threading
 from contextlib import closing
 from pathlib import Path
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -84,10 +85,7 @@ def test_a_database_that_is_another_one_than_was_updated_is_not_replaced(path, t
 
 
 def no_links(monkeypatch, path):
-    def refused(source, target):
-        raise OSError(95, "Operation not supported")
-
-    monkeypatch.setattr(os, "link", refused)
+    monkeypatch.setattr(os, "link", Mock(side_effect=OSError(95, "Operation not supported")))
 
 
 def in_wal(monkeypatch, path):
@@ -195,9 +193,6 @@ def test_a_file_that_another_program_locks_is_not_replaced(updated_path, short_w
         assert_not_undone(updated_path)
 
 
-LIMIT_S = 60
-
-
 @pytest.fixture
 def file(tmp_path):
     path = tmp_path / "some.gpkg"
@@ -220,7 +215,7 @@ def copied(file, target):
 
     thread = threading.Thread(target=work, daemon=True)
     thread.start()
-    thread.join(LIMIT_S)
+    thread.join(60)
     assert not thread.is_alive(), "the copy waits for good"
     return raised[0] if raised else None
 

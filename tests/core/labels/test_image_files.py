@@ -4,6 +4,7 @@ import struct
 import time
 import zlib
 from pathlib import Path
+from unittest.mock import Mock
 
 import cv2
 import numpy as np
@@ -20,8 +21,6 @@ from semref.core.labels.image_files import read_label_image, read_photo
 from semref.core.labels.tiff import NODATA
 
 LABELS = np.random.default_rng(7).integers(1, 5, (100, 100)).astype(np.uint8)
-
-
 PALETTE = tuple(np.random.default_rng(2).integers(0, 65536, 768).tolist())
 HALF_BYTES = LABELS[:, 0::2] << 4 | LABELS[:, 1::2]
 
@@ -57,24 +56,17 @@ def test_a_palette_of_a_png_is_not_taken_for_colors(tmp_path, bits):
     np.testing.assert_array_equal(labels_of(str(tmp_path / "paletted.png")), LABELS)
 
 
-def test_colors_are_decoded_by_the_class_table(image):
-    colors = np.zeros((256, 3), np.uint8)
-    for c in TABLE:
-        colors[c.value] = c.rgb[::-1]
-    np.testing.assert_array_equal(labels_of(image("colors.png", colors[LABELS])), LABELS)
-
-
 @pytest.mark.parametrize(
     ("name", "content"),
     [
-        ("gray.png", LABELS),
-        ("gray.tif", LABELS),
+        *((name, LABELS) for name in ("gray.png", "gray.tif")),
+        ("colors.png", np.array([(0, 0, 0), *(c.rgb[::-1] for c in TABLE)], np.uint8)[LABELS]),
         ("sixteen_bits.png", LABELS.astype(np.uint16)),
         ("palette.tif", image_tiff(LABELS, 3, t320=PALETTE)),
         ("palette_of_4_bits.tif", image_tiff(HALF_BYTES, 3, t256=(100,), t258=(4,), t320=(0,) * 48)),
     ],
 )
-def test_values_of_gray_and_of_palettes_are_class_values(image, name, content):
+def test_gray_and_palettes_are_class_values_and_colors_are_decoded_by_the_class_table(image, name, content):
     np.testing.assert_array_equal(labels_of(image(name, content)), LABELS)
 
 
@@ -116,18 +108,12 @@ def header(width, height) -> tuple:
 
 
 @pytest.mark.parametrize("read", [labels_of, read_photo])
-@pytest.mark.parametrize(
-    ("data", "said"),
-    [
-        (png_of(header(60_000, 60_000), (b"IDAT", b"x" * 20, 20)), "60000 × 60000"),
-        (png_of(header(19_000, 19_000), (b"IDAT", b"x" * 20, 20)), "damaged"),
-    ],
-)
-def test_a_png_that_claims_too_much_is_refused_before_it_is_decoded(image, monkeypatch, read, data, said):
+@pytest.mark.parametrize(("size", "said"), [(60_000, "60000 × 60000"), (19_000, "damaged")])
+def test_a_png_that_claims_too_much_is_refused_before_it_is_decoded(image, monkeypatch, read, size, said):
     # Decoding allocates gigabytes for the pixels first.
     monkeypatch.setattr(PngImageFile, "load", lambda _: pytest.fail("it is decoded"))
     with pytest.raises(ImageError, match=said):
-        read(image("claims.png", data))
+        read(image("claims.png", png_of(header(size, size), (b"IDAT", b"x" * 20, 20))))
 
 
 @pytest.mark.parametrize(
@@ -201,22 +187,17 @@ def test_a_fourth_band_of_a_tiff_hides_pixels_only_as_opacity(image, hides):
 
 
 @pytest.mark.parametrize(
-    ("name", "pixels", "said"),
+    ("read", "name", "pixels", "said"),
     [
-        ("deep.png", np.zeros((9, 9, 3), np.uint16), "uint16"),
-        ("float.tif", np.zeros((9, 9), np.float32), "float32"),
-        ("signed.tif", np.full((9, 9), -3, np.int16), "-3"),
-        ("large.png", np.full((9, 9), 300, np.uint16), "has the value 300"),
+        *((read, "deep.png", np.zeros((9, 9, 3), np.uint16), "uint16") for read in (labels_of, read_photo)),
+        (labels_of, "float.tif", np.zeros((9, 9), np.float32), "float32"),
+        (labels_of, "signed.tif", np.full((9, 9), -3, np.int16), "-3"),
+        (labels_of, "large.png", np.full((9, 9), 300, np.uint16), "has the value 300"),
     ],
 )
-def test_labels_that_are_neither_values_nor_colors_are_refused(image, name, pixels, said):
+def test_labels_that_are_neither_values_nor_colors_and_photos_of_16_bits_are_refused(image, read, name, pixels, said):
     with pytest.raises(ImageError, match=said):
-        labels_of(image(name, pixels))
-
-
-def test_a_photo_of_more_than_8_bits_is_refused(image):
-    with pytest.raises(ImageError, match="uint16"):
-        read_photo(image("deep.png", np.zeros((9, 9, 3), np.uint16)))
+        read(image(name, pixels))
 
 
 def test_gray_with_opacity_is_no_label_image_and_a_first_chunk_that_is_another_is_damage(tmp_path):
@@ -241,11 +222,8 @@ def test_an_image_of_too_many_pixels_or_bytes_is_refused(image, monkeypatch):
 
 
 def test_what_the_decoder_stumbles_over_is_refused(image, monkeypatch):
-    def fails(*_):
-        raise cv2.error("too odd")
-
     path = image("gray.jpg")
-    monkeypatch.setattr(image_files.cv2, "imdecode", fails)
+    monkeypatch.setattr(image_files.cv2, "imdecode", Mock(side_effect=cv2.error("too odd")))
     with pytest.raises(ImageError, match=re.escape(path)):
         labels_of(path)
 
@@ -265,10 +243,6 @@ def test_a_folder_means_all_its_images(tmp_path, monkeypatch):
     assert image_files.image_files([str(tmp_path), "other.xyz"]) == [tif, png, "other.xyz"]
     with pytest.raises(ImageError, match="empty"):
         image_files.image_files([str(tmp_path / "empty")])
-
-    def refused(_):
-        raise PermissionError(13, "Permission denied")
-
-    monkeypatch.setattr(image_files.os, "listdir", refused)
+    monkeypatch.setattr(image_files.os, "listdir", Mock(side_effect=PermissionError(13, "Permission denied")))
     with pytest.raises(ImageError, match="Permission denied"):
         image_files.image_files([str(tmp_path)])

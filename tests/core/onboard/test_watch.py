@@ -9,6 +9,7 @@ import threading
 import time
 from datetime import datetime, timezone
 from pathlib import Path
+from unittest.mock import Mock
 
 import cv2
 import pytest
@@ -125,10 +126,7 @@ def test_with_once_the_images_beside_a_link_to_itself_are_done(area, folder, cap
 
 
 def test_with_once_a_folder_that_is_gone_is_an_error(area, folder, monkeypatch, capsys):
-    def gone(path):
-        raise NotADirectoryError(20, "Not a directory")
-
-    monkeypatch.setattr(watch, "_images_in", gone)
+    monkeypatch.setattr(watch, "_images_in", Mock(side_effect=NotADirectoryError(20, "Not a directory")))
     assert main(["watch", str(folder), "--database", area, "--once"]) == REFUSED
     assert "can't be read: Not a directory" in capsys.readouterr().err
 
