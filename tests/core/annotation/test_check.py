@@ -30,68 +30,53 @@ def found(features, **settings) -> list:
     return sorted((f.kind, f.severity, f.feature_id, f.other_id) for f in findings)
 
 
-@pytest.mark.parametrize(
-    ("features", "expected"),
-    [
-        ([], []),
-        ([feature(square(0, 0, 5)), feature(square(5, 0, 5), 2)], []),
-        ([feature(None)], [(kinds.NO_GEOMETRY, WARNING, 0, None)]),
-        ([feature(shapely.from_wkt("POLYGON EMPTY"))], [(kinds.NO_GEOMETRY, WARNING, 0, None)]),
-        ([feature(BOWTIE)], [(kinds.INVALID, ERROR, 0, None)]),
-        ([feature(shapely.multipolygons([square(0, 0, 5), square(5, 0, 5)]))], [(kinds.INVALID, ERROR, 0, None)]),
-        ([feature(square(0, 0, 50)), feature(shapely.box(49.9999, 0, 90, 50), 2)], []),
-        ([feature(LINE)], BROKEN_LINE),
-        ([feature(LINE, NOTHING)], BROKEN_LINE),
-        ([AnnotatedFeature(0, b"no geometry", 1)], [(kinds.INVALID, ERROR, 0, None)]),
-        ([feature(TWO_BOWTIES)], 2 * [(kinds.INVALID, ERROR, 0, None)]),
-        ([feature(square(0, 0, 5)), feature(square(3, 0, 5), 2)], [(kinds.OVERLAP, ERROR, 1, 0)]),
-        ([feature(square(0, 0, 5), 1, 2.0), feature(square(3, 0, 5), 2, 1.0)], [(kinds.OVERLAP, INFORMATION, 0, 1)]),
-        ([feature(square(0, 0, 5)), feature(square(3, 0, 6), 1)], [(kinds.SAME_CLASS_NEIGHBORS, INFORMATION, 0, 1)]),
-        ([feature(square(0, 0, 5)), feature(square(0, 0, 5))], [(kinds.DUPLICATE, WARNING, 1, 0)]),
-        ([feature(square(0, 0, 5)), feature(square(0, 0, 5), 2)], [(kinds.DUPLICATE, ERROR, 1, 0)]),
-        ([feature(square(0, 0, 5)), feature(square(0, 0, 5), 2, 1.0)], [(kinds.DUPLICATE, WARNING, 1, 0)]),
-        (
-            [feature(square(0, 0, 5)), feature(shapely.from_wkt("POLYGON ((5 5, 5 3, 5 0, 0 0, 0 5, 5 5))"))],
-            [(kinds.DUPLICATE, WARNING, 1, 0)],
-        ),
-        ([feature(square(0, 0, 5)), feature(square(5, 5, 4))], [(kinds.SAME_CLASS_NEIGHBORS, INFORMATION, 1, 0)]),
-        ([feature(square(0, 0, 5), 9), feature(square(5, 5, 4), 9)], []),
-        ([feature(square(0, 0, 5), 9), feature(square(5, 0, 4), 9)], [(kinds.SAME_CLASS_NEIGHBORS, INFORMATION, 1, 0)]),
-        ([feature(shapely.union_all([square(0, 0, 5), square(5, 5, 4)]))], []),
-        (
-            [feature(square(1, 1, 2)), feature(square(0, 0, 5), 2, 1.0)],
-            [(kinds.HIDDEN, WARNING, 0, 1), (kinds.OVERLAP, INFORMATION, 1, 0)],
-        ),
-        (
-            [feature(square(0, 0, 6)), feature(square(-1, -1, 6), 2, 1.0), feature(square(0, 0, 9), 3, 0.5)],
-            [
-                (kinds.HIDDEN, WARNING, 0, 1),
-                *((kinds.OVERLAP, INFORMATION, *pair) for pair in ((1, 0), (1, 2), (2, 0))),
-            ],
-        ),
-        ([feature(shapely.difference(square(0, 0, 5), square(2, 2, 0.9)))], [(kinds.GAP, WARNING, None, None)]),
-        ([feature(shapely.difference(square(0, 0, 5), square(2, 2, 1.1)))], []),
-        (
-            [feature(shapely.box(0, 0, 50, 20)), feature(shapely.box(0, 20, 50, 20.1), 2)],
-            [(kinds.SLIVER, WARNING, 1, None)],
-        ),
-    ],
-    ids=[
-        *("nothing", "clean neighbors", "null", "empty", "invalid", "parts that share an edge", "rounding", "no area"),
-        *(
-            "neither area nor class",
-            "unreadable",
-            "two broken parts",
-            "overlap",
-            "decided overlap",
-            "same class overlap",
-            "duplicate",
-        ),
-        *("duplicate of another class", "decided duplicate", "duplicate with more vertices", "corner"),
-        *("corner of no landmarks", "neighbors that are no landmarks", "corner of one feature", "hidden"),
-        *("hidden by several", "gap", "large hole", "sliver"),
-    ],
-)
+FIVE = feature(square(0, 0, 5))
+HOLE, LARGE_HOLE = (feature(shapely.difference(square(0, 0, 5), square(2, 2, size))) for size in (0.9, 1.1))
+MORE_VERTICES = feature(shapely.from_wkt("POLYGON ((5 5, 5 3, 5 0, 0 0, 0 5, 5 5))"))
+HIDING = [feature(square(-1, -1, 6), 2, 1.0), feature(square(0, 0, 9), 3, 0.5)]
+NO_GEOMETRY, INVALID = (kinds.NO_GEOMETRY, WARNING, 0, None), (kinds.INVALID, ERROR, 0, None)
+DECIDED, SAME_CLASS = (kinds.OVERLAP, INFORMATION), (kinds.SAME_CLASS_NEIGHBORS, INFORMATION)
+CASES = {
+    "nothing": ([], []),
+    "clean neighbors": ([FIVE, feature(square(5, 0, 5), 2)], []),
+    "null": ([feature(None)], [NO_GEOMETRY]),
+    "empty": ([feature(shapely.from_wkt("POLYGON EMPTY"))], [NO_GEOMETRY]),
+    "invalid": ([feature(BOWTIE)], [INVALID]),
+    "parts that share an edge": ([feature(shapely.multipolygons([square(0, 0, 5), square(5, 0, 5)]))], [INVALID]),
+    "rounding": ([feature(square(0, 0, 50)), feature(shapely.box(49.9999, 0, 90, 50), 2)], []),
+    "no area": ([feature(LINE)], BROKEN_LINE),
+    "neither area nor class": ([feature(LINE, NOTHING)], BROKEN_LINE),
+    "unreadable": ([AnnotatedFeature(0, b"no geometry", 1)], [INVALID]),
+    "two broken parts": ([feature(TWO_BOWTIES)], 2 * [INVALID]),
+    "overlap": ([FIVE, feature(square(3, 0, 5), 2)], [(kinds.OVERLAP, ERROR, 1, 0)]),
+    "decided overlap": ([feature(square(0, 0, 5), 1, 2.0), feature(square(3, 0, 5), 2, 1.0)], [(*DECIDED, 0, 1)]),
+    "same class overlap": ([FIVE, feature(square(3, 0, 6), 1)], [(*SAME_CLASS, 0, 1)]),
+    "duplicate": ([FIVE, FIVE], [(kinds.DUPLICATE, WARNING, 1, 0)]),
+    "duplicate of another class": ([FIVE, feature(square(0, 0, 5), 2)], [(kinds.DUPLICATE, ERROR, 1, 0)]),
+    "decided duplicate": ([FIVE, feature(square(0, 0, 5), 2, 1.0)], [(kinds.DUPLICATE, WARNING, 1, 0)]),
+    "duplicate with more vertices": ([FIVE, MORE_VERTICES], [(kinds.DUPLICATE, WARNING, 1, 0)]),
+    "corner": ([FIVE, feature(square(5, 5, 4))], [(*SAME_CLASS, 1, 0)]),
+    "corner of no landmarks": ([feature(square(0, 0, 5), 9), feature(square(5, 5, 4), 9)], []),
+    "no landmarks": ([feature(square(0, 0, 5), 9), feature(square(5, 0, 4), 9)], [(*SAME_CLASS, 1, 0)]),
+    "corner of one feature": ([feature(shapely.union_all([square(0, 0, 5), square(5, 5, 4)]))], []),
+    "hidden": (
+        [feature(square(1, 1, 2)), feature(square(0, 0, 5), 2, 1.0)],
+        [(kinds.HIDDEN, WARNING, 0, 1), (*DECIDED, 1, 0)],
+    ),
+    "hidden by several": (
+        [feature(square(0, 0, 6)), *HIDING],
+        [(kinds.HIDDEN, WARNING, 0, 1), *((*DECIDED, *pair) for pair in ((1, 0), (1, 2), (2, 0)))],
+    ),
+    "gap": ([HOLE], [(kinds.GAP, WARNING, None, None)]),
+    "large hole": ([LARGE_HOLE], []),
+    "sliver": (
+        [feature(shapely.box(0, 0, 50, 20)), feature(shapely.box(0, 20, 50, 20.1), 2)],
+        [(kinds.SLIVER, WARNING, 1, None)],
+    ),
+}
+
+
+@pytest.mark.parametrize(("features", "expected"), CASES.values(), ids=CASES)
 def test_each_kind_is_found_with_its_severity_and_ids(features, expected):
     assert found(features) == expected
 
