@@ -110,18 +110,9 @@ def test_what_qt_6_does_not_have_is_found():
 
 
 PROGRAM = Path(__file__).resolve().parents[1] / "data" / "qt6_widgets.py"
-PAINTED = {
-    "vector_plot": 5000,
-    "empty_plot": 200,
-    "status_line": 500,
-    "image_view": 50_000,
-    "results_list": 10_000,
-    "empty_list": 500,
-    "details": 1000,
-    "components_page": 20_000,
-    "missing_notice": 1000,
-    "row_of_buttons": 350,
-}
+PAINTED = {"image_view": 50_000, "components_page": 20_000, "results_list": 10_000, "vector_plot": 5000}
+PAINTED |= {"details": 1000, "missing_notice": 1000, "status_line": 500, "empty_list": 500, "row_of_buttons": 350}
+PAINTED |= {"empty_plot": 200}
 """Least number of pixels that differ from the background: about a third of those with one style and font."""
 
 

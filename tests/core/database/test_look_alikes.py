@@ -14,15 +14,8 @@ def database():
     centers = np.column_stack([np.arange(5) * 50.0 + 50, np.full(5, 50.0)])
     vectors = np.zeros((5, 30), np.float32)
     vectors[:, 0] = (0.0, 0.1, 0.2, 0.9, 0.4)
-    windows = Windows(
-        np.column_stack([np.arange(5) * 50, np.zeros(5, int)]),
-        np.ones(5, int),
-        np.full(5, 100.0),
-        centers,
-        np.full(5, 3),
-        vectors,
-        np.array([True, True, True, True, True]),
-    )
+    corners, sizes = np.column_stack([np.arange(5) * 50, np.zeros(5, int)]), np.full(5, 100.0)
+    windows = Windows(corners, np.ones(5, int), sizes, centers, np.full(5, 3), vectors, np.ones(5, bool))
     positions = np.array([[40.0, 50.0], [50.0, 80.0], [90.0, 50.0], [260.0, 50.0]])
     references = MapLandmarks(positions, np.array([1, 2, 1, 1], np.uint8), np.full(4, 200.0), np.zeros(4, bool))
     house = LandCoverClass(1, "house", "#ff0000", "reference")

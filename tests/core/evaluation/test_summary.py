@@ -30,17 +30,9 @@ from semref.core.simulation.views import View
 
 def trial(right=True, error=1.0, confidence=0.9, status="fix", kind=MAP, ratio=None, landmarks=9, **query):
     result = Localization(Status(status), Method.CONSTELLATION, 9, best=Place((0.0, 0.0)), confidence=confidence)
-    is_fix = status == "fix"
-    return Trial(
-        WindowQuery(View(0.0, 0.0), kind, **query),
-        Method.CONSTELLATION,
-        result,
-        right and is_fix,
-        error if is_fix or status == "likely" else None,
-        radius_ratio=ratio,
-        landmarks=landmarks,
-        is_likely_right=right and status == "likely",
-    )
+    tried, error = WindowQuery(View(0.0, 0.0), kind, **query), error if status in ("fix", "likely") else None
+    known = {"radius_ratio": ratio, "landmarks": landmarks, "is_likely_right": right and status == "likely"}
+    return Trial(tried, Method.CONSTELLATION, result, right and status == "fix", error, **known)
 
 
 def test_without_trials_nothing_is_known():

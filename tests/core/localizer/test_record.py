@@ -14,31 +14,13 @@ FIX = Localization(Status.FIX, Method.CONSTELLATION, 9, best=PLACE, confidence=0
 
 
 def test_a_fix_fills_all_columns():
-    assert record(FIX) == {
-        "status": "fix",
-        "x": 600250.0,
-        "y": 5199600.0,
-        "heading": 90.0,
-        "pixel_size": 0.5,
-        "confidence": 0.99,
-        "distance": None,
-        "inliers": 7,
-        "references": 9,
-        "log_odds": 12.5,
-        "error_95": 4.9,
-        "window": None,
-        "method": "constellation",
-        "reason": "",
-        "error_95_minor": 2.4,
-        "error_95_direction": 30.0,
-        "heading_deviation": 0.2,
-        "pixel_size_deviation": 0.01,
-        "sigma_east": 1.0,
-        "sigma_north": 2.0,
-        "correlation": 0.0,
-        "sigma_heading": 0.2,
-        "sigma_scale": 0.02,
-    }
+    status = {"status": "fix", "method": "constellation", "reason": ""}
+    place = {"x": 600250.0, "y": 5199600.0, "heading": 90.0, "pixel_size": 0.5, "window": None, "distance": None}
+    evidence = {"confidence": 0.99, "inliers": 7, "references": 9, "log_odds": 12.5}
+    ellipse = {"error_95": 4.9, "error_95_minor": 2.4, "error_95_direction": 30.0}
+    deviations = {"heading_deviation": 0.2, "pixel_size_deviation": 0.01, "sigma_heading": 0.2, "sigma_scale": 0.02}
+    sigmas = {"sigma_east": 1.0, "sigma_north": 2.0, "correlation": 0.0}
+    assert record(FIX) == {**status, **place, **evidence, **ellipse, **deviations, **sigmas}
 
 
 def test_without_a_fix_there_is_evidence_but_no_place_or_accuracy():
@@ -76,16 +58,9 @@ def test_a_fix_has_the_parts_of_its_radius():
 
 
 PLACES, CLASSES = ("made-up areas", "Banepa"), ("building", "water")
-TOO_FEW = Localization(
-    Status.TOO_FEW_REFERENCES,
-    Method.CONSTELLATION,
-    1,
-    Sentence(
-        "{shown}; {needed}.",
-        shown=Sentence("The image shows {count} whole landmark", count=1),
-        needed=Sentence("at least {count} more are needed", count=7),
-    ),
-)
+SHOWN = Sentence("The image shows {count} whole landmark", count=1)
+LACKING = Sentence("{shown}; {needed}.", shown=SHOWN, needed=Sentence("at least {count} more are needed", count=7))
+TOO_FEW = Localization(Status.TOO_FEW_REFERENCES, Method.CONSTELLATION, 1, LACKING)
 NO_MATCH = replace(
     TOO_FEW, status=Status.NO_MATCH, reason=Sentence("No place on the map has triangles of landmarks like the image's.")
 )

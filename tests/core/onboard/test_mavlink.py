@@ -16,6 +16,7 @@ from semref.core.onboard.command_line import ALL_FIXED, REFUSED, main
 from semref.core.onboard.mavlink import UNKNOWN, MavlinkSink
 
 EXTENT = (600000.0, 5199300.0, 600700.0, 5200000.0)
+MIDDLE = 600350.0, 5199650.0
 TAKEN = "2026-05-01T10:00:00.250000+00:00"
 
 
@@ -41,22 +42,9 @@ def lon_lat():
 
 def record(**values):
     longitude, latitude = (float(v[0]) for v in linear(np.array([CENTER])))
-    return {
-        "time": TAKEN,
-        "status": "fix",
-        "x": CENTER[0],
-        "y": CENTER[1],
-        "longitude": longitude,
-        "latitude": latitude,
-        "heading": 30.0,
-        "confidence": 0.98,
-        "sigma_east": 3.0,
-        "sigma_north": 2.0,
-        "correlation": 0.5,
-        "sigma_heading": 1.5,
-        "track": 2,
-        **values,
-    }
+    place = {"x": CENTER[0], "y": CENTER[1], "longitude": longitude, "latitude": latitude, "heading": 30.0}
+    errors = {"sigma_east": 3.0, "sigma_north": 2.0, "correlation": 0.5, "sigma_heading": 1.5, "confidence": 0.98}
+    return {"time": TAKEN, "status": "fix", "track": 2, **place, **errors, **values}
 
 
 def sent(autopilot, lon_lat, kind, message, *records, **options):
@@ -69,14 +57,10 @@ def sent(autopilot, lon_lat, kind, message, *records, **options):
     return heard(kind)
 
 
-def middle_of_map():
-    return 600350.0, 5199650.0
-
-
 def test_odometry_has_meters_from_the_middle_of_the_map_the_heading_and_the_record_s_covariance(autopilot, lon_lat):
     found = sent(autopilot, lon_lat, "ODOMETRY", "odometry", record())
     scale = 111_319.5 * math.cos(math.radians(46.997)) / 80_000
-    x, y = middle_of_map()
+    x, y = MIDDLE
     assert found.y == pytest.approx((CENTER[0] - x) * scale, rel=0.005)
     assert found.x == pytest.approx((CENTER[1] - y) * 111_170 / 111_000, rel=0.005)
     assert (found.frame_id, found.child_frame_id) == (1, 12)
@@ -98,7 +82,7 @@ def test_odometry_has_meters_from_the_middle_of_the_map_the_heading_and_the_reco
 
 def test_an_autopilot_without_an_origin_gets_the_middle_of_the_map(autopilot, lon_lat):
     found = sent(autopilot, lon_lat, ["GPS_GLOBAL_ORIGIN", "SET_GPS_GLOBAL_ORIGIN"], "odometry", record())
-    longitude, latitude = (float(v[0]) for v in linear(np.array([middle_of_map()])))
+    longitude, latitude = (float(v[0]) for v in linear(np.array([MIDDLE])))
     assert (found.latitude, found.longitude) == (round(latitude * 1e7), round(longitude * 1e7))
 
 
