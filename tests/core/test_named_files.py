@@ -7,19 +7,9 @@ import pytest
 from semref.core.named_files import is_elsewhere, named_file
 from semref.core.segmentation.onnx_file import OnnxHeader
 
-ELSEWHERE = [
-    r"\\host\share\a.tif",
-    "//host/share/a.tif",
-    r"\\?\UNC\host\share\a.tif",
-    "/vsicurl/http://host/a.tif",
-    "/VSIZIP/vsicurl/http://host/a.zip/a.tif",
-    "http://host/a.tif",
-    "file:///a.tif",
-    "GPKG:/a.gpkg:table",
-    "<GDAL_WMS/>",
-    " //host/share/a.tif",
-    '{"type": "a"}',
-]
+SHARES = r"\\host\share\a.tif", "//host/share/a.tif", r"\\?\UNC\host\share\a.tif", " //host/share/a.tif"
+URLS = "/vsicurl/http://host/a.tif", "/VSIZIP/vsicurl/http://host/a.zip/a.tif", "http://host/a.tif", "file:///a.tif"
+ELSEWHERE = [*SHARES, *URLS, "GPKG:/a.gpkg:table", "<GDAL_WMS/>", '{"type": "a"}']
 
 
 @pytest.mark.parametrize("path", ELSEWHERE)

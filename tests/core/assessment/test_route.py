@@ -39,16 +39,11 @@ def test_shifted_points_are_to_the_right_of_the_direction_of_flight():
 
 @pytest.mark.parametrize(
     "good, expected",
-    [
-        ([1, 1, 1, 1, 1], []),
-        ([1, 0, 0, 1, 1], [(0, 150)]),
-        ([0, 1, 0, 1, 0], [(0, 50), (50, 150), (150, 155)]),
-        ([0, 0, 0, 0, 0], [(0, 155)]),
-    ],
+    [("11111", []), ("10011", [(0, 150)]), ("01010", [(0, 50), (50, 150), (150, 155)]), ("00000", [(0, 155)])],
 )
 def test_a_gap_goes_from_the_last_good_point_to_the_next_one(good, expected):
     points = route_points([BENT], 50.0)
-    found = gaps(points, np.array(good, float), 0.9)
+    found = gaps(points, np.array(list(good), float), 0.9)
     assert [(gap.start, gap.end) for gap in found] == expected
 
 

@@ -8,6 +8,8 @@ from semref.core.geometry.pose import heading_of, turn_of
 from semref.core.simulation.views import View, image_coordinates
 
 SMALL = tuple(tuple(row) for row in np.eye(4) * 1e-4)
+NEGATIVE = tuple(tuple(row) for row in -np.eye(4))
+KNOWN = as_rows(np.diag([1.0, 2.0, 1e-4, 1e-4]))
 
 
 def moved(link, center, turn, back=False):
@@ -67,21 +69,12 @@ def test_a_mirrored_link_moves_a_mirrored_image():
 
 
 @pytest.mark.parametrize(
-    "wrong",
-    [
-        {"first": 1},
-        {"turn": float("nan")},
-        {"covariance": ((1.0,),)},
-        {"covariance": tuple(tuple(row) for row in -np.eye(4))},
-    ],
+    "wrong", [{"first": 1}, {"turn": float("nan")}, {"covariance": ((1.0,),)}, {"covariance": NEGATIVE}]
 )
 def test_an_impossible_link_is_refused(wrong):
     values = {"first": 0, "second": 1, "translation": (1.0, 2.0), "turn": 0.0, "log_scale": 0.0, "covariance": SMALL}
     with pytest.raises(ParameterError):
         Link(**{**values, **wrong})
-
-
-KNOWN = as_rows(np.diag([1.0, 2.0, 1e-4, 1e-4]))
 
 
 def link(first, second, translation, turn=0.1, log_scale=0.02, in_meters=False):

@@ -34,15 +34,9 @@ def test_a_flat_picture_may_be_cut_from_a_higher_sensor():
     assert lens.focal_lengths_px((3000, 4000))[1] == pytest.approx(whole * 1.03)
 
 
-@pytest.mark.parametrize(
-    "camera",
-    [
-        Camera(lens=WIDE),
-        Camera(height=above_ground(100)),
-        Camera(lens=Lens("field_of_view", 60.0, 1.5), height=above_ground(100)),
-    ],
-)
-def test_pixel_size_is_unknown_without_height_or_lens(camera):
+@pytest.mark.parametrize(("lens", "height"), [(WIDE, None), (None, 100), (Lens("field_of_view", 60.0, 1.5), 100)])
+def test_pixel_size_is_unknown_without_height_or_lens(lens, height):
+    camera = Camera(lens=lens, height=height and above_ground(height))
     assert camera.pixel_sizes((600, 800)) is None and camera.pixel_size((600, 800)) is None
 
 

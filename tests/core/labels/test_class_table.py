@@ -95,39 +95,26 @@ def test_a_header_without_value_or_name_is_refused(header):
         class_table_from_csv(f"\ufeff\n{header}\n", "classes.csv")
 
 
+NO_NUMBER = "“{}” is not a whole number; the column value needs 0 to 255."
+OUT_OF_RANGE = "Class “water” has the value {}; class values go from 0 to 255."
+NO_COLOR = "Class “water” has the color “{}”; write it as #rrggbb."
+ONE_LIMIT = "Class “water” has only one of hsv_min and hsv_max; fill in both, or leave both empty."
+NO_HSV = "“{}” is not three numbers “h s v” in OpenCV's ranges (h 0–180, s and v 0–255)."
+WRONG_HSV = "181 0 0", "0 256 0", "0 0 256", "1 2", "1 2 3 4", "a b c", "-1 2 3", "1.5 2 3", "² 2 3"
+
+
 @pytest.mark.parametrize(
     ("row", "sentence"),
     [
-        *(
-            (f"{value},water", f"“{value}” is not a whole number; the column value needs 0 to 255.")
-            for value in ("", "x", "1.5", "1e2")
-        ),
-        *(
-            (f"{value},water", f"Class “water” has the value {value}; class values go from 0 to 255.")
-            for value in (-20, -1, 256, 1000)
-        ),
+        *((f"{text},water", NO_NUMBER.format(text)) for text in ("", "x", "1.5", "1e2")),
+        *((f"{value},water", OUT_OF_RANGE.format(value)) for value in (-20, -1, 256, 1000)),
         *((row, "The class with value 1 has no name; add one.") for row in ("1,,#000000,background", "1")),
-        *(
-            (f"1,water,{color}", f"Class “water” has the color “{color}”; write it as #rrggbb.")
-            for color in ("red", "#12345", "#1234567", "123456", "#gggggg")
-        ),
+        *((f"1,water,{text}", NO_COLOR.format(text)) for text in ("red", "#12345", "#1234567", "123456", "#gggggg")),
         ("1,water,,landmark", "Class “water” has the role “landmark”; it must be “reference” or “background”."),
         ("0,other,,reference", "Class “other” has the value 0, which means unlabeled; it can't be a reference class."),
         ("1,water,,background,top", "“top” is not a number; draw_order needs a number or nothing."),
-        *(
-            (
-                f"1,water,,,,{cells}",
-                "Class “water” has only one of hsv_min and hsv_max; fill in both, or leave both empty.",
-            )
-            for cells in ("10 20 30,", ",10 20 30")
-        ),
-        *(
-            (
-                f"1,water,,,,{hsv},1 2 3",
-                f"“{hsv}” is not three numbers “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).",
-            )
-            for hsv in ("181 0 0", "0 256 0", "0 0 256", "1 2", "1 2 3 4", "a b c", "-1 2 3", "1.5 2 3", "² 2 3")
-        ),
+        *((f"1,water,,,,{cells}", ONE_LIMIT) for cells in ("10 20 30,", ",10 20 30")),
+        *((f"1,water,,,,{text},1 2 3", NO_HSV.format(text)) for text in WRONG_HSV),
     ],
 )
 def test_a_line_that_is_no_class_is_refused(row, sentence):
@@ -142,16 +129,11 @@ def test_a_line_may_end_early_or_go_on_and_a_class_may_have_the_value_zero():
 
 
 @pytest.mark.parametrize(
-    ("rows", "sentence"),
-    [
-        (("1,a", "1,b", "2,c"), "value 1"),
-        (("1,a", "2,a", "3,b"), "name a"),
-        (("1,a", "1,b", "2,c", "2,d"), "value 1, 2"),
-    ],
+    ("rows", "sentence"), [("1,a 1,b 2,c", "value 1"), ("1,a 2,a 3,b", "name a"), ("1,a 1,b 2,c 2,d", "value 1, 2")]
 )
 def test_repeated_values_and_names_are_refused(rows, sentence):
     with refuses(f"The class table has the {sentence} more than once; values and names must be unique."):
-        csv(*rows, header="value,name")
+        csv(*rows.split(), header="value,name")
 
 
 @pytest.mark.parametrize(
@@ -227,13 +209,7 @@ def test_a_field_value_outside_a_byte_is_refused(value):
 
 @pytest.mark.parametrize(
     ("text", "items"),
-    [
-        (None, []),
-        ("", []),
-        (" ; ", []),
-        ("building;water", ["building", "water"]),
-        (" 1 ; bare land;", ["1", "bare land"]),
-    ],
+    [(None, []), ("", []), (" ; ", []), ("road;water", ["road", "water"]), (" 1 ; bare land;", ["1", "bare land"])],
 )
 def test_lists_are_text_separated_by_semicolons(text, items):
     assert split_list(text) == items

@@ -122,36 +122,31 @@ def test_a_model_without_class_names_is_refused_without_a_parameter_of_the_plugi
     assert "does not name its classes" in said and "CLASS_TABLE" not in said
 
 
+NUMBERS = (
+    *("--near nan nan 100", "--near inf 0 100", "--near 1e308 0 100", "--threads 0", "--sun 361", "--sun nan"),
+    *("--risk 0.9", "--mavlink-system 256", "--mavlink-origin nan 0", "--camera-yaw 361"),
+)
+MAVLINK = "udp:0", "tcp:1.2.3.4:5", "serial:", "udp:a..b:14550", "udp:\udcff:14550"
+
+
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["--near", "1", "2", "0"], "--near: the radius is 0"),
-        (["--near", "nan", "nan", "100"], "--near: nan"),
-        (["--near", "inf", "0", "100"], "--near: inf"),
-        (["--near", "0", "0", "inf"], "--near: inf"),
-        (["--near", "1e308", "0", "100"], "--near: 1e308"),
-        (["--threads", "0"], "--threads: 0"),
-        (["--threads", "1.5"], "--threads: invalid"),
-        (["--threads", "1000000000000"], "from 1 to 256"),
-        (["--device", "abacus"], "directml"),
-        (["--sun", "361"], "--sun: 361"),
-        (["--sun", "nan"], "--sun: nan"),
-        (["--risk", "0.9"], "--risk: 0.9"),
-        (["--state", "flight.state"], "--state: it needs --flight"),
-        (["--gga", "udp:http"], "not a UDP port"),
-        *(
-            (["--mavlink", place], "not a MAVLink address")
-            for place in ("udp:0", "tcp:1.2.3.4:5", "serial:", "udp:a..b:14550", "udp:\udcff:14550")
-        ),
-        (["--mavlink-system", "256"], "--mavlink-system: 256"),
-        (["--mavlink-origin", "91", "0"], "--mavlink-origin: the latitude is 91"),
-        (["--mavlink-origin", "nan", "0"], "--mavlink-origin: nan"),
-        (["--camera-yaw", "361"], "--camera-yaw: 361"),
+        *((text, ": ".join(text.split()[:2])) for text in NUMBERS),
+        ("--near 0 0 inf", "--near: inf"),
+        ("--near 1 2 0", "--near: the radius is 0"),
+        ("--threads 1.5", "--threads: invalid"),
+        ("--threads 1000000000000", "from 1 to 256"),
+        ("--device abacus", "directml"),
+        ("--state flight.state", "--state: it needs --flight"),
+        ("--gga udp:http", "not a UDP port"),
+        *((f"--mavlink {address}", "not a MAVLink address") for address in MAVLINK),
+        ("--mavlink-origin 91 0", "--mavlink-origin: the latitude is 91"),
     ],
 )
 def test_a_value_that_is_out_of_range_is_a_wrong_command_line(area, tmp_path, capsys, arguments, said):
     with pytest.raises(SystemExit) as ended:
-        main(["watch", str(tmp_path), "--once", "--database", area, *arguments])
+        main(["watch", str(tmp_path), "--once", "--database", area, *arguments.split()])
     assert ended.value.code == WRONG_USAGE
     captured = capsys.readouterr()
     assert said in captured.err and captured.out == ""
