@@ -90,15 +90,9 @@ def waypoints(turns):
     return "\n".join(rows)
 
 
-FILES = {
-    "route.gpx": gpx,
-    "track.gpx": lambda turns: gpx(turns, "trk", "trkpt"),
-    "points.gpx": lambda turns: gpx(turns, "", "wpt"),
-    "route.kml": kml,
-    "mission.plan": simple_plan,
-    "survey.plan": survey_plan,
-    "list.waypoints": waypoints,
-}
+FILES = {"route.gpx": gpx, "route.kml": kml, "mission.plan": simple_plan, "survey.plan": survey_plan}
+FILES |= {"list.waypoints": waypoints, "track.gpx": lambda turns: gpx(turns, "trk", "trkpt")}
+FILES |= {"points.gpx": lambda turns: gpx(turns, "", "wpt")}
 
 
 @pytest.mark.parametrize("name", list(FILES))
@@ -113,28 +107,22 @@ def test_waypoint_files_have_the_same_route(qgis_app, tmp_path, name):
 
 GPX = '<gpx version="1.1" xmlns="http://www.topografix.com/GPX/1/1">{}</gpx>'
 DEEP = '{"mission": {"items": ' + "[" * 5000 + "]" * 5000 + "}}"
+NOWHERE = (9, 470), ("x", "y"), (9, 10**60), (float("nan"), 47), (9, float("inf"))
+GPX_ROUTE = '<rte><rtept lat="47.1" lon="9.5"/><rtept lat="{}" lon="{}"/></rte>'
+GPX_NOWHERE = ("1e308", "9"), ("NaN", "9"), ("91", "9"), ("47", "inf")
 BAD_ROUTES = [
-    ("a.plan", "no json", "is not JSON"),
-    ("a.plan", "[]", "has no mission"),
-    ("a.plan", '{"mission": {"items": 3}}', "has no mission"),
+    *(("a.plan", text, "is not JSON") for text in ("no json", "[" * 100_000, DEEP)),
+    *(("a.plan", text, "has no mission") for text in ("[]", '{"mission": {"items": 3}}')),
     ("a.plan", plan([]), "has no route"),
     ("a.plan", plan([simple(9, 47)]), "fewer than two waypoints"),
     ("a.plan", plan([{"type": "ComplexItem", "TransectStyleComplexItem": {"VisualTransectPoints": 4}}]), "route"),
-    ("a.plan", "[" * 100_000, "is not JSON"),
-    ("a.plan", DEEP, "is not JSON"),
-    *(
-        ("a.plan", plan([simple(*place), simple(9, 47)]), "is not a valid latitude")
-        for place in ((9, 470), ("x", "y"), (9, 10**60), (float("nan"), 47), (9, float("inf")))
-    ),
+    *(("a.plan", plan([simple(*place), simple(9, 47)]), "is not a valid latitude") for place in NOWHERE),
     ("a.plan", plan([simple(9, 470)]).replace("470", "1" + "0" * 400), "a.plan"),
     ("a.waypoints", "1 2 3", "is not a waypoint list"),
     ("a.waypoints", "QGC WPL 110\nhome\n1 0 3 x 0 0 0 0 9 47 50 1", "is not a waypoint"),
     ("a.gpx", "<gpx", "can't be read as a route"),
     ("a.gpx", GPX.format(""), "no route"),
-    *(
-        ("a.gpx", GPX.format(f'<rte><rtept lat="47.1" lon="9.5"/><rtept {place}/></rte>'), "not a valid latitude")
-        for place in ('lat="1e308" lon="9"', 'lat="NaN" lon="9"', 'lat="91" lon="9"', 'lat="47" lon="inf"')
-    ),
+    *(("a.gpx", GPX.format(GPX_ROUTE.format(*place)), "not a valid latitude") for place in GPX_NOWHERE),
     ("a.kml", "", "can't be read as a route"),
     ("binary.plan", "\udcff\udcfe\0\udc80" * 50, "is not a text file"),
     ("none.plan", None, "There is no file"),

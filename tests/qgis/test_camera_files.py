@@ -73,12 +73,9 @@ def test_what_dji_states_of_its_lens_straightens_the_image(tmp_path):
     "xmp",
     [
         f'{DEWARP} drone-dji:DewarpFlag="1"',
-        'drone-dji:DewarpData=""',
-        'drone-dji:DewarpData="2018-03-13;60.2,60.1,-0.13"',
+        *(f'drone-dji:DewarpData="{data}"' for data in ("", "2018-03-13;60.2,60.1,-0.13")),
         'drone-dji:DewarpData="2018-03-13;60.2,60.1,nan,0,-0.2,0,0,0,0"',
-        'drone-dji:DewarpData="60,60,0,0,-9,0,0,0,0"',
-        'drone-dji:DewarpData="60,60,0,0,0,0,0,0,0"',
-        'drone-dji:DewarpData="one,two,0,0,0,0,0,0,0"',
+        *(f'drone-dji:DewarpData="{data},0,0,0,0"' for data in ("60,60,0,0,-9", "60,60,0,0,0", "one,two,0,0,0")),
     ],
     ids=["corrected in the camera", "empty", "too short", "no number", "turns back", "bends nothing", "words"],
 )
@@ -212,18 +209,11 @@ def test_a_label_image_is_where_the_photo_of_its_name_beside_it_was_taken(tmp_pa
     assert photo_lon_lat(str(label_image)) == pytest.approx((9.5, 47.1))
 
 
-@pytest.mark.parametrize(
-    "tags",
-    [
-        {},
-        exif(0, 0),
-        exif(9.5, 47.1, GPSStatus="V"),
-        exif(9.5, 47.1, GPSLatitudeRef="Q"),
-        exif(9.5, 47.1, GPSLongitude="(181) (0) (0)"),
-        {name: text for name, text in exif(9.5, 47.1).items() if name != "GPSLatitudeRef"},
-    ],
-    ids=["none", "0, 0", "void", "no side", "too far", "side missing"],
-)
+ODD = {"GPSStatus": "V"}, {"GPSLatitudeRef": "Q"}, {"GPSLongitude": "(181) (0) (0)"}
+WITHOUT_SIDE = {name: text for name, text in exif(9.5, 47.1).items() if name != "GPSLatitudeRef"}
+
+
+@pytest.mark.parametrize("tags", [{}, exif(0, 0), *(exif(9.5, 47.1, **one) for one in ODD), WITHOUT_SIDE])
 def test_an_impossible_photo_position_is_ignored(tmp_path, tags):
     assert photo_lon_lat(write_photo(tmp_path / "a.jpg", **tags)) is None
 

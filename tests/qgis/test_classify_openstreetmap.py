@@ -33,6 +33,7 @@ EXTRACT = (
     )
     + "</osm>"
 )
+BUILDING = "field=building:string", ("yes",)
 
 
 def layer_of(fields: str, *features: tuple, crs: str = "EPSG:32632") -> QgsVectorLayer:
@@ -48,9 +49,6 @@ def add(layer: QgsVectorLayer, wkt: str, attributes) -> None:
     feature.setGeometry(QgsGeometry.fromWkt(wkt))
     feature.setAttributes(list(attributes))
     assert layer.dataProvider().addFeatures([feature])[0]
-
-
-BUILDING = "field=building:string", ("yes",)
 
 
 @pytest.fixture
@@ -185,6 +183,7 @@ def test_roads_of_a_shapefile_that_names_values_without_keys_have_an_area(run_al
 
 
 ROAD = STRAIGHT, {"highway": "primary"}
+WITHOUT_WIDTH = "key,value,class,priority\nbuilding,*,building,9\nhighway,*,road,8\n"
 
 
 @pytest.mark.parametrize(
@@ -193,11 +192,7 @@ ROAD = STRAIGHT, {"highway": "primary"}
         (lambda: QgsVectorLayer("LineString?crs=EPSG:32632&field=length:double", "lines", "memory"), "", "columns are"),
         (lambda: layer_of(*BUILDING), "", "“osm” has MultiPolygon geometry. Choose a layer of lines."),
         (lambda: lines_of(ROAD, crs=""), "", "need a coordinate reference system"),
-        (
-            lambda: lines_of(ROAD),
-            "key,value,class,priority\nbuilding,*,building,9\nhighway,*,road,8\n",
-            "No rule with a width matches a tag of the lines “lines”",
-        ),
+        (lambda: lines_of(ROAD), WITHOUT_WIDTH, "No rule with a width matches a tag of the lines “lines”"),
         (lambda: lines_of(ROAD), "key,value,class,priority,width\nhighway,*,road,8,wide\n", "line 2: “wide” is not a"),
     ],
 )

@@ -41,6 +41,7 @@ from semref.processing.messages import annotation_messages
 from semref.processing.messages.columns import verdict_words
 from semref.storage.database.schema import WINDOW_FIELDS
 
+WITHOUT_DOUBT = {}, {"jump": False}, {"status": "fix"}
 KINDS = {"text": "string", "real": "double", "integer": "int", "boolean": "bool", "datetime": "datetime"}
 
 
@@ -186,11 +187,9 @@ def test_the_form_of_positions_shows_each_column_on_one_page(qgis_app, style):
 @pytest.mark.parametrize(
     ("style", "values", "rule"),
     [
-        ("positions", {"heading": 10.0, "jump": False}, "Position with heading"),
-        ("positions", {"heading": 10.0}, "Position with heading"),
+        *(("positions", {"heading": 10.0, **more}, "Position with heading") for more in WITHOUT_DOUBT),
         ("positions", {"jump": False}, "Position without heading"),
         ("positions", {"heading": 10.0, "jump": True}, "Faster than the maximum speed"),
-        ("positions", {"heading": 10.0, "status": "fix"}, "Position with heading"),
         ("positions", {"heading": 10.0, "status": "likely"}, "Likely position"),
         ("footprints", {"status": "fix"}, "Position"),
         ("footprints", {"status": "likely"}, "Likely position"),

@@ -15,14 +15,13 @@ FLIGHT = "semref:localizeflight"
 SIZE, STEP = 200, 90
 MAP = scattered_objects(900, 1400, 800, seed=5)
 COUNT = 8
-
-
 VIEWS = [
     View(WEST + 300 + STEP * n, NORTH - 350 - 30 * np.sin(n / 2), 80 + 3 * n, 1 + 0.005 * n, SIZE, SIZE)
     for n in range(COUNT)
 ]
 BLANK = 5
 """Number of the image without content, from 0: only the flight can place it."""
+OTHER_MOTION = "image,dx_m,dy_m,dheading_deg\nother1,,,\nother2,1,1,0\n"
 
 
 @pytest.fixture(scope="module")
@@ -153,11 +152,7 @@ def test_headings_of_a_log_narrow_the_search(localize, flight, tmp_path):
     [
         ("LOG", "no log", "not a supported flight log"),
         ("LOG", geo(["other.png"]), "contains no entry for these images"),
-        (
-            "ODOMETRY",
-            "image,dx_m,dy_m,dheading_deg\nother1,,,\nother2,1,1,0\n",
-            "no motion between two of these images",
-        ),
+        ("ODOMETRY", OTHER_MOTION, "no motion between two of these images"),
     ],
 )
 def test_what_is_no_log_or_odometry_table_of_this_flight_is_refused(localize, tmp_path, key, text, sentence):

@@ -113,6 +113,7 @@ def test_infinite_places_of_a_layer_are_refused(run_algorithm, tmp_path):
     assert "Traceback" not in str(refused.value)
 
 
+IMAGES = {"DATABASE": "a.gpkg", "IMAGES": ["a.png"], "OUTPUT": "memory:"}
 PRIORS = (["nan", "1", "2", "3", "EPSG:32632"], ["1e308", "1", "2", "3", "EPSG:32632"], ["inf"] * 4 + [""], ["1"] * 4)
 
 
@@ -135,9 +136,6 @@ def test_a_text_with_a_character_0_is_refused(run_algorithm, tmp_path, given):
         run_algorithm("semref:decodecolorlabels", {key: str(tmp_path / path) for key, path in paths.items()})
     titles = {"CLASS_TABLE": "Class table", "OUTPUT": "Label map", "INPUT": "Color label image"}
     assert f"\n“{titles[next(iter(given))]}” is “" in str(refused.value) and "null character" in str(refused.value)
-
-
-IMAGES = {"DATABASE": "a.gpkg", "IMAGES": ["a.png"], "OUTPUT": "memory:"}
 
 
 def test_images_with_a_character_0_and_an_output_in_no_folder_are_refused_before_work(check):

@@ -24,17 +24,10 @@ pytestmark = pytest.mark.slow
 LIMIT_S = 300
 
 VECTORS = {
-    "issues": "categorizedSymbol",
-    "repaired": "categorizedSymbol",
-    "disagreements": "RuleRenderer",
-    "positions": "RuleRenderer",
-    "footprints": "RuleRenderer",
-    "matches": "singleSymbol",
-    "poses": "RuleRenderer",
-    "track": "singleSymbol",
-    "squares": "graduatedSymbol",
-    "points": "graduatedSymbol",
-    "trials": "RuleRenderer",
+    **dict.fromkeys(("issues", "repaired"), "categorizedSymbol"),
+    **dict.fromkeys(("disagreements", "positions", "footprints", "poses", "trials"), "RuleRenderer"),
+    **dict.fromkeys(("matches", "track"), "singleSymbol"),
+    **dict.fromkeys(("squares", "points"), "graduatedSymbol"),
 }
 """Files of layers by name, and how QGIS draws them."""
 

@@ -66,15 +66,11 @@ def test_a_raster_that_is_cut_short_is_refused(refused, tmp_path, algorithm, key
 
 
 @pytest.mark.parametrize(
-    ("pixels", "kind", "said"),
-    [
-        (np.zeros((3, 9, 9), np.uint16), gdal.GDT_UInt16, "UInt16"),
-        (np.zeros((9, 9), np.uint8), gdal.GDT_Byte, "1 band"),
-        (np.zeros((2, 9, 9), np.uint8), gdal.GDT_Byte, "2 band"),
-    ],
+    ("shape", "kind", "said"),
+    [((3, 9, 9), "UInt16", "UInt16"), ((9, 9), "Byte", "1 band"), ((2, 9, 9), "Byte", "2 band")],
 )
-def test_an_image_that_is_not_rgb_of_8_bits_cannot_be_decoded(refused, tmp_path, pixels, kind, said):
-    path = write_raster(tmp_path / "image.tif", pixels, kind=kind)
+def test_an_image_that_is_not_rgb_of_8_bits_cannot_be_decoded(refused, tmp_path, shape, kind, said):
+    path = write_raster(tmp_path / "image.tif", np.zeros(shape, np.uint8), kind=getattr(gdal, f"GDT_{kind}"))
     assert said in refused(DECODE, INPUT=str(path))
 
 
@@ -87,9 +83,7 @@ def test_a_folder_without_images_is_named(refused, tmp_path):
 @pytest.mark.parametrize(
     ("algorithm", "parameters", "words"),
     [
-        (LOCALIZE, {"IMAGES": ""}, "“Images”"),
-        (LOCALIZE, {"IMAGES": ";"}, "“Images”"),
-        (LOCALIZE, {"IMAGES": []}, "“Images”"),
+        *((LOCALIZE, {"IMAGES": images}, "“Images”") for images in ("", ";", [])),
         (LOCALIZE, {"SCALE_MINIMUM": 2, "SCALE_MAXIMUM": 0.5}, "(2)"),
         (DESCRIBE, {"CLASS_TABLE": None}, "class table"),
     ],

@@ -11,20 +11,9 @@ from semref.storage.serialization import from_bytes, read, to_bytes, write
 
 PLACE = Place((0.1 + 0.2, -1e300), math.pi)
 VALUES = [
-    None,
-    True,
-    -3,
-    1e-320,
-    -math.inf,
-    "ä “quoted” \n",
-    b"\n\x00\xff",
-    (b"", [b"a"], 1.5),
-    (),
-    [(1, 2.5), ["a", None]],
-    {"a": (1,), 2: [3], (4, 5): "six"},
-    Method.TOPOLOGY_VECTOR,
-    Status.NO_MATCH,
-    Prior((1.5, 2.5), 30.0),
+    *(None, True, -3, 1e-320, -math.inf, "ä “quoted” \n", b"\n\x00\xff", (b"", [b"a"], 1.5), ()),
+    *([(1, 2.5), ["a", None]], {"a": (1,), 2: [3], (4, 5): "six"}),
+    *(Method.TOPOLOGY_VECTOR, Status.NO_MATCH, Prior((1.5, 2.5), 30.0)),
     Sentence(
         "There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: local:4.",
         address="tcp://a:1",
@@ -32,6 +21,7 @@ VALUES = [
     ),
     Localization(Status.FIX, Method.CONSTELLATION, 7, best=PLACE, alternatives=(PLACE, PLACE), nadir=(1.0, 2.0)),
 ]
+TASKS = 30
 
 
 @pytest.mark.parametrize("value", VALUES, ids=str)
@@ -71,9 +61,6 @@ def test_other_values_are_refused(value):
 def test_nothing_but_core_s_values_is_restored(name):
     with pytest.raises(ValueError, match=name.partition(":")[0]):
         from_bytes(json.dumps({"object": [name, {}]}).encode() + b"\n")
-
-
-TASKS = 30
 
 
 class Future:
