@@ -65,16 +65,18 @@ class Photos:
 
     def image(self, rng: np.random.Generator, number: int) -> Image:
         """Draw a crop, with labels of the network or true labels."""
+        image, photo = self.crop(rng)
+        return image if self.model is None else replace(image, seen=self.labeled(photo))
+
+    def crop(self, rng: np.random.Generator) -> tuple[Image, np.ndarray]:
+        """Draw a crop; return its true labels and its photo, (H, W, 3) uint8."""
         if self.columns != (0, 0):
             self._stay_inside()
         image = self.ground.draw(self.wanted, rng)
-        if self.model is None:
-            return image
         view, center = image.view, self.ground.frame.to_pixels(image.view.position)
         scale = view.pixel_size / self.ground.frame.pixel_size
         picture = turned(self.picture, center, view.heading_deg, scale, view.shape_hw[::-1])
-        photo = np.ascontiguousarray(picture[:, ::-1]) if view.is_mirrored else picture
-        return replace(image, seen=self.labeled(photo))
+        return image, np.ascontiguousarray(picture[:, ::-1]) if view.is_mirrored else picture
 
     def labeled(self, photo_hw3: np.ndarray, is_thorough: bool = False) -> SeenLabels:
         """Label a photo in the same way as *Localize images*, which looks again without a position."""

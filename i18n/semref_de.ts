@@ -1752,8 +1752,8 @@ SemRef leitet Pixelgröße, Fenstergröße, Schrittweite und Mindestfläche aus 
    <translation>GeoTIFF mit der Wahrscheinlichkeit der Klasse jedes Pixels, in Prozent; 255, wo keine Klasse ist. Netze überschätzen diese Wahrscheinlichkeit oft.</translation>
   </message>
   <message>
-   <source>GeoTIFF: the image is rotated to north up, with transparent borders. World file: a copy of the image with unchanged pixels, a world file and the CRS. Control points: a copy of the image and a .points file, which the Georeferencer opens with it.</source>
-   <translation>GeoTIFF: Das Bild wird eingenordet, mit transparenten Rändern. World-Datei: eine Kopie des Bildes mit unveränderten Pixeln, eine World-Datei und das KBS. Passpunkte: eine Kopie des Bildes und eine .points-Datei, die der Georeferenzierer mit dem Bild öffnet.</translation>
+   <source>GeoTIFF: the image is rotated to north up, with transparent borders. World file: a copy of the image with unchanged pixels, a world file and the CRS. Control points: a copy of the image and a .points file, which the Georeferencer opens with it. Mosaic: all images in one GeoTIFF, for example to train a model.</source>
+   <translation>GeoTIFF: Das Bild wird eingenordet, mit transparenten Rändern. World-Datei: eine Kopie des Bildes mit unveränderten Pixeln, eine World-Datei und das KBS. Passpunkte: eine Kopie des Bildes und eine .points-Datei, die der Georeferenzierer mit dem Bild öffnet. Mosaik: alle Bilder in einem GeoTIFF, zum Beispiel, um ein Modell zu trainieren.</translation>
   </message>
   <message>
    <source>Georeference images</source>
@@ -1768,12 +1768,16 @@ SemRef leitet Pixelgröße, Fenstergröße, Schrittweite und Mindestfläche aus 
    <translation>Georeferenziertes Luftbild mit 8 oder 16 Bit. Rot, Grün und Blau werden verwendet. Kartenkacheln und Webkarten zeichnet QGIS; sie brauchen eine Ausdehnung und eine Auflösung.</translation>
   </message>
   <message>
-   <source>Georeferences images with the positions of “Localize images”: as GeoTIFFs, with world files, or with control points for the Georeferencer.
+   <source>Georeferences images with the positions of “Localize images”: as GeoTIFFs, as one mosaic, with world files, or with control points for the Georeferencer.
 
 Images without a position are left out, and so are likely positions and positions of “Published method”, which have no heading. The original images are not changed.</source>
-   <translation>Georeferenziert Bilder mit den Positionen von „Bilder lokalisieren“: als GeoTIFFs, mit World-Dateien oder mit Passpunkten für den Georeferenzierer.
+   <translation>Georeferenziert Bilder mit den Positionen von „Bilder lokalisieren“: als GeoTIFFs, als ein Mosaik, mit World-Dateien oder mit Passpunkten für den Georeferenzierer.
 
 Bilder ohne Position werden weggelassen, ebenso wahrscheinliche Positionen und Positionen von „Veröffentlichte Methode“, die keine Ausrichtung haben. Die Originalbilder werden nicht verändert.</translation>
+  </message>
+  <message>
+   <source>Georeferencing the photos for the training</source>
+   <translation>Fotos für das Training werden georeferenziert</translation>
   </message>
   <message>
    <source>Go from a map and a folder of photos to their positions</source>
@@ -2336,6 +2340,10 @@ Bilder ohne Position werden weggelassen, ebenso wahrscheinliche Positionen und P
    <translation>Fotos werden lokalisiert</translation>
   </message>
   <message>
+   <source>Localizing the photos for the training</source>
+   <translation>Fotos für das Training werden lokalisiert</translation>
+  </message>
+  <message>
    <source>Log odds</source>
    <translation>Log-Odds</translation>
   </message>
@@ -2682,6 +2690,10 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   <message>
    <source>Models that SemRef trained (*.onnx *.pt)</source>
    <translation>Von SemRef trainierte Modelle (*.onnx *.pt)</translation>
+  </message>
+  <message>
+   <source>Mosaic (one GeoTIFF)</source>
+   <translation>Mosaik (ein GeoTIFF)</translation>
   </message>
   <message>
    <source>Most frequent reason for no correct position in squares with an expected success below {threshold}:</source>
@@ -3168,8 +3180,8 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
    <translation>Orthofoto, Kartenkacheln oder Übersicht der Datenbank. Liegt im Bericht unter allem anderen.</translation>
   </message>
   <message>
-   <source>Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must allow this.</source>
-   <translation>Orthofoto oder Layer mit Kartenkacheln, mit dem das Modell trainiert wird. Die Lizenz der Kartenkacheln muss das erlauben.</translation>
+   <source>Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must allow this. If not set, the model is trained on the photos that get a position without training.</source>
+   <translation>Orthofoto oder Layer mit Kartenkacheln, mit dem das Modell trainiert wird. Die Lizenz der Kartenkacheln muss das erlauben. Ohne Angabe wird das Modell mit den Fotos trainiert, die ohne Training eine Position erhalten.</translation>
   </message>
   <message>
    <source>Other feature</source>
@@ -3318,6 +3330,10 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   <message>
    <source>Pixel size of the images that the network was trained on.</source>
    <translation>Pixelgröße der Bilder, mit denen das Netz trainiert wurde.</translation>
+  </message>
+  <message>
+   <source>Pixel size of the mosaic. If not set, the median of the images.</source>
+   <translation>Pixelgröße des Mosaiks. Ohne Angabe der Median der Bilder.</translation>
   </message>
   <message>
    <source>Pixel size that the network was trained on. If not set, the value in the metadata of the model is used. Images without a georeference are not resampled.</source>
@@ -4980,6 +4996,10 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Das Modell ist trainiert und im Bedienfeld gewählt.</translation>
   </message>
   <message>
+   <source>The model is trained on the photos that get a position without training.</source>
+   <translation>Das Modell wird mit den Fotos trainiert, die ohne Training eine Position erhalten.</translation>
+  </message>
+  <message>
    <source>The most similar window has the distance {distance:.3f}; at most {threshold:g} is accepted.</source>
    <translation>Das ähnlichste Fenster hat den Abstand {distance:.3f}; höchstens {threshold:g} wird angenommen.</translation>
   </message>
@@ -5512,8 +5532,8 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Das Training braucht ein Python mit torch. Installieren Sie die Trainingsumgebung unter Einstellungen ▸ Optionen ▸ SemRef (etwa 1,5 GB, mit Unterstützung für Grafikkarten mehr) oder wählen Sie ein Python mit torch.</translation>
   </message>
   <message>
-   <source>Training needs imagery. Select imagery, or set the training to 0 minutes.</source>
-   <translation>Das Training braucht Luftbilder. Wählen Sie Luftbilder oder setzen Sie das Training auf 0 Minuten.</translation>
+   <source>Training needs imagery or photos. Select one of them, or set the training to 0 minutes.</source>
+   <translation>Das Training braucht Luftbilder oder Fotos. Wählen Sie eines davon oder setzen Sie das Training auf 0 Minuten.</translation>
   </message>
   <message>
    <source>Training of a model</source>
@@ -6348,6 +6368,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>{count} Landmarken, Mitte {x:.0f} {y:.0f}</translation>
   </message>
   <message>
+   <source>{count} of {all} photos have a position without training, too few to train on. Select imagery, or set the training to 0 minutes.</source>
+   <translation>{count} von {all} Fotos haben ohne Training eine Position, zu wenige für das Training. Wählen Sie Luftbilder oder setzen Sie das Training auf 0 Minuten.</translation>
+  </message>
+  <message>
    <source>{count} other position fits almost as well as the best one.</source>
    <translation>{count} andere Position passt fast so gut wie die beste.</translation>
   </message>
@@ -6778,6 +6802,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>{path} has onboard format version {version}; this SemRef reads versions up to {known}. Update SemRef on this computer.</source>
    <translation>{path} hat die Version {version} des Onboard-Formats; dieses SemRef liest Versionen bis {known}. Aktualisieren Sie SemRef auf diesem Rechner.</translation>
+  </message>
+  <message>
+   <source>{path} has other bands than the first image of the mosaic.</source>
+   <translation>{path} hat andere Kanäle als das erste Bild des Mosaiks.</translation>
   </message>
   <message>
    <source>{path} has pixels of {pixel_x:g} × {pixel_y:g}; resample it to square pixels first.</source>

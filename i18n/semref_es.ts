@@ -1752,8 +1752,8 @@ SemRef deduce del mapa y de las fotos el tamaño de píxel, el tamaño de ventan
    <translation>GeoTIFF con la probabilidad de la etiqueta de cada píxel, en porcentaje; 255 donde no hay etiqueta. Las redes suelen sobrestimar esta probabilidad.</translation>
   </message>
   <message>
-   <source>GeoTIFF: the image is rotated to north up, with transparent borders. World file: a copy of the image with unchanged pixels, a world file and the CRS. Control points: a copy of the image and a .points file, which the Georeferencer opens with it.</source>
-   <translation>GeoTIFF: la imagen se gira con el norte arriba, con bordes transparentes. Archivo world: una copia de la imagen con los píxeles sin cambios, un archivo world y el SRC. Puntos de control: una copia de la imagen y un archivo .points, que el Georreferenciador abre con ella.</translation>
+   <source>GeoTIFF: the image is rotated to north up, with transparent borders. World file: a copy of the image with unchanged pixels, a world file and the CRS. Control points: a copy of the image and a .points file, which the Georeferencer opens with it. Mosaic: all images in one GeoTIFF, for example to train a model.</source>
+   <translation>GeoTIFF: la imagen se gira con el norte arriba, con bordes transparentes. Archivo world: una copia de la imagen con los píxeles sin cambios, un archivo world y el SRC. Puntos de control: una copia de la imagen y un archivo .points, que el Georreferenciador abre con ella. Mosaico: todas las imágenes en un GeoTIFF, por ejemplo, para entrenar un modelo.</translation>
   </message>
   <message>
    <source>Georeference images</source>
@@ -1768,12 +1768,16 @@ SemRef deduce del mapa y de las fotos el tamaño de píxel, el tamaño de ventan
    <translation>Imagen aérea georreferenciada de 8 o 16 bits. Se usan rojo, verde y azul. QGIS dibuja las teselas de mapa y los mapas web; necesitan una extensión y una resolución.</translation>
   </message>
   <message>
-   <source>Georeferences images with the positions of “Localize images”: as GeoTIFFs, with world files, or with control points for the Georeferencer.
+   <source>Georeferences images with the positions of “Localize images”: as GeoTIFFs, as one mosaic, with world files, or with control points for the Georeferencer.
 
 Images without a position are left out, and so are likely positions and positions of “Published method”, which have no heading. The original images are not changed.</source>
-   <translation>Georreferencia imágenes con las posiciones de “Localizar imágenes”: como GeoTIFF, con archivos world o con puntos de control para el Georreferenciador.
+   <translation>Georreferencia imágenes con las posiciones de “Localizar imágenes”: como GeoTIFF, como un mosaico, con archivos world o con puntos de control para el Georreferenciador.
 
 Se omiten las imágenes sin posición, y también las posiciones probables y las de “Método publicado”, que no tienen rumbo. Las imágenes originales no se modifican.</translation>
+  </message>
+  <message>
+   <source>Georeferencing the photos for the training</source>
+   <translation>Georreferenciando las fotos para el entrenamiento</translation>
   </message>
   <message>
    <source>Go from a map and a folder of photos to their positions</source>
@@ -2336,6 +2340,10 @@ Se omiten las imágenes sin posición, y también las posiciones probables y las
    <translation>Localizando las fotos</translation>
   </message>
   <message>
+   <source>Localizing the photos for the training</source>
+   <translation>Localizando las fotos para el entrenamiento</translation>
+  </message>
+  <message>
    <source>Log odds</source>
    <translation>Logaritmo de las probabilidades a favor</translation>
   </message>
@@ -2682,6 +2690,10 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
   <message>
    <source>Models that SemRef trained (*.onnx *.pt)</source>
    <translation>Modelos entrenados por SemRef (*.onnx *.pt)</translation>
+  </message>
+  <message>
+   <source>Mosaic (one GeoTIFF)</source>
+   <translation>Mosaico (un GeoTIFF)</translation>
   </message>
   <message>
    <source>Most frequent reason for no correct position in squares with an expected success below {threshold}:</source>
@@ -3168,8 +3180,8 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
    <translation>Ortofoto, teselas de mapa o vista general de la base de datos. En el informe se dibuja debajo de todo lo demás.</translation>
   </message>
   <message>
-   <source>Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must allow this.</source>
-   <translation>Ortofoto o capa de teselas de mapa con la que se entrena el modelo. La licencia de las teselas de mapa debe permitirlo.</translation>
+   <source>Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must allow this. If not set, the model is trained on the photos that get a position without training.</source>
+   <translation>Ortofoto o capa de teselas de mapa con la que se entrena el modelo. La licencia de las teselas de mapa debe permitirlo. Si no se indica, el modelo se entrena con las fotos que obtienen una posición sin entrenamiento.</translation>
   </message>
   <message>
    <source>Other feature</source>
@@ -3318,6 +3330,10 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
   <message>
    <source>Pixel size of the images that the network was trained on.</source>
    <translation>Tamaño de píxel de las imágenes con las que se entrenó la red.</translation>
+  </message>
+  <message>
+   <source>Pixel size of the mosaic. If not set, the median of the images.</source>
+   <translation>Tamaño de píxel del mosaico. Si no se indica, la mediana de las imágenes.</translation>
   </message>
   <message>
    <source>Pixel size that the network was trained on. If not set, the value in the metadata of the model is used. Images without a georeference are not resampled.</source>
@@ -4980,6 +4996,10 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>El modelo está entrenado y seleccionado en el panel.</translation>
   </message>
   <message>
+   <source>The model is trained on the photos that get a position without training.</source>
+   <translation>El modelo se entrena con las fotos que obtienen una posición sin entrenamiento.</translation>
+  </message>
+  <message>
    <source>The most similar window has the distance {distance:.3f}; at most {threshold:g} is accepted.</source>
    <translation>La ventana más parecida está a la distancia {distance:.3f}; se acepta {threshold:g} como máximo.</translation>
   </message>
@@ -5512,8 +5532,8 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>El entrenamiento necesita un Python con torch. Instale el entorno de entrenamiento en Configuración ▸ Opciones ▸ SemRef (unos 1.5 GB, más con soporte para tarjetas gráficas) o seleccione un Python con torch.</translation>
   </message>
   <message>
-   <source>Training needs imagery. Select imagery, or set the training to 0 minutes.</source>
-   <translation>El entrenamiento necesita imágenes aéreas. Selecciónelas o ponga el entrenamiento en 0 minutos.</translation>
+   <source>Training needs imagery or photos. Select one of them, or set the training to 0 minutes.</source>
+   <translation>El entrenamiento necesita imágenes aéreas o fotos. Seleccione unas u otras, o ponga el entrenamiento en 0 minutos.</translation>
   </message>
   <message>
    <source>Training of a model</source>
@@ -6348,6 +6368,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>{count} hitos, centro {x:.0f} {y:.0f}</translation>
   </message>
   <message>
+   <source>{count} of {all} photos have a position without training, too few to train on. Select imagery, or set the training to 0 minutes.</source>
+   <translation>{count} de {all} fotos tienen una posición sin entrenamiento, demasiado pocas para entrenar. Seleccione imágenes aéreas o ponga el entrenamiento en 0 minutos.</translation>
+  </message>
+  <message>
    <source>{count} other position fits almost as well as the best one.</source>
    <translation>{count} otra posición encaja casi tan bien como la mejor.</translation>
   </message>
@@ -6778,6 +6802,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>{path} has onboard format version {version}; this SemRef reads versions up to {known}. Update SemRef on this computer.</source>
    <translation>{path} tiene la versión {version} del formato de a bordo; este SemRef lee versiones hasta la {known}. Actualice SemRef en este equipo.</translation>
+  </message>
+  <message>
+   <source>{path} has other bands than the first image of the mosaic.</source>
+   <translation>{path} tiene otras bandas que la primera imagen del mosaico.</translation>
   </message>
   <message>
    <source>{path} has pixels of {pixel_x:g} × {pixel_y:g}; resample it to square pixels first.</source>

@@ -1752,8 +1752,8 @@ SemRef déduit la taille de pixel, la taille de fenêtre, le pas et la surface m
    <translation>GeoTIFF avec la probabilité de l’étiquette de chaque pixel, en pourcentage ; 255 là où il n’y a pas d’étiquette. Les réseaux surestiment souvent cette probabilité.</translation>
   </message>
   <message>
-   <source>GeoTIFF: the image is rotated to north up, with transparent borders. World file: a copy of the image with unchanged pixels, a world file and the CRS. Control points: a copy of the image and a .points file, which the Georeferencer opens with it.</source>
-   <translation>GeoTIFF : l’image est tournée vers le nord, avec des bords transparents. Fichier world : une copie de l’image aux pixels inchangés, un fichier world et le SCR. Points de calage : une copie de l’image et un fichier .points, que le Géoréférenceur ouvre avec elle.</translation>
+   <source>GeoTIFF: the image is rotated to north up, with transparent borders. World file: a copy of the image with unchanged pixels, a world file and the CRS. Control points: a copy of the image and a .points file, which the Georeferencer opens with it. Mosaic: all images in one GeoTIFF, for example to train a model.</source>
+   <translation>GeoTIFF : l’image est tournée vers le nord, avec des bords transparents. Fichier world : une copie de l’image aux pixels inchangés, un fichier world et le SCR. Points de calage : une copie de l’image et un fichier .points, que le Géoréférenceur ouvre avec elle. Mosaïque : toutes les images dans un GeoTIFF, par exemple pour entraîner un modèle.</translation>
   </message>
   <message>
    <source>Georeference images</source>
@@ -1768,12 +1768,16 @@ SemRef déduit la taille de pixel, la taille de fenêtre, le pas et la surface m
    <translation>Image aérienne géoréférencée de 8 ou 16 bits. Le rouge, le vert et le bleu sont utilisés. QGIS dessine les tuiles de carte et les cartes web ; elles demandent une emprise et une résolution.</translation>
   </message>
   <message>
-   <source>Georeferences images with the positions of “Localize images”: as GeoTIFFs, with world files, or with control points for the Georeferencer.
+   <source>Georeferences images with the positions of “Localize images”: as GeoTIFFs, as one mosaic, with world files, or with control points for the Georeferencer.
 
 Images without a position are left out, and so are likely positions and positions of “Published method”, which have no heading. The original images are not changed.</source>
-   <translation>Géoréférence des images avec les positions de « Localiser des images » : en GeoTIFF, avec des fichiers world ou avec des points de calage pour le Géoréférenceur.
+   <translation>Géoréférence des images avec les positions de « Localiser des images » : en GeoTIFF, en une mosaïque, avec des fichiers world ou avec des points de calage pour le Géoréférenceur.
 
 Les images sans position sont exclues, de même que les positions probables et les positions de « Méthode publiée », qui n’ont pas de cap. Les images d’origine ne sont pas modifiées.</translation>
+  </message>
+  <message>
+   <source>Georeferencing the photos for the training</source>
+   <translation>Géoréférencement des photos pour l’entraînement</translation>
   </message>
   <message>
    <source>Go from a map and a folder of photos to their positions</source>
@@ -2336,6 +2340,10 @@ Les images sans position sont exclues, de même que les positions probables et l
    <translation>Localisation des photos</translation>
   </message>
   <message>
+   <source>Localizing the photos for the training</source>
+   <translation>Localisation des photos pour l’entraînement</translation>
+  </message>
+  <message>
    <source>Log odds</source>
    <translation>Logarithme de la cote</translation>
   </message>
@@ -2682,6 +2690,10 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   <message>
    <source>Models that SemRef trained (*.onnx *.pt)</source>
    <translation>Modèles entraînés par SemRef (*.onnx *.pt)</translation>
+  </message>
+  <message>
+   <source>Mosaic (one GeoTIFF)</source>
+   <translation>Mosaïque (un GeoTIFF)</translation>
   </message>
   <message>
    <source>Most frequent reason for no correct position in squares with an expected success below {threshold}:</source>
@@ -3168,8 +3180,8 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
    <translation>Orthophoto, tuiles de carte ou vue d’ensemble de la base de données. Elle est dessinée sous tout le reste dans le rapport.</translation>
   </message>
   <message>
-   <source>Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must allow this.</source>
-   <translation>Orthophoto, ou couche de tuiles de carte, sur laquelle le modèle est entraîné. La licence des tuiles de carte doit le permettre.</translation>
+   <source>Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must allow this. If not set, the model is trained on the photos that get a position without training.</source>
+   <translation>Orthophoto, ou couche de tuiles de carte, sur laquelle le modèle est entraîné. La licence des tuiles de carte doit le permettre. Sans imagerie, le modèle est entraîné sur les photos qui obtiennent une position sans entraînement.</translation>
   </message>
   <message>
    <source>Other feature</source>
@@ -3318,6 +3330,10 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
   <message>
    <source>Pixel size of the images that the network was trained on.</source>
    <translation>Taille de pixel des images avec lesquelles le réseau a été entraîné.</translation>
+  </message>
+  <message>
+   <source>Pixel size of the mosaic. If not set, the median of the images.</source>
+   <translation>Taille de pixel de la mosaïque. Sans valeur, la médiane des images.</translation>
   </message>
   <message>
    <source>Pixel size that the network was trained on. If not set, the value in the metadata of the model is used. Images without a georeference are not resampled.</source>
@@ -4980,6 +4996,10 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>Le modèle est entraîné et sélectionné dans le panneau.</translation>
   </message>
   <message>
+   <source>The model is trained on the photos that get a position without training.</source>
+   <translation>Le modèle est entraîné sur les photos qui obtiennent une position sans entraînement.</translation>
+  </message>
+  <message>
    <source>The most similar window has the distance {distance:.3f}; at most {threshold:g} is accepted.</source>
    <translation>La fenêtre la plus semblable est à la distance {distance:.3f} ; le maximum admis est de {threshold:g}.</translation>
   </message>
@@ -5512,8 +5532,8 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>L’entraînement exige un Python avec torch. Installez l’environnement d’entraînement sous Préférences ▸ Options ▸ SemRef (environ 1.5 Go, davantage avec la prise en charge des cartes graphiques), ou sélectionnez un Python avec torch.</translation>
   </message>
   <message>
-   <source>Training needs imagery. Select imagery, or set the training to 0 minutes.</source>
-   <translation>L’entraînement demande une imagerie. Sélectionnez une imagerie, ou réglez l’entraînement sur 0 minute.</translation>
+   <source>Training needs imagery or photos. Select one of them, or set the training to 0 minutes.</source>
+   <translation>L’entraînement demande une imagerie ou des photos. Sélectionnez l’une des deux, ou réglez l’entraînement sur 0 minute.</translation>
   </message>
   <message>
    <source>Training of a model</source>
@@ -6348,6 +6368,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>{count} repères visuels, centre {x:.0f} {y:.0f}</translation>
   </message>
   <message>
+   <source>{count} of {all} photos have a position without training, too few to train on. Select imagery, or set the training to 0 minutes.</source>
+   <translation>{count} photos sur {all} ont une position sans entraînement, trop peu pour entraîner. Sélectionnez une imagerie, ou réglez l’entraînement sur 0 minute.</translation>
+  </message>
+  <message>
    <source>{count} other position fits almost as well as the best one.</source>
    <translation>{count} autre position convient presque aussi bien que la meilleure.</translation>
   </message>
@@ -6778,6 +6802,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>{path} has onboard format version {version}; this SemRef reads versions up to {known}. Update SemRef on this computer.</source>
    <translation>{path} a la version {version} du format embarqué ; ce SemRef lit les versions jusqu’à {known}. Mettez SemRef à jour sur cet ordinateur.</translation>
+  </message>
+  <message>
+   <source>{path} has other bands than the first image of the mosaic.</source>
+   <translation>{path} a d’autres bandes que la première image de la mosaïque.</translation>
   </message>
   <message>
    <source>{path} has pixels of {pixel_x:g} × {pixel_y:g}; resample it to square pixels first.</source>

@@ -1752,8 +1752,8 @@ SemRef 根据地图和照片确定像元大小、窗口大小、步长和最小�
    <translation>GeoTIFF，存储每个像元标签的概率（百分比）；没有标签处为 255。网络往往高估此概率。</translation>
   </message>
   <message>
-   <source>GeoTIFF: the image is rotated to north up, with transparent borders. World file: a copy of the image with unchanged pixels, a world file and the CRS. Control points: a copy of the image and a .points file, which the Georeferencer opens with it.</source>
-   <translation>GeoTIFF：影像旋转为北方朝上，边缘透明。世界文件：像元不变的影像副本、世界文件和坐标参照系。控制点：影像副本和 .points 文件，地理配准工具会将其与影像一起打开。</translation>
+   <source>GeoTIFF: the image is rotated to north up, with transparent borders. World file: a copy of the image with unchanged pixels, a world file and the CRS. Control points: a copy of the image and a .points file, which the Georeferencer opens with it. Mosaic: all images in one GeoTIFF, for example to train a model.</source>
+   <translation>GeoTIFF：影像旋转为北方朝上，边缘透明。世界文件：像元不变的影像副本、世界文件和坐标参照系。控制点：影像副本和 .points 文件，地理配准工具会将其与影像一起打开。镶嵌图：所有影像合成一个 GeoTIFF，例如用于训练模型。</translation>
   </message>
   <message>
    <source>Georeference images</source>
@@ -1768,12 +1768,16 @@ SemRef 根据地图和照片确定像元大小、窗口大小、步长和最小�
    <translation>已地理配准的 8 位或 16 位航空影像。使用红、绿、蓝波段。QGIS 绘制地图瓦片和网络地图；它们需要范围和分辨率。</translation>
   </message>
   <message>
-   <source>Georeferences images with the positions of “Localize images”: as GeoTIFFs, with world files, or with control points for the Georeferencer.
+   <source>Georeferences images with the positions of “Localize images”: as GeoTIFFs, as one mosaic, with world files, or with control points for the Georeferencer.
 
 Images without a position are left out, and so are likely positions and positions of “Published method”, which have no heading. The original images are not changed.</source>
-   <translation>用“定位影像”得到的位置对影像进行地理配准：生成 GeoTIFF、世界文件，或供地理配准工具使用的控制点。
+   <translation>用“定位影像”得到的位置对影像进行地理配准：生成 GeoTIFF、一幅镶嵌图、世界文件，或供地理配准工具使用的控制点。
 
 没有位置的影像会被舍弃，可能位置以及“已发表方法”的位置（没有航向）也会被舍弃。原始影像不会更改。</translation>
+  </message>
+  <message>
+   <source>Georeferencing the photos for the training</source>
+   <translation>正在为训练对照片进行地理配准</translation>
   </message>
   <message>
    <source>Go from a map and a folder of photos to their positions</source>
@@ -2336,6 +2340,10 @@ Images without a position are left out, and so are likely positions and position
    <translation>正在定位照片</translation>
   </message>
   <message>
+   <source>Localizing the photos for the training</source>
+   <translation>正在为训练定位照片</translation>
+  </message>
+  <message>
    <source>Log odds</source>
    <translation>对数几率</translation>
   </message>
@@ -2682,6 +2690,10 @@ The result is too optimistic if the real errors are larger or the ground has cha
   <message>
    <source>Models that SemRef trained (*.onnx *.pt)</source>
    <translation>SemRef 训练的模型 (*.onnx *.pt)</translation>
+  </message>
+  <message>
+   <source>Mosaic (one GeoTIFF)</source>
+   <translation>镶嵌图（一个 GeoTIFF）</translation>
   </message>
   <message>
    <source>Most frequent reason for no correct position in squares with an expected success below {threshold}:</source>
@@ -3168,8 +3180,8 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation>正射影像、地图瓦片或数据库的概览。在报告中绘制于其他所有内容之下。</translation>
   </message>
   <message>
-   <source>Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must allow this.</source>
-   <translation>用于训练模型的正射影像或地图瓦片图层。地图瓦片的许可必须允许这样使用。</translation>
+   <source>Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must allow this. If not set, the model is trained on the photos that get a position without training.</source>
+   <translation>用于训练模型的正射影像或地图瓦片图层。地图瓦片的许可必须允许这样使用。不填则用无需训练即可得到位置的照片训练模型。</translation>
   </message>
   <message>
    <source>Other feature</source>
@@ -3318,6 +3330,10 @@ The result is too optimistic if the real errors are larger or the ground has cha
   <message>
    <source>Pixel size of the images that the network was trained on.</source>
    <translation>训练该网络所用影像的像元大小。</translation>
+  </message>
+  <message>
+   <source>Pixel size of the mosaic. If not set, the median of the images.</source>
+   <translation>镶嵌图的像元大小。不填则取各影像的中位数。</translation>
   </message>
   <message>
    <source>Pixel size that the network was trained on. If not set, the value in the metadata of the model is used. Images without a georeference are not resampled.</source>
@@ -4980,6 +4996,10 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>模型已训练完成，并已在面板中选用。</translation>
   </message>
   <message>
+   <source>The model is trained on the photos that get a position without training.</source>
+   <translation>模型将用无需训练即可得到位置的照片进行训练。</translation>
+  </message>
+  <message>
    <source>The most similar window has the distance {distance:.3f}; at most {threshold:g} is accepted.</source>
    <translation>最相似窗口的距离为 {distance:.3f}；最多接受 {threshold:g}。</translation>
   </message>
@@ -5512,8 +5532,8 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>训练需要带有 torch 的 Python。请在 设置 ▸ 选项 ▸ SemRef 中安装训练环境（约 1.5 GB，支持显卡时更大），或选择带有 torch 的 Python。</translation>
   </message>
   <message>
-   <source>Training needs imagery. Select imagery, or set the training to 0 minutes.</source>
-   <translation>训练需要底图影像。请选择底图影像，或将训练设为 0 分钟。</translation>
+   <source>Training needs imagery or photos. Select one of them, or set the training to 0 minutes.</source>
+   <translation>训练需要底图影像或照片。请选择其中之一，或将训练设为 0 分钟。</translation>
   </message>
   <message>
    <source>Training of a model</source>
@@ -6348,6 +6368,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>{count} 个地标，中心 {x:.0f} {y:.0f}</translation>
   </message>
   <message>
+   <source>{count} of {all} photos have a position without training, too few to train on. Select imagery, or set the training to 0 minutes.</source>
+   <translation>{all} 张照片中有 {count} 张在未训练时得到位置，不足以训练。请选择底图影像，或将训练设为 0 分钟。</translation>
+  </message>
+  <message>
    <source>{count} other position fits almost as well as the best one.</source>
    <translation>另有 {count} 个位置与最佳位置几乎同样相符。</translation>
   </message>
@@ -6778,6 +6802,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>{path} has onboard format version {version}; this SemRef reads versions up to {known}. Update SemRef on this computer.</source>
    <translation>{path} 的机载格式版本为 {version}；此 SemRef 最高读取版本 {known}。请更新本机上的 SemRef。</translation>
+  </message>
+  <message>
+   <source>{path} has other bands than the first image of the mosaic.</source>
+   <translation>{path} 的波段与镶嵌图的第一幅影像不同。</translation>
   </message>
   <message>
    <source>{path} has pixels of {pixel_x:g} × {pixel_y:g}; resample it to square pixels first.</source>

@@ -76,6 +76,47 @@ def write_geotiff(
         )
 
 
+def write_mosaic(
+    images: Sequence[tuple[str, np.ndarray]],
+    target: str,
+    crs_wkt: str,
+    pixel_m: float,
+    going_on: Callable[[float], bool],
+) -> None:
+    """Write one georeferenced GeoTIFF of images, north up, transparent where there is none.
+
+    Args:
+        images: Path and corners, as in ``write_draped``, of images with the same number of bands; later images cover
+            earlier ones.
+        pixel_m: Edge of a pixel, map units.
+        going_on: Called repeatedly with the share that is done; False ends the work with an UnwritableError.
+
+    Raises:
+        ImageError: An image can't be read.
+        UnwritableError: The GeoTIFF can't be written.
+    """
+    level = []
+    for path, corners_xy in images:
+        source = open_raster(path)
+        placed = _place(source, "", crs_wkt, corners_xy)
+        # The options of the mosaic would apply to all images.
+        tilted = not is_parallelogram(np.asarray(corners_xy, np.float64))
+        level.append(gdal.Warp("", placed, format="VRT", tps=True, dstAlpha=True) if tilted else placed)
+    labels = level[0].RasterCount == 1
+    with require_written(target):
+        _warp(
+            target,
+            level,
+            labels,
+            format="GTiff",
+            xRes=pixel_m,
+            yRes=pixel_m,
+            resampleAlg="near" if labels else "average",
+            creationOptions=list(TILED),
+            callback=lambda share, *_: int(going_on(share)),
+        )
+
+
 def _place(source: gdal.Dataset, path: str, crs_wkt: str, corners_xy: np.ndarray) -> gdal.Dataset:
     """Return a VRT of an image with its georeference; in memory if ``path`` is empty."""
     footprint = np.asarray(corners_xy, np.float64)
@@ -94,13 +135,16 @@ def _turn(
     target: str, placed: str | gdal.Dataset, source: gdal.Dataset, corners_xy: np.ndarray, **options: object
 ) -> None:
     """Warp the result of ``_place`` to a north-up raster. Raises UnwritableError."""
-    labels = source.RasterCount == 1
     tilted = not is_parallelogram(np.asarray(corners_xy, np.float64))
-    turned = gdal.Warp(target, placed, dstNodata=0 if labels else None, dstAlpha=not labels, tps=tilted, **options)
-    if turned is None:
+    _warp(target, placed, source.RasterCount == 1, tps=tilted, **options)
+
+
+def _warp(target: str, placed: object, is_labels: bool, **options: object) -> None:
+    made = gdal.Warp(target, placed, dstNodata=0 if is_labels else None, dstAlpha=not is_labels, **options)
+    if made is None:
         raise UnwritableError("{path} can't be written: {reason}.", path=target, reason=gdal_failure())
-    turned.FlushCache()
-    close(turned)
+    made.FlushCache()
+    close(made)
 
 
 def geotransform(corners_xy: np.ndarray, source: gdal.Dataset) -> tuple:

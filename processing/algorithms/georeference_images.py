@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from functools import partial
 from pathlib import Path
+from statistics import median
 from typing import TYPE_CHECKING, Callable
 
 from qgis.core import (
@@ -20,6 +21,7 @@ from ...core.errors import ImageError, SemRefError, UnwritableError
 from ...core.localization import Status
 from ...core.named_files import named_file
 from ...core.sentences import legible
+from ..base import parameters
 from ..base.algorithm import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
 from ..base.image_results import unique_names
 from ..base.outputs import Outputs
@@ -30,10 +32,14 @@ from ..messages.sentences import worded
 from ..translation import tr
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from ...storage.georeferencing import ControlPoint
     from ..layers.positions import PositionRow
 
-GEOTIFF, WORLD_FILE, CONTROL_POINTS = range(3)
+GEOTIFF, WORLD_FILE, CONTROL_POINTS, MOSAIC = range(4)
+
+MOSAIC_FILE = "mosaic.tif"
 
 LEAST_MATCHES = 4
 """Landmarks that are needed as control points; with fewer, the corners of the computed footprint are used."""
@@ -45,9 +51,9 @@ class GeoreferenceImages(SemRefAlgorithm):
     GROUP = LOCALIZATION
     TAGS = ("georeference", "geotiff", "world file", "georeferencer", "ground control points", "gcp", "points", "lay")
     SUMMARY = (
-        "Georeferences images with the positions of “Localize images”: as GeoTIFFs, with world files, or with control "
-        "points for the Georeferencer.\n\nImages without a position are left out, and so are likely positions and "
-        "positions of “Published method”, which have no heading. The original images are not changed."
+        "Georeferences images with the positions of “Localize images”: as GeoTIFFs, as one mosaic, with world files, "
+        "or with control points for the Georeferencer.\n\nImages without a position are left out, and so are likely "
+        "positions and positions of “Published method”, which have no heading. The original images are not changed."
     )
 
     POSITIONS = "POSITIONS"
@@ -56,6 +62,7 @@ class GeoreferenceImages(SemRefAlgorithm):
     MATCHES = "MATCHES"
     IMAGES = "IMAGES"
     OUTPUT = "OUTPUT"
+    RESOLUTION = parameters.RESOLUTION
     IMAGE_COUNT = "IMAGE_COUNT"
 
     def parameters(self) -> tuple[Declared, ...]:
@@ -68,12 +75,18 @@ class GeoreferenceImages(SemRefAlgorithm):
                 QgsProcessingParameterEnum(
                     self.FORMAT,
                     "Format",
-                    options=(tr("GeoTIFF"), tr("World file"), tr("Control points (.points)")),
+                    options=(
+                        tr("GeoTIFF"),
+                        tr("World file"),
+                        tr("Control points (.points)"),
+                        tr("Mosaic (one GeoTIFF)"),
+                    ),
                     defaultValue=GEOTIFF,
                 ),
                 "GeoTIFF: the image is rotated to north up, with transparent borders. World file: a copy of the "
                 "image with unchanged pixels, a world file and the CRS. Control points: a copy of the image and a "
-                ".points file, which the Georeferencer opens with it.",
+                ".points file, which the Georeferencer opens with it. Mosaic: all images in one GeoTIFF, for example "
+                "to train a model.",
             ),
             with_help(
                 QgsProcessingParameterFeatureSource(
@@ -92,6 +105,7 @@ class GeoreferenceImages(SemRefAlgorithm):
                 "The images or their folder. Needed if the images are not in the folder of the positions layer.",
                 advanced=True,
             ),
+            parameters.resolution("Pixel size of the mosaic. If not set, the median of the images."),
             with_help(
                 QgsProcessingParameterFolderDestination(self.OUTPUT, "Folder for georeferenced images"),
                 "A new or empty folder.",
@@ -109,7 +123,8 @@ class GeoreferenceImages(SemRefAlgorithm):
         file_of, crs_wkt = self._files(values), wkt_for_gdal(positions.sourceCrs())
         kind, written = values.choice(self.FORMAT), 0
         names = unique_names([image.path for image in placed], ".tif" if kind == GEOTIFF else "")
-        write = partial(_write, kind)
+        mosaic: list[tuple[str, np.ndarray]] = []
+        write = partial(_add, mosaic) if kind == MOSAIC else partial(_write, kind)
         with outputs.folder(self.OUTPUT) as folder:
             for n, image in enumerate(found):
                 check_canceled(feedback)
@@ -131,7 +146,14 @@ class GeoreferenceImages(SemRefAlgorithm):
                         refusal = worded(error)
                 if refusal:
                     feedback.pushWarning(tr("{image} was left out. {reason}").format(image=name, reason=refusal))
-                feedback.setProgress(100 * (n + 1) / len(found))
+                feedback.setProgress((50 if kind == MOSAIC else 100) * (n + 1) / len(found))
+            if mosaic:
+                feedback.setProgressText(MOSAIC_FILE)
+                resolution_cm = values.optional_number(self.RESOLUTION)
+                sizes = [image.pixel_size for image in placed]
+                pixel_m = median(sizes) if resolution_cm is None else resolution_cm / 100
+                write_mosaic = partial(_write_mosaic, mosaic, str(Path(folder) / MOSAIC_FILE), crs_wkt, pixel_m)
+                cancelable(write_mosaic, feedback, feedback=feedback)
         text = tr("{written} of {images} images are georeferenced.")
         feedback.pushInfo(text.format(written=written, images=len(found)))
         return {self.IMAGE_COUNT: written}
@@ -171,6 +193,44 @@ def _why_not(image: PositionRow) -> str:
     return ""
 
 
+def _corners(file: str, image: PositionRow) -> np.ndarray:
+    """Return the corners of an image on the ground. Raises ImageError."""
+    from ...storage.rasters import open_raster
+
+    if not os.path.isfile(file):
+        raise ImageError(
+            "The image {path} does not exist. Select the folder that contains it now as “Images”.", path=file
+        )
+    raster = open_raster(file)
+    return image.corners((raster.RasterYSize, raster.RasterXSize))
+
+
+def _add(mosaic: list[tuple[str, np.ndarray]], file: str, image: PositionRow, *_: object) -> None:
+    """Add one image to those of the mosaic. Raises ImageError."""
+    from ...storage.rasters import open_raster
+
+    corners = _corners(file, image)
+    if mosaic and open_raster(file).RasterCount != open_raster(mosaic[0][0]).RasterCount:
+        raise ImageError("{path} has other bands than the first image of the mosaic.", path=file)
+    mosaic.append((file, corners))
+
+
+def _write_mosaic(
+    mosaic: list[tuple[str, np.ndarray]], target: str, crs_wkt: str, pixel_m: float, feedback: QgsProcessingFeedback
+) -> None:
+    from ...storage.georeferencing import write_mosaic
+
+    def going_on(share: float) -> bool:
+        feedback.setProgress(50 + 50 * share)
+        return not feedback.isCanceled()
+
+    try:
+        write_mosaic(mosaic, target, crs_wkt, pixel_m, going_on)
+    except UnwritableError:
+        check_canceled(feedback)
+        raise
+
+
 def _write(
     kind: int,
     file: str,
@@ -180,16 +240,11 @@ def _write(
     points: list[ControlPoint],
     feedback: QgsProcessingFeedback,
 ) -> None:
-    """Write one image in one of the formats. Raises SemRefError."""
+    """Write one image in a format other than the mosaic. Raises SemRefError."""
     from ...storage.georeferencing import corner_points, write_geotiff, write_points, write_world_file
-    from ...storage.rasters import open_raster, require_whole_raster
+    from ...storage.rasters import require_whole_raster
 
-    if not os.path.isfile(file):
-        raise ImageError(
-            "The image {path} does not exist. Select the folder that contains it now as “Images”.", path=file
-        )
-    raster = open_raster(file)
-    corners = image.corners((raster.RasterYSize, raster.RasterXSize))
+    corners = _corners(file, image)
     if kind == GEOTIFF:
         write_geotiff(file, target, crs_wkt, corners, lambda: not feedback.isCanceled())
     elif kind == WORLD_FILE:

@@ -31,7 +31,7 @@ from qgis.core import (
 
 from ...core.errors import ModelError, ParameterError
 from ...core.labels.class_table import OTHER
-from ...core.localization import SHOWN_RISK
+from ...core.localization import SHOWN_RISK, Status
 from ...storage.atomic_output import make_folder
 from ..base import parameters
 from ..base.algorithm import LOCALIZATION, Declared, SemRefAlgorithm, check_canceled
@@ -48,6 +48,7 @@ from ..translation import tr
 from .assess_database import AssessDatabase
 from .build_database import BuildDatabase
 from .classify_openstreetmap import LINES_OF_OSM, POLYGONS_OF_OSM, RULES_PATH, ClassifyOpenStreetMap
+from .georeference_images import MOSAIC, MOSAIC_FILE, GeoreferenceImages
 from .localize_images import LocalizeImages
 from .rasterize_annotation import RasterizeAnnotation
 from .train_model import TrainModel
@@ -61,9 +62,16 @@ LAND_COVER_FILE, LABEL_MAP_FILE = "land_cover.gpkg", "label_map.tif"
 DATABASE_FILE, MODEL_FILE, TRAINING_FILE = "reference_database.gpkg", "model.onnx", "training.html"
 EXPECTED_FILE, ASSESSMENT_FILE = "expected_success.gpkg", "assessment.html"
 POSITIONS_FILE, REPORT_FILE = "positions.gpkg", "report.html"
+FIRST_FILES = "first_positions.gpkg", "first_footprints.gpkg"
+PHOTOS_FOLDER = "training_photos"
+PHOTOS_MOSAIC = f"{PHOTOS_FOLDER}/{MOSAIC_FILE}"
+"""Results of the model as it is, and imagery of them, where the photos are the imagery of the training."""
 
 SCALES = 0.5, 2.0
 """Scales to search where the ground width of a photo is typical."""
+
+LEAST_PLACED = 3
+"""Photos with a position that can be the imagery of a training."""
 
 SIMULATED, MOST_SIMULATED, SQUARES = 100, 500, 2000
 """Simulated images of the quick assessment on ground with landmarks, on all ground, and the largest number of squares:
@@ -133,7 +141,7 @@ class SetUpArea(SemRefAlgorithm):
             with_help(
                 QgsProcessingParameterRasterLayer(self.IMAGERY, "Imagery", optional=True),
                 "Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must "
-                "allow this.",
+                "allow this. If not set, the model is trained on the photos that get a position without training.",
             ),
             with_help(
                 QgsProcessingParameterNumber(self.MINUTES, "Training (minutes)", DOUBLE, 0.0, minValue=0.0),
@@ -162,14 +170,20 @@ class SetUpArea(SemRefAlgorithm):
         from ..packages.training_environment import training_python
 
         if self._trains(values):
-            if not values.has(self.IMAGERY):
-                raise ParameterError("Training needs imagery. Select imagery, or set the training to 0 minutes.")
+            if not (values.has(self.IMAGERY) or values.files(self.PHOTOS)):
+                raise ParameterError(
+                    "Training needs imagery or photos. Select one of them, or set the training to 0 minutes."
+                )
             training_python()
-        elif not self._model(values):
+        if not (self._model(values) or self._trains_on_imagery(values)):
             raise ModelError("SemRef has no model for this. Select a model, or train one on imagery.")
 
     def _trains(self, values: Values) -> bool:
         return values.number(self.MINUTES) > 0
+
+    def _trains_on_imagery(self, values: Values) -> bool:
+        """Return whether the model is trained on imagery; otherwise it must localize photos first."""
+        return self._trains(values) and values.has(self.IMAGERY)
 
     def _model(self, values: Values) -> str:
         """Return the model of the user or of SemRef; empty without one."""
@@ -231,22 +245,27 @@ class SetUpArea(SemRefAlgorithm):
                 "The model has none of the classes of lines, {classes}. Choose another model, or leave out the lines.",
                 classes=sorted(of_lines),
             )
-        pixel_m = imagery_m if self._trains(values) else None
+        pixel_m = None
+        if self._trains(values):
+            pixel_m = imagery_m if values.has(self.IMAGERY) else photos.pixel_m
         area = read_area(self._map, photos, given, rules, known, pixel_m, context, feedback)
         if self._drawn is not None:
             # Refuses imagery with too many pixels before any work.
             plan_drawing(self._drawn, area.extent, area.crs, _resolution_m(area), context)
             terms = tr("“{layer}” is drawn for the training. Check that its provider permits this use.")
             area = replace(area, warnings=(*area.warnings, terms.format(layer=self._drawn.name())))
+        if self._trains(values) and not values.has(self.IMAGERY):
+            text = tr("The model is trained on the photos that get a position without training.")
+            area = replace(area, warnings=(*area.warnings, text))
         return area
 
     def _card(self, values: Values) -> ModelCard | None:
-        """Return the card of the model; None without a model, or if a training cannot start from it."""
+        """Return the card of the model; None without a model, or if it is neither used as it is nor to start from."""
         from ...core.segmentation.model_card import read_card
 
         path = self._model(values)
         card = read_card(path) if path else None
-        if card is None or (self._trains(values) and not card.can_be_base):
+        if card is None or (self._trains_on_imagery(values) and not card.can_be_base):
             return None
         if card.fault is not None:
             raise ModelError(card.fault)
@@ -255,7 +274,7 @@ class SetUpArea(SemRefAlgorithm):
     def _known(self, values: Values) -> list[str]:
         """Return the classes that the map is limited to: those of the model; empty for all classes of the map."""
         card = self._card(values)
-        is_limited = card is not None and (self._map.has_tags or not self._trains(values))
+        is_limited = card is not None and (self._map.has_tags or not self._trains_on_imagery(values))
         return [name.casefold() for name in card.classes] if is_limited else []
 
     # --- work ---
@@ -320,11 +339,18 @@ class SetUpArea(SemRefAlgorithm):
         }
         steps.append(Step(RasterizeAnnotation, rasterize, (LABEL_MAP_FILE,), tr("Rasterizing the map")))
         steps.append(Step(BuildDatabase, build, (DATABASE_FILE,), tr("Building the reference database")))
+        localize = self._localization(area, folder, build["DATABASE"])
         if trains:
             base = self._card(values)
-            is_fitting = base is not None and (known or classes <= {name.casefold() for name in base.classes})
+            is_fitting = (
+                base is not None
+                and base.can_be_base
+                and (known or classes <= {name.casefold() for name in base.classes})
+            )
+            if not self._imagery:
+                steps += self._photos_as_imagery(values, area, folder, localize)
             train = {
-                "IMAGE": self._imagery,
+                "IMAGE": self._imagery or str(folder / PHOTOS_MOSAIC),
                 "LABELS": rasterize["OUTPUT"],
                 "BASE_MODEL": base.file if is_fitting else None,
                 "MINUTES": values.number(self.MINUTES),
@@ -345,30 +371,65 @@ class SetUpArea(SemRefAlgorithm):
         }
         steps.append(Step(AssessDatabase, assess, (EXPECTED_FILE, ASSESSMENT_FILE), tr("Assessing the database")))
         if area.photos.files:
-            localize = {
-                "DATABASE": build["DATABASE"],
-                "IMAGES": list(area.photos.files),
+            localize |= {
                 "MODEL": str(folder / MODEL_FILE) if trains else self._model(values),
-                "RISK": SHOWN_RISK,
                 "LABELS": str(folder / LABELS_FOLDER),
                 **_tables(str(folder / POSITIONS_FILE)),
             }
-            if area.photos.unknown:
-                localize |= {"ATTITUDE": str(folder / CAMERAS_FILE)}
-                localize |= {"SCALE_MINIMUM": SCALES[0], "SCALE_MAXIMUM": SCALES[1]}
             steps.append(Step(LocalizeImages, localize, (POSITIONS_FILE,), tr("Localizing the photos")))
         return steps
+
+    def _localization(self, area: AreaSetup, folder: Path, database: str) -> dict[str, Any]:
+        """Return the parameters of localizing the photos, without model and outputs."""
+        values = {"DATABASE": database, "IMAGES": list(area.photos.files), "RISK": SHOWN_RISK}
+        if area.photos.unknown:
+            values |= {"ATTITUDE": str(folder / CAMERAS_FILE)}
+            values |= {"SCALE_MINIMUM": SCALES[0], "SCALE_MAXIMUM": SCALES[1]}
+        return values
+
+    def _photos_as_imagery(
+        self, values: Values, area: AreaSetup, folder: Path, localization: dict[str, Any]
+    ) -> list[Step]:
+        """Return the steps that make imagery of the photos that get a position with the model as it is."""
+        first, ground = (str(folder / name) for name in FIRST_FILES)
+        localize = {**localization, "MODEL": self._model(values), "OUTPUT": first, "FOOTPRINTS": ground}
+        georeference = {
+            "POSITIONS": first,
+            "FOOTPRINTS": ground,
+            "IMAGES": list(area.photos.files),
+            "FORMAT": MOSAIC,
+            "RESOLUTION": area.plan.resolution_cm,
+            "OUTPUT": str(folder / PHOTOS_FOLDER),
+        }
+        return [
+            Step(LocalizeImages, localize, FIRST_FILES, tr("Localizing the photos for the training")),
+            Step(GeoreferenceImages, georeference, (PHOTOS_MOSAIC,), tr("Georeferencing the photos for the training")),
+        ]
 
     def _prepare(
         self, values: Values, area: AreaSetup, step: Step, record: Record, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
-        """Write the small files that a step reads, and draw imagery that is not a file; return values to replace."""
+        """Write the small files that a step reads, and draw imagery that is not a file; return values to replace.
+
+        Raises:
+            ParameterError: Too few photos have a position for the training.
+        """
         from ..base.area_setup import camera_table
 
         if step.values.get("RULES"):
             record.write(RULES_FILE, rules_of(self._known(values)))
         if step.values.get("ATTITUDE"):
             record.write(CAMERAS_FILE, camera_table(area.photos))
+        if step.algorithm is GeoreferenceImages:
+            rows = QgsVectorLayer(step.values["POSITIONS"], "", "ogr").getFeatures()
+            count = sum(row["status"] == Status.FIX for row in rows)
+            if count < LEAST_PLACED:
+                raise ParameterError(
+                    "{count} of {all} photos have a position without training, too few to train on. Select imagery, "
+                    "or set the training to 0 minutes.",
+                    count=count,
+                    all=len(area.photos.files),
+                )
         if step.algorithm is not TrainModel or self._drawn is None:
             return {}
         ground, context = (area.extent, area.crs), values.transform_context

@@ -143,6 +143,7 @@ class AreaPhotos:
         unknown: Photos without height, lens or georeference.
         places: (longitude, latitude) of photos with a GPS position, degrees.
         is_assumed: Whether the size follows from the pixels of the imagery.
+        pixel_m: Pixel size of a typical photo; None without photos.
     """
 
     files: Sequence[str]
@@ -150,6 +151,7 @@ class AreaPhotos:
     unknown: Sequence[str] = ()
     places: Sequence[tuple[float, float]] = ()
     is_assumed: bool = False
+    pixel_m: float | None = None
 
 
 def read_photos(
@@ -205,7 +207,8 @@ def read_photos(
     typical_m = width_m or median(known or [imagery_pixel_m * width for _, width in shapes.values()])
     ratio = median([height / width for height, width in shapes.values()]) if shapes else RATIO
     unknown = [path for path, size in sizes.items() if not size]
-    return AreaPhotos(files, (typical_m, typical_m * ratio), unknown, list(places.values()), is_assumed)
+    pixel_m = typical_m / median([width for _, width in shapes.values()]) if shapes else None
+    return AreaPhotos(files, (typical_m, typical_m * ratio), unknown, list(places.values()), is_assumed, pixel_m)
 
 
 def _pixel_size_m(path: str, shape_hw: tuple[int, int]) -> float | None:

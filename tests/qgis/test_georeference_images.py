@@ -74,6 +74,13 @@ def test_geotiffs_show_on_the_ground_what_the_map_has_there(georeference):
         assert agreement(folder / f"{name}.tif") > 0.93
 
 
+def test_a_mosaic_shows_all_images_on_the_ground(georeference):
+    result, folder = georeference(FORMAT=3, RESOLUTION=50)
+    assert (result["IMAGE_COUNT"], [path.name for path in folder.iterdir()]) == (2, ["mosaic.tif"])
+    assert gdal.Open(str(folder / "mosaic.tif")).GetGeoTransform()[1] == 0.5
+    assert agreement(folder / "mosaic.tif") > 0.93
+
+
 def test_those_without_a_fix_are_named_with_the_reason(georeference, feedback):
     georeference()
     assert "elsewhere.png was left out. It has no position." in feedback.textLog()

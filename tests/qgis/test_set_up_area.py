@@ -168,7 +168,7 @@ def test_lines_that_cannot_be_used_are_refused(run_algorithm, tagged, repository
         ({"EXTENT": "0,100,0,100 [EPSG:32632]"}, "the extent do not overlap"),
         ({"EXTENT": "550012.5,550019,5219990,5219999 [EPSG:32632]"}, "has no polygon with a class in the extent"),
         ({"IMAGERY": "far"}, "don't overlap"),
-        ({"MINUTES": 5}, "Training needs imagery"),
+        ({"MINUTES": 5}, "Training needs imagery or photos"),
         ({"MINUTES": 5, "IMAGERY": "decimals"}, "decimals.tif has Float32 values"),
         ({"MODEL": ""}, "SemRef has no model for this"),
         ({"MODEL": "damaged"}, "is not an ONNX model"),
@@ -251,6 +251,31 @@ def test_map_tiles_are_drawn_on_the_ground_of_the_database(run_algorithm, small,
     assert "Check that its provider permits this use." in feedback.textLog()
     (extent, has_crs), ground = drawn[0], QgsVectorLayer(small["ANNOTATION"], "", "ogr").extent()
     assert has_crs and abs(extent.width() - ground.width()) < 20 and abs(extent.height() - ground.height()) < 20
+
+
+@pytest.mark.slow
+def test_a_training_without_imagery_uses_the_photos_with_a_position(run_algorithm, given, sample, monkeypatch):
+    trained_on = []
+
+    def train(algorithm, values, *_):
+        trained_on.extend([values.raster("IMAGE").source(), values.number("MINUTES")])
+        raise ParameterError("Trained enough.")
+
+    monkeypatch.setattr(training_environment, "training_python", lambda *_: "python")
+    monkeypatch.setattr(TrainModel, "work", train)
+    with pytest.raises(QgsProcessingException, match="1 of 1 photos have a position without training, too few"):
+        run_algorithm(SETUP, {**given, "MINUTES": 5, "PHOTOS": given["PHOTOS"][:1]})
+    with pytest.raises(QgsProcessingException, match="Trained enough"):
+        run_algorithm(SETUP, {**given, "MINUTES": 5, "FOLDER": given["FOLDER"] + " 2"})
+    path, minutes = trained_on
+    assert minutes == 5
+    mosaic = gdal.Open(path)
+    x, pixel, _, y, *_ = mosaic.GetGeoTransform()
+    bounds = (x, y - pixel * mosaic.RasterYSize, x + pixel * mosaic.RasterXSize, y)
+    truth = gdal.Warp("", str(sample / "orthophoto.tif"), format="MEM", xRes=pixel, yRes=pixel, outputBounds=bounds)
+    seen, true = mosaic.ReadAsArray(), truth.ReadAsArray()
+    shown = seen[3] == 255
+    assert shown.any() and np.corrcoef(seen[1][shown], true[1][shown])[0, 1] > 0.75
 
 
 class CancelAt(QgsProcessingFeedback):

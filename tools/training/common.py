@@ -39,7 +39,15 @@ def prepare(parser: argparse.ArgumentParser, options: argparse.Namespace, needed
     return folder
 
 
-def cut(image: Path, labels: Path, classes: Path, tiles: Path, grid: tuple[int, int], validation: float) -> Path:
+def cut(
+    image: Path,
+    labels: Path,
+    classes: Path,
+    tiles: Path,
+    grid: tuple[int, int],
+    validation: float,
+    unseen_apart: bool = False,
+) -> Path:
     """Export training tiles of a photo unless they exist, and return their folder.
 
     A photo that is too small for validation tiles has training tiles only.
@@ -51,12 +59,15 @@ def cut(image: Path, labels: Path, classes: Path, tiles: Path, grid: tuple[int, 
         tiles: Folder to write.
         grid: Tile edge and stride, in pixels.
         validation: Share of the ground for validation.
+        unseen_apart: As for ``TileExport``.
     """
     for fraction in () if tiles.exists() else (validation, 0.0):
         made = tiles.with_name(f"{tiles.name}_{fraction:g}")
         made.mkdir(parents=True)
         try:
-            export = TileExport(RasterFile(str(image)), RasterFile(str(labels)), *grid, fraction)
+            export = TileExport(
+                RasterFile(str(image)), RasterFile(str(labels)), *grid, fraction, unseen_apart=unseen_apart
+            )
             result_of(export.write(made, read_class_table(str(classes))))
         except ParameterError:
             continue
