@@ -1868,8 +1868,8 @@ Bilder ohne Position werden weggelassen, ebenso wahrscheinliche Positionen und P
    <translation>Löcher liegen ineinander</translation>
   </message>
   <message>
-   <source>If many photos have no position, train the model on imagery of this area, or train longer.</source>
-   <translation>Wenn viele Fotos keine Position haben, trainieren Sie das Modell mit Luftbildern dieses Gebiets oder trainieren Sie länger.</translation>
+   <source>If many photos have no position, run it again in a new folder with more minutes of training: on imagery of this area or, without imagery, on the photos that have a position.</source>
+   <translation>Wenn viele Fotos keine Position haben, wiederholen Sie den Lauf in einem neuen Ordner mit mehr Minuten Training: mit Luftbildern dieses Gebiets oder, ohne Luftbilder, mit den Fotos, die eine Position haben.</translation>
   </message>
   <message>
    <source>If the model finds 80 % of the landmarks, about {count} of 10 photos that are centered on a landmark can be expected to get a position with an error probability of at most 1 in 10,000. A better model places more.</source>

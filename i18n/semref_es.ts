@@ -1868,8 +1868,8 @@ Se omiten las imágenes sin posición, y también las posiciones probables y las
    <translation>huecos anidados</translation>
   </message>
   <message>
-   <source>If many photos have no position, train the model on imagery of this area, or train longer.</source>
-   <translation>Si muchas fotos no tienen posición, entrene el modelo con imágenes aéreas de esta zona o durante más tiempo.</translation>
+   <source>If many photos have no position, run it again in a new folder with more minutes of training: on imagery of this area or, without imagery, on the photos that have a position.</source>
+   <translation>Si muchas fotos no tienen posición, repita la ejecución en una carpeta nueva con más minutos de entrenamiento: con imágenes aéreas de esta área o, sin ellas, con las fotos que tienen una posición.</translation>
   </message>
   <message>
    <source>If the model finds 80 % of the landmarks, about {count} of 10 photos that are centered on a landmark can be expected to get a position with an error probability of at most 1 in 10,000. A better model places more.</source>

@@ -1868,8 +1868,8 @@ Les images sans position sont exclues, de même que les positions probables et l
    <translation>trous imbriqués</translation>
   </message>
   <message>
-   <source>If many photos have no position, train the model on imagery of this area, or train longer.</source>
-   <translation>Si beaucoup de photos n’ont pas de position, entraînez le modèle sur une imagerie de cette zone, ou plus longtemps.</translation>
+   <source>If many photos have no position, run it again in a new folder with more minutes of training: on imagery of this area or, without imagery, on the photos that have a position.</source>
+   <translation>Si beaucoup de photos n’ont pas de position, relancez dans un nouveau dossier avec plus de minutes d’entraînement : sur une imagerie de cette zone ou, sans imagerie, sur les photos qui ont une position.</translation>
   </message>
   <message>
    <source>If the model finds 80 % of the landmarks, about {count} of 10 photos that are centered on a landmark can be expected to get a position with an error probability of at most 1 in 10,000. A better model places more.</source>

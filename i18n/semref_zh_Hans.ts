@@ -1868,8 +1868,8 @@ Images without a position are left out, and so are likely positions and position
    <translation>孔洞相互嵌套</translation>
   </message>
   <message>
-   <source>If many photos have no position, train the model on imagery of this area, or train longer.</source>
-   <translation>如果许多照片没有位置，请用该区域的底图影像训练模型，或延长训练时间。</translation>
+   <source>If many photos have no position, run it again in a new folder with more minutes of training: on imagery of this area or, without imagery, on the photos that have a position.</source>
+   <translation>如果许多照片没有位置，请在新文件夹中重新运行，并增加训练分钟数：使用该区域的底图影像；没有底图影像时，使用已有位置的照片。</translation>
   </message>
   <message>
    <source>If the model finds 80 % of the landmarks, about {count} of 10 photos that are centered on a landmark can be expected to get a position with an error probability of at most 1 in 10,000. A better model places more.</source>

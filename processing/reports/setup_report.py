@@ -122,5 +122,8 @@ def _table(photos: Sequence[PhotoRow]) -> str:
 
 def _next(photos: Sequence[PhotoRow]) -> str:
     if any(photo.status != Status.FIX for photo in photos):
-        return tr("If many photos have no position, train the model on imagery of this area, or train longer.")
+        return tr(
+            "If many photos have no position, run it again in a new folder with more minutes of training: on imagery "
+            "of this area or, without imagery, on the photos that have a position."
+        )
     return tr("Use the database and the model for all further photos of this area.")
