@@ -3,8 +3,8 @@
     .venv/bin/python tools/training/train_placed.py OUTPUT_FOLDER --python PYTHON_WITH_TORCH --models FOLDER "Kenya 1" …
 
 For each named row of the benchmark ``placed_photos``, the script draws 40 crops of its place, other than those of the
-benchmark, localizes them with the row's network of FOLDER, and trains this network on those that get a position, with
-the map as labels. It writes OUTPUT_FOLDER/placed_KENYA_1.onnx, which the row “Kenya 1, trained” uses.
+benchmark. The row's network of FOLDER localizes them, and is trained further on those that get a position, with the map
+as labels. It becomes OUTPUT_FOLDER/placed_KENYA_1.onnx, which the row “Kenya 1, trained” uses.
 """
 
 from pathlib import Path
