@@ -95,14 +95,14 @@ def write_mosaic(
         ImageError: An image can't be read.
         UnwritableError: The GeoTIFF can't be written.
     """
+    sources = [open_raster(path) for path, _ in images]
+    labels = sources[0].RasterCount == 1
     level = []
-    for path, corners_xy in images:
-        source = open_raster(path)
-        placed = _place(source, "", crs_wkt, corners_xy)
-        # The options of the mosaic would apply to all images.
+    for source, (_, corners_xy) in zip(sources, images):
+        # Each one turned by itself, because the options of the mosaic apply to all images.
         tilted = not is_parallelogram(np.asarray(corners_xy, np.float64))
-        level.append(gdal.Warp("", placed, format="VRT", tps=True, dstAlpha=True) if tilted else placed)
-    labels = level[0].RasterCount == 1
+        options = {"dstNodata": 0} if labels else {"dstAlpha": True, "resampleAlg": "bilinear"}
+        level.append(gdal.Warp("", _place(source, "", crs_wkt, corners_xy), format="VRT", tps=tilted, **options))
     with require_written(target):
         _warp(
             target,
@@ -111,6 +111,7 @@ def write_mosaic(
             format="GTiff",
             xRes=pixel_m,
             yRes=pixel_m,
+            srcAlpha=not labels,
             resampleAlg="near" if labels else "average",
             creationOptions=list(TILED),
             callback=lambda share, *_: int(going_on(share)),

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from full_disks import files_of_at_most
-from made_inputs import NAMES, NORTH, WEST, scattered_objects, spatial_reference, write_layer, write_raster
+from made_inputs import METRIC_CRS, NAMES, NORTH, WEST, scattered_objects, spatial_reference, write_layer, write_raster
 from osgeo import gdal, ogr
 from qgis.core import QgsProcessingException
 
@@ -14,7 +14,7 @@ from semref.core.geometry.footprint import image_corners, on_ground
 from semref.core.geometry.frame import MapFrame
 from semref.core.geometry.leveling import Attitude, leveling
 from semref.core.simulation.views import View, cut
-from semref.storage.georeferencing import write_draped
+from semref.storage.georeferencing import write_draped, write_mosaic
 
 GEOREFERENCE = "semref:georeferenceimages"
 LABELS = scattered_objects(900, 1000, 1300, seed=5)
@@ -79,6 +79,21 @@ def test_a_mosaic_shows_all_images_on_the_ground(georeference):
     assert (result["IMAGE_COUNT"], [path.name for path in folder.iterdir()]) == (2, ["mosaic.tif"])
     assert gdal.Open(str(folder / "mosaic.tif")).GetGeoTransform()[1] == 0.5
     assert agreement(folder / "mosaic.tif") > 0.93
+
+
+@pytest.mark.parametrize("tilted", [(), (0,), (1,), (0, 1)])
+def test_a_mosaic_of_level_and_tilted_photos_is_transparent_elsewhere(tmp_path, tilted):
+    images, centers = [], ((50.0, 50.0), (250.0, 50.0))
+    for n, center in enumerate(centers):
+        photo = write_raster(tmp_path / f"{n}.png", np.full((3, 80, 80), 100 * (n + 1), np.uint8), transform=None)
+        corners = image_corners(center, 30.0, 0.5, 80, 80)
+        corners[0] += (8.0, -8.0) if n in tilted else 0.0
+        images.append((str(photo), corners))
+    write_mosaic(images, str(tmp_path / "mosaic.tif"), spatial_reference(METRIC_CRS).ExportToWkt(), 1.0, lambda _: True)
+    mosaic = gdal.Open(str(tmp_path / "mosaic.tif"))
+    x0, _, _, y0, _, _ = mosaic.GetGeoTransform()
+    seen = [mosaic.ReadAsArray(int(x - x0), int(y0 - y), 1, 1).ravel().tolist() for x, y in (*centers, (150, 50))]
+    assert seen == [[100, 100, 100, 255], [200, 200, 200, 255], [0, 0, 0, 0]]
 
 
 def test_those_without_a_fix_are_named_with_the_reason(georeference, feedback):
