@@ -79,11 +79,18 @@ def distance(position, column=1203.7, row=905.2) -> float:
     return float(np.hypot(position[0] - ORIGIN[0] - column, ORIGIN[1] - row - position[1]))
 
 
+def is_same(found, other) -> bool:
+    """Whether localizations are equal; numpy rounds the mirror's log odds by where its arrays lie in memory."""
+    rounded = {name: getattr(found, name) for name in ("mirror_log_odds", "risk", "confidence")}
+    expected = {name: getattr(other, name) for name in rounded}
+    return rounded == pytest.approx(expected) and found == replace(other, **rounded)
+
+
 def test_a_fix_of_the_constellation_is_taken_as_it_is(localizer):
     image = view(GROUND, HOUSES)
     found = localizer.localize(image, Method.AUTOMATIC)
     alone = localizer.localize_by_constellation(image)
-    assert alone.is_fix and found == replace(alone, risk=found.risk, confidence=found.confidence)
+    assert alone.is_fix and is_same(found, replace(alone, risk=found.risk, confidence=found.confidence))
 
 
 @pytest.mark.parametrize("built", [HOUSES, NOTHING_BUILT])
@@ -131,7 +138,7 @@ def test_without_an_overview_only_the_constellation_is_used():
     localizer = localizer_of(GROUND, HOUSES, with_overview=False)
     assert not localizer.has_overview
     for image in (view(GROUND, HOUSES), view(GROUND, NOTHING_BUILT)):
-        assert localizer.localize(image, Method.AUTOMATIC) == localizer.localize_by_constellation(image)
+        assert is_same(localizer.localize(image, Method.AUTOMATIC), localizer.localize_by_constellation(image))
 
 
 def test_without_a_fix_the_reasons_of_both_methods_are_shown_and_missing_landmarks_counted(localizer):
