@@ -95,27 +95,37 @@ def write_mosaic(
         ImageError: An image can't be read.
         UnwritableError: The GeoTIFF can't be written.
     """
-    sources = [open_raster(path) for path, _ in images]
-    labels = sources[0].RasterCount == 1
-    level = []
-    for source, (_, corners_xy) in zip(sources, images):
-        # Each one turned by itself, because the options of the mosaic apply to all images.
-        tilted = not is_parallelogram(np.asarray(corners_xy, np.float64))
-        options = {"dstNodata": 0} if labels else {"dstAlpha": True, "resampleAlg": "bilinear"}
-        level.append(gdal.Warp("", _place(source, "", crs_wkt, corners_xy), format="VRT", tps=tilted, **options))
+    first, corners = open_raster(images[0][0]), np.vstack([corners_xy for _, corners_xy in images])
+    labels = first.RasterCount == 1
+    left, top = corners[:, 0].min(), corners[:, 1].max()
+    width, height = np.ceil((corners.max(axis=0) - corners.min(axis=0)) / pixel_m).astype(int).tolist()
+    has_alpha = first.GetRasterBand(first.RasterCount).GetColorInterpretation() == gdal.GCI_AlphaBand
+    count, kind = first.RasterCount + (not labels and not has_alpha), first.GetRasterBand(1).DataType
     with require_written(target):
-        _warp(
-            target,
-            level,
-            labels,
-            format="GTiff",
-            xRes=pixel_m,
-            yRes=pixel_m,
-            srcAlpha=not labels,
-            resampleAlg="near" if labels else "average",
-            creationOptions=list(TILED),
-            callback=lambda share, *_: int(going_on(share)),
-        )
+        made = gdal.GetDriverByName("GTiff").Create(target, width, height, count, kind, list(TILED))
+        if made is None:
+            raise UnwritableError("{path} can't be written: {reason}.", path=target, reason=gdal_failure())
+        made.SetGeoTransform((left, pixel_m, 0.0, top, 0.0, -pixel_m))
+        made.SetProjection(crs_wkt)
+        if not labels:
+            made.GetRasterBand(count).SetColorInterpretation(gdal.GCI_AlphaBand)
+        elif first.GetRasterBand(1).GetColorTable() is not None:
+            made.GetRasterBand(1).SetColorTable(first.GetRasterBand(1).GetColorTable())
+        # One after the other, because each one is an open file.
+        for number, (path, corners_xy) in enumerate(images):
+            source = open_raster(path)
+            tilted = not is_parallelogram(np.asarray(corners_xy, np.float64))
+            options = {"dstNodata": 0} if labels else {"dstAlpha": True, "resampleAlg": "bilinear"}
+            level = gdal.Warp("", _place(source, "", crs_wkt, corners_xy), format="VRT", tps=tilted, **options)
+            how = {"srcNodata": 0} if labels else {"srcAlpha": True, "dstAlpha": True, "resampleAlg": "average"}
+
+            def called(share: float, *_: object, done: int = number) -> int:
+                return int(going_on((done + share) / len(images)))
+
+            if not gdal.Warp(made, level, callback=called, **how):
+                raise UnwritableError("{path} can't be written: {reason}.", path=target, reason=gdal_failure())
+        made.FlushCache()
+        close(made)
 
 
 def _place(source: gdal.Dataset, path: str, crs_wkt: str, corners_xy: np.ndarray) -> gdal.Dataset:

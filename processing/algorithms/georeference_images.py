@@ -163,12 +163,14 @@ class GeoreferenceImages(SemRefAlgorithm):
         from ...storage.rasters import image_files
         from ..layers.positions import folder_of
 
-        chosen = {os.path.basename(path): path for path in image_files(values.files(self.IMAGES))}
+        chosen = image_files(values.files(self.IMAGES))
+        by_name = {**{os.path.basename(path): path for path in chosen}, **{path: path for path in chosen}}
         folder = folder_of(values.vector(self.POSITIONS))
 
         def file_of(path: str) -> str:
+            found = by_name.get(path) or by_name.get(os.path.basename(path))
             # A temporary layer is from this session: the user chose its images.
-            found = chosen.get(os.path.basename(path)) or (path if folder is None else named_file(path, [folder]))
+            found = found or (path if folder is None else named_file(path, [folder]))
             if not found:
                 raise ImageError(
                     "The positions layer contains {path}, which is not in the folder of the layer. Select the image "

@@ -166,6 +166,33 @@ def made_positions(path: Path, image: str, columns=COLUMNS, **more) -> str:
     return str(write_layer(path, [(f"POINT ({WEST + 200} {NORTH - 200})", *row)], columns, **more))
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="counts files in /proc")
+def test_a_mosaic_of_many_photos_has_few_open_files(tmp_path):
+    photo = str(write_raster(tmp_path / "one.png", np.full((3, 8, 8), 100, np.uint8), transform=None))
+    images, opened = [(photo, image_corners((n, 0.0), 30.0, 1.0, 8, 8)) for n in range(40)], []
+
+    def count(_: float = 0.0) -> bool:
+        opened.append(len(list(Path("/proc/self/fd").iterdir())))
+        return True
+
+    count()
+    write_mosaic(images, str(tmp_path / "mosaic.tif"), "", 1.0, count)
+    assert len(opened) > 40 and max(opened) < opened[0] + 10
+
+
+def test_photos_with_one_name_in_two_folders_keep_their_positions(georeference, tmp_path):
+    rows, files = [], []
+    for n, folder in enumerate(("day 1", "day 2")):
+        (tmp_path / folder).mkdir()
+        photo = np.full((3, 80, 80), 100 * (n + 1), np.uint8)
+        files.append(str(write_raster(tmp_path / folder / "one.png", photo, transform=None)))
+        rows.append((f"POINT ({WEST + 200 * n} {NORTH})", files[-1], "fix", 0.0, 1.0, None))
+    positions = str(write_layer(tmp_path / "p.gpkg", rows, COLUMNS))
+    _, folder = georeference(POSITIONS=positions, FOOTPRINTS=None, IMAGES=files, FORMAT=3)
+    mosaic = gdal.Open(str(folder / "mosaic.tif"))
+    assert [mosaic.ReadAsArray(column, 40, 1, 1)[0, 0, 0] for column in (40, 240)] == [100, 200]
+
+
 @pytest.mark.parametrize("point", ["POINT ({})", "MULTIPOINT (({}))"])
 def test_images_that_were_moved_are_found_by_name_also_of_exports_with_multipoints(georeference, tmp_path, point):
     (tmp_path / "here").mkdir()
