@@ -440,7 +440,9 @@ class SetUpArea(SemRefAlgorithm):
         from ...storage.file_states import state
 
         files = [self._imagery, self._model(values), *area.photos.files]
-        return [area.digest, area.extent.toString(3), str(area.plan), [(path, *state(path)) for path in files if path]]
+        # The resolution of the training is a parameter of its steps; the other files are the same without training.
+        plan = str(replace(area.plan, resolution_cm=None))
+        return [area.digest, area.extent.toString(3), plan, [(path, *state(path)) for path in files if path]]
 
     def _report(
         self, values: Values, area: AreaSetup, folder: Path, record: Record, feedback: QgsProcessingFeedback

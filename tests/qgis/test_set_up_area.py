@@ -254,7 +254,9 @@ def test_map_tiles_are_drawn_on_the_ground_of_the_database(run_algorithm, small,
 
 
 @pytest.mark.slow
-def test_a_training_without_imagery_uses_the_photos_with_a_position(run_algorithm, given, sample, monkeypatch):
+def test_a_training_without_imagery_uses_the_photos_with_a_position(
+    run_algorithm, given, sample, monkeypatch, feedback
+):
     trained_on = []
 
     def train(algorithm, values, *_):
@@ -265,6 +267,9 @@ def test_a_training_without_imagery_uses_the_photos_with_a_position(run_algorith
     monkeypatch.setattr(TrainModel, "work", train)
     with pytest.raises(QgsProcessingException, match="1 of 1 photos have a position without training, too few"):
         run_algorithm(SETUP, {**given, "MINUTES": 5, "PHOTOS": given["PHOTOS"][:1]})
+    # As the message says, it continues in the same folder.
+    run_algorithm(SETUP, {**given, "PHOTOS": given["PHOTOS"][:1]}, feedback)
+    assert feedback.textLog().count("is used again") == 2
     with pytest.raises(QgsProcessingException, match="Trained enough"):
         run_algorithm(SETUP, {**given, "MINUTES": 5, "FOLDER": given["FOLDER"] + " 2"})
     path, minutes = trained_on
