@@ -1,13 +1,13 @@
 """Make the sample area: a made-up landscape as a shapefile, its class table, and pictures of it with known truth.
 
     .venv/bin/python -m tools.sample                                         # sample/, which ships with the plugin
-    .venv/bin/python -m tools.sample FOLDER [--seed 1671] [--label-images]
+    .venv/bin/python -m tools.sample FOLDER [--seed 1671]
 
 The folder then holds landcover.shp, classes.csv, orthophoto.tif (a rendered photo of the whole area), photos/*.jpg and
-photos.csv, flight/*.jpg and flight.csv, sample.json; with --label-images also images/*.png and truth.csv.
+photos.csv, flight/*.jpg and flight.csv, sample.json.
 The tables have the center of every image: `column`, `row` in pixels of the map ((0.5, 0.5) is the center of its first
 pixel), and `x`, `y` in map units. The heading of the image's top (`rotation_deg`) is in degrees clockwise from grid
-north. The scale is in map pixels per image pixel. A name in `window` is that of the window at the center, if any.
+north. The scale is in map pixels per image pixel.
 
 The same seed gives the same files. The script does not write to a FOLDER with files. Without FOLDER it does nothing if
 sample/ was made by the current code; otherwise it replaces sample/.
@@ -43,10 +43,13 @@ def main(arguments: list[str] | None = None) -> int:
     from semref.core.errors import SemRefError
     from semref.storage.atomic_output import folder_written_beside
 
+    from .files import write_sample
+    from .landscape import make_landscape
+
     print(f"Creating the sample area in {target}")
     try:
         with folder_written_beside(str(target), replaces=bool(made_of)) as folder:
-            write(Path(folder), options)
+            write_sample(Path(folder), make_landscape(options.seed))
             if made_of:
                 (Path(folder) / MADE_OF).write_text(made_of, encoding="ascii")
     except (SemRefError, ValueError, OSError) as error:
@@ -66,23 +69,12 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser("tools.sample", description=__doc__.splitlines()[0])
     parser.add_argument("folder", type=Path, nargs="?", help="default: sample/ of this checkout, which ships")
     parser.add_argument("--seed", type=int, default=DEFAULT_SEED, help="any number from 0; default %(default)s")
-    parser.add_argument("--label-images", action="store_true", help="also label images at known places")
     options = parser.parse_args(arguments)
     if options.seed < 0:
         parser.error(f"the seed must be 0 or more, not {options.seed}")
-    if options.folder is None and (options.seed != DEFAULT_SEED or options.label_images):
+    if options.folder is None and options.seed != DEFAULT_SEED:
         parser.error("choose a folder for an area other than the shipped one")
     return options
-
-
-def write(folder: Path, options: argparse.Namespace) -> None:
-    from . import files
-    from .landscape import make_landscape
-
-    landscape = make_landscape(options.seed)
-    files.write_sample(folder, landscape)
-    if options.label_images:
-        files.write_label_images(folder, landscape, files.rasterize(landscape))
 
 
 if __name__ == "__main__":

@@ -11,8 +11,9 @@ from osgeo import gdal, ogr, osr
 
 from semref.core.annotation.polygons import to_wkb
 from semref.core.geometry.frame import MapFrame
+from semref.core.labels.class_table import ClassTable
 from semref.storage.gdal_errors import close, require_written
-from semref.storage.pictures import JPEG_QUALITY, write_jpeg, write_png
+from semref.storage.pictures import JPEG_QUALITY, write_jpeg
 from semref.storage.rasterize import BurnLayer, BurnPolygon
 from semref.storage.text_tables import CLASSES_FILE
 
@@ -53,17 +54,6 @@ def write_sample(folder: Path, landscape: Landscape) -> None:
     (folder / MARKER).write_text(json.dumps(about, indent=2) + "\n", encoding="utf-8")
 
 
-def write_label_images(folder: Path, landscape: Landscape, labels_hw: np.ndarray) -> None:
-    """Write label images of the map into ``images``, and where they were cut into truth.csv."""
-    views = pictures.plan_views(labels_hw.shape, landscape.seed)
-    (folder / "images").mkdir()
-    for view in views:
-        shown = pictures.cut(labels_hw, view)
-        bands = np.moveaxis(pictures.colored(shown), 2, 0) if view.in_color else shown[None]
-        write_png(folder / "images" / view.name, bands)
-    write_truth(landscape, views, folder / "truth.csv")
-
-
 def write_shapefile(landscape: Landscape, folder: Path) -> None:
     """landcover.shp with .shx, .prj, .dbf and .cpg."""
     path = str(folder / ANNOTATION_FILE)
@@ -99,12 +89,7 @@ def _crs(landscape: Landscape) -> osr.SpatialReference:
 
 def write_classes(path: Path) -> None:
     """The class table as semref reads it."""
-    with path.open("w", newline="", encoding="utf-8") as file:
-        rows = csv.writer(file, lineterminator="\n")
-        rows.writerow(["value", "name", "color", "role", "hsv_min", "hsv_max"])
-        for c in CLASSES:
-            limits = (" ".join(map(str, hsv)) for hsv in (c.hsv_min, c.hsv_max))
-            rows.writerow([c.value, c.name, c.color, c.role, *limits])
+    path.write_text(ClassTable(CLASSES).to_csv(), encoding="utf-8")
 
 
 def rasterize(landscape: Landscape) -> np.ndarray:
@@ -140,9 +125,9 @@ def write_truth(landscape: Landscape, views: Iterable[pictures.Picture], path: P
     west, north, _, _ = landscape.frame
     with path.open("w", newline="", encoding="utf-8") as file:
         rows = csv.writer(file, lineterminator="\n")
-        header = ["image", "kind", "column", "row", "x", "y", "rotation_deg", "scale", "window"]
+        header = ["image", "column", "row", "x", "y", "rotation_deg", "scale"]
         rows.writerow([*header, "time"] if timed else header)
         for number, v in enumerate(views):
             when = [(FLIGHT_START + timedelta(seconds=number * SECONDS_BETWEEN)).isoformat()] if timed else []
             place = round(west + v.column, 4), round(north - v.row, 4)
-            rows.writerow([v.name, v.kind, v.column, v.row, *place, v.heading_deg, v.scale, v.window, *when])
+            rows.writerow([v.name, v.column, v.row, *place, v.heading_deg, v.scale, *when])

@@ -4,45 +4,21 @@ import pytest
 import shapely
 
 from sample import landscape, photo, pictures
+from semref.core.simulation.views import PIXELS, cut, lies_on
 
 SEED = 1671
-
-
-def view(column, row, heading=0.0, scale=1.0):
-    return pictures.Picture("v.png", "test", column, row, heading, scale)
-
-
-def test_a_view_beyond_the_map_is_refused():
-    with pytest.raises(ValueError, match="beyond the map"):
-        pictures.cut(np.zeros((200, 260), np.uint8), view(20, 100), 64)
-
-
-def test_planned_views_are_on_the_map_with_different_names():
-    labels = np.zeros((3000, 4000), np.uint8)
-    views = pictures.plan_views(labels.shape, SEED)
-    assert len({v.name for v in views}) == len(views) == 46
-    assert all(pictures.cut(labels, v).shape == (640, 640) for v in views)
-
-
-def test_views_on_windows_are_centered_on_the_window_of_their_name():
-    for v in pictures.plan_views((3000, 4000), SEED):
-        if v.window:
-            column, row = (int(n) for n in v.window.split("_"))
-            assert column % pictures.STRIDE_PX == row % pictures.STRIDE_PX == 0
-            assert (v.column, v.row) == (column + 320, row + 320)
-            assert v.name.endswith(f"_{v.window}.png")
 
 
 def test_more_photos_begin_with_the_same_ones():
     few, many = (pictures.plan_photos((3000, 4000), SEED, count) for count in (12, 200))
     assert many[:12] == few
     assert len({view.name for view in many}) == 200
+    assert all(lies_on(PIXELS.of_shape((3000, 4000)), view.view(640)) for view in many)
 
 
 def test_the_photos_of_a_flight_overlap_and_their_tops_point_where_it_goes():
     views = pictures.plan_flight((3000, 4000))
-    labels = np.zeros((3000, 4000), np.uint8)
-    assert all(pictures.cut(labels, view).shape == (640, 640) for view in views)
+    assert all(lies_on(PIXELS.of_shape((3000, 4000)), view.view(640)) for view in views)
     steps = np.diff([(view.column, view.row) for view in views], axis=0)
     assert (np.hypot(*steps.T) < 0.6 * 640).all()
     headings = np.degrees(np.arctan2(steps[:, 0], -steps[:, 1])) % 360
@@ -85,7 +61,7 @@ def test_houses_throw_their_shadow_to_the_north(small_photo):
 
 
 def test_a_shot_shows_the_place_of_its_view(small_photo):
-    view = pictures.Picture("p.jpg", "photo", 60.0, 50.0, 90.0, 1.0)
+    view = pictures.Picture("p.jpg", 60.0, 50.0, 90.0, 1.0)
     shot = photo.shoot(small_photo, view, 5, 64).astype(float).mean(axis=2)
-    cut = pictures.cut(small_photo, view, 64).astype(float).mean(axis=2)
-    assert np.corrcoef(cv2.GaussianBlur(cut, (0, 0), 1).ravel(), shot.ravel())[0, 1] > 0.9
+    there = cut(small_photo, PIXELS, view.view(64)).astype(float).mean(axis=2)
+    assert np.corrcoef(cv2.GaussianBlur(there, (0, 0), 1).ravel(), shot.ravel())[0, 1] > 0.9
