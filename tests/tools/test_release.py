@@ -119,6 +119,7 @@ def test_the_same_source_gives_the_same_zip(sample, tmp_path):
         ({"other/x.py": b""}, "is not in the folder semref"),
         ({"semref/core/new.py": b"match x:\n    case 1: pass\n"}, "new.py"),
         ({"semref/help/x.html": b"\xff\xfe"}, "x.html"),
+        ({"semref/resources/x.txt": b"a\0b"}, "x.txt is binary"),
         ({"semref/CITATION.cff": b"version: 9.9.9\n"}, "CITATION.cff does not have version"),
         ({"semref/CHANGELOG.md": b"## [9.9.9]\n"}, "CHANGELOG.md does not begin with"),
         ({"semref/resources/icon.svg": None}, "icon resources/icon.svg is missing"),

@@ -7,9 +7,13 @@ import zipfile
 from pathlib import Path, PurePosixPath
 
 from changelog import releases
-from metadata import general, placeholders
-from package import BINARY_SUFFIXES, MAXIMUM_BYTES
+from metadata import general
 
+BINARY_SUFFIXES = (".onnx", ".png", ".webp", ".tif", ".jpg", ".shp", ".shx", ".dbf", ".qm")
+"""Suffixes of the sample model, pictures, the sample area and translations. The plugin repository rejects other
+binaries."""
+
+MAXIMUM_BYTES = 25 * 1024 * 1024  # limit of plugins.qgis.org
 REQUIRED = (
     *("name", "description", "about", "version", "qgisMinimumVersion", "author", "email"),
     *("homepage", "repository", "tracker", "license", "icon", "changelog"),
@@ -58,6 +62,8 @@ def _of_contents(contents: dict[str, bytes]) -> list[str]:
             continue
         try:
             text = content.decode("utf-8")
+            if "\0" in text:
+                found.append(f"{name} is binary.")
             if name.endswith(".py"):
                 ast.parse(text, name, feature_version=(3, 9))
         except (UnicodeDecodeError, SyntaxError) as error:
@@ -95,10 +101,7 @@ def main() -> None:
         sys.exit(1)
     with zipfile.ZipFile(package) as archive:
         count = len(archive.namelist())
-        left = placeholders(archive.read("semref/metadata.txt").decode("utf-8"))
     print(f"{package}: {count} files, {package.stat().st_size / 1024**2:.1f} MB, no faults")
-    if left:
-        print(f"Fill in before publishing: {', '.join(left)} (docs/publishing.md)", file=sys.stderr)
 
 
 if __name__ == "__main__":

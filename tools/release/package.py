@@ -1,4 +1,7 @@
-"""Build dist/semref-VERSION.zip, the file that users install: python tools/release/package.py [--output FILE]."""
+"""Build dist/semref-VERSION.zip, the file that users install: python tools/release/package.py [--output FILE].
+
+check_zip.py checks it.
+"""
 
 import argparse
 import shutil
@@ -21,11 +24,6 @@ SHIPPED_FILES = (
 )
 HELP, SAMPLE = "help", "sample"
 SHIPPED_FOLDERS = ("core", "storage", "cluster", "training", "processing", "ui", "resources", "models")
-DATA_SUFFIXES = (".onnx", ".png", ".webp", ".tif", ".jpg", ".shp", ".shx", ".dbf")
-"""Suffixes of the sample model, the pictures of the documentation, and the sample area. All other files are text."""
-
-BINARY_SUFFIXES = (*DATA_SUFFIXES, ".qm")
-MAXIMUM_BYTES = 25 * 1024 * 1024  # limit of plugins.qgis.org
 TIMESTAMP = (1980, 1, 1, 0, 0, 0)  # the zip format's first day: same content, same zip
 LRELEASE_NAMES = ("lrelease", "lrelease-qt5", "/usr/lib/qt5/bin/lrelease", "/usr/lib/qt6/bin/lrelease")
 
@@ -68,22 +66,8 @@ def compiled_translations(root: Path = ROOT) -> dict[Path, bytes]:
     return translations
 
 
-def read_shipped_file(path: Path) -> bytes:
-    """Return the content of a shipped file: text or known data, as the plugin repository rejects binaries."""
-    content = path.read_bytes()
-    if path.suffix in DATA_SUFFIXES:
-        return content
-    try:
-        content.decode("utf-8")
-    except UnicodeDecodeError:
-        sys.exit(f"{path} is not UTF-8 text. The plugin repository rejects binaries, so move it out of the plugin.")
-    if b"\0" in content:
-        sys.exit(f"{path} is binary. The plugin repository rejects binaries, so move it out of the plugin.")
-    return content
-
-
 def write_package(target: Path, root: Path = ROOT) -> None:
-    contents = {path: read_shipped_file(root / path) for path in shipped_paths(root)}
+    contents = {path: (root / path).read_bytes() for path in shipped_paths(root)}
     contents[Path("metadata.txt")] = shipped_metadata(root).encode("utf-8")
     contents.update(compiled_translations(root))
     target.parent.mkdir(parents=True, exist_ok=True)
@@ -93,10 +77,6 @@ def write_package(target: Path, root: Path = ROOT) -> None:
             entry.external_attr = 0o100644 << 16
             entry.compress_type = zipfile.ZIP_DEFLATED
             package.writestr(entry, contents[path])
-    if target.stat().st_size > MAXIMUM_BYTES:
-        size = target.stat().st_size / 1024**2
-        target.unlink()
-        sys.exit(f"The zip has {size:.1f} MB. The plugin repository accepts at most 25 MB.")
 
 
 def main() -> None:
