@@ -5156,10 +5156,6 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Die Route liegt außerhalb der Karte der Datenbank. Wählen Sie eine andere Route oder Datenbank.</translation>
   </message>
   <message>
-   <source>The route layer has no CRS. Set the CRS of the layer.</source>
-   <translation>Der Routenlayer hat kein KBS. Legen Sie das KBS des Layers fest.</translation>
-  </message>
-  <message>
    <source>The route {value} is not a line layer and not a GPX, KML, .plan or .waypoints file. Select one of these.</source>
    <translation>Die Route {value} ist weder ein Linienlayer noch eine GPX-, KML-, .plan- oder .waypoints-Datei. Wählen Sie eines davon.</translation>
   </message>
@@ -7454,6 +7450,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>“{layer}” does not overlap the map of {name}. Select the land-cover layer and the places of this database.</source>
    <translation>„{layer}“ überlappt die Karte von {name} nicht. Wählen Sie den Landbedeckungslayer und die Stellen dieser Datenbank.</translation>
+  </message>
+  <message>
+   <source>“{layer}” has no CRS. Set the CRS of the layer.</source>
+   <translation>„{layer}“ hat kein KBS. Legen Sie das KBS des Layers fest.</translation>
   </message>
   <message>
    <source>“{layer}” has no extent of its own. Set an extent.</source>

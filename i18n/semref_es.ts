@@ -5156,10 +5156,6 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>La ruta está fuera del mapa de la base de datos. Seleccione otra ruta u otra base de datos.</translation>
   </message>
   <message>
-   <source>The route layer has no CRS. Set the CRS of the layer.</source>
-   <translation>La capa de la ruta no tiene SRC. Defina el SRC de la capa.</translation>
-  </message>
-  <message>
    <source>The route {value} is not a line layer and not a GPX, KML, .plan or .waypoints file. Select one of these.</source>
    <translation>La ruta {value} no es una capa de líneas ni un archivo GPX, KML, .plan o .waypoints. Seleccione uno de ellos.</translation>
   </message>
@@ -7454,6 +7450,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>“{layer}” does not overlap the map of {name}. Select the land-cover layer and the places of this database.</source>
    <translation>“{layer}” no se solapa con el mapa de {name}. Seleccione la capa de cobertura del suelo y los lugares de esta base de datos.</translation>
+  </message>
+  <message>
+   <source>“{layer}” has no CRS. Set the CRS of the layer.</source>
+   <translation>“{layer}” no tiene SRC. Defina el SRC de la capa.</translation>
   </message>
   <message>
    <source>“{layer}” has no extent of its own. Set an extent.</source>

@@ -5156,10 +5156,6 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>L’itinéraire est hors de la carte de la base de données. Sélectionnez un autre itinéraire ou une autre base de données.</translation>
   </message>
   <message>
-   <source>The route layer has no CRS. Set the CRS of the layer.</source>
-   <translation>La couche d’itinéraire n’a pas de SCR. Définissez le SCR de la couche.</translation>
-  </message>
-  <message>
    <source>The route {value} is not a line layer and not a GPX, KML, .plan or .waypoints file. Select one of these.</source>
    <translation>L’itinéraire {value} n’est ni une couche de lignes ni un fichier GPX, KML, .plan ou .waypoints. Sélectionnez l’un de ceux-ci.</translation>
   </message>
@@ -7454,6 +7450,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>“{layer}” does not overlap the map of {name}. Select the land-cover layer and the places of this database.</source>
    <translation>« {layer} » ne recouvre pas la carte de {name}. Sélectionnez la couche d’occupation du sol et les endroits de cette base de données.</translation>
+  </message>
+  <message>
+   <source>“{layer}” has no CRS. Set the CRS of the layer.</source>
+   <translation>« {layer} » n’a pas de SCR. Définissez le SCR de la couche.</translation>
   </message>
   <message>
    <source>“{layer}” has no extent of its own. Set an extent.</source>

@@ -5156,10 +5156,6 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>航线位于数据库的地图之外。请选择其他航线或数据库。</translation>
   </message>
   <message>
-   <source>The route layer has no CRS. Set the CRS of the layer.</source>
-   <translation>航线图层没有坐标参照系。请设置图层的坐标参照系。</translation>
-  </message>
-  <message>
    <source>The route {value} is not a line layer and not a GPX, KML, .plan or .waypoints file. Select one of these.</source>
    <translation>航线 {value} 既不是线图层，也不是 GPX、KML、.plan 或 .waypoints 文件。请选择其中一种。</translation>
   </message>
@@ -7454,6 +7450,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>“{layer}” does not overlap the map of {name}. Select the land-cover layer and the places of this database.</source>
    <translation>“{layer}”与 {name} 的地图不重叠。请选择此数据库的土地覆盖图层和位置。</translation>
+  </message>
+  <message>
+   <source>“{layer}” has no CRS. Set the CRS of the layer.</source>
+   <translation>“{layer}”没有坐标参照系。请设置图层的坐标参照系。</translation>
   </message>
   <message>
    <source>“{layer}” has no extent of its own. Set an extent.</source>

@@ -19,7 +19,7 @@ from qgis.PyQt.QtGui import QTransform
 
 from ...core.errors import ParameterError
 from ...storage.rasterize import AreaMask
-from .reference_systems import misplaced, transformed_geometry
+from .reference_systems import misplaced, require_crs, transformed_geometry
 
 _SEGMENTS = 12
 """Segments of a quarter circle where a corridor turns."""
@@ -134,6 +134,8 @@ def _reproject(
     area: DrawnArea, crs: QgsCoordinateReferenceSystem, context: QgsCoordinateTransformContext
 ) -> list[QgsGeometry]:
     """Return an area's geometries in another CRS, valid and without arcs. Raises ParameterError."""
+    if crs.isValid():
+        require_crs(area.crs, area.name)
     to_map = QgsCoordinateTransform(area.crs, crs, context)
     moved = []
     for given in area.geometries:

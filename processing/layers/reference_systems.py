@@ -67,6 +67,12 @@ def misplaced(layer: str, crs: QgsCoordinateReferenceSystem) -> ParameterError:
     )
 
 
+def require_crs(crs: QgsCoordinateReferenceSystem, layer: str) -> None:
+    """Raise ParameterError for a layer without a CRS; ``layer``: its name."""
+    if not crs.isValid():
+        raise ParameterError("“{layer}” has no CRS. Set the CRS of the layer.", layer=layer)
+
+
 def database_crs(database: ReferenceDatabase) -> QgsCoordinateReferenceSystem:
     """Return the CRS of a database. Raises DatabaseError if it can't be read."""
     crs = QgsCoordinateReferenceSystem.fromWkt(database.parameters.crs)

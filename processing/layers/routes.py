@@ -19,7 +19,7 @@ from qgis.core import (
 from ...core.errors import ParameterError
 from ...storage.route_files import read_waypoint_file
 from ..compat import LINE_GEOMETRY
-from .reference_systems import WGS84, misplaced
+from .reference_systems import WGS84, misplaced, require_crs
 
 
 @dataclass(frozen=True)
@@ -61,8 +61,7 @@ def lines_in(
     route: Route, crs: QgsCoordinateReferenceSystem, transform_context: QgsCoordinateTransformContext
 ) -> list[np.ndarray]:
     """Return the route's lines in another CRS. Raises ParameterError if they can't be transformed."""
-    if not route.crs.isValid():
-        raise ParameterError("The route layer has no CRS. Set the CRS of the layer.")
+    require_crs(route.crs, route.name)
     transform = QgsCoordinateTransform(route.crs, crs, transform_context)
     moved = []
     with suppress(QgsCsException):

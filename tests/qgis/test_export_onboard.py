@@ -110,6 +110,12 @@ def test_an_area_elsewhere_is_refused(export, tmp_path, parameters):
     assert not (tmp_path / "area.npz").exists()
 
 
+def test_an_area_without_a_crs_is_refused_although_its_coordinates_would_fit(export, tmp_path):
+    layer = str(write_layer(tmp_path / "area.shp", [(f"POINT ({WEST + 300} {NORTH - 300})", "a")], crs=None))
+    with pytest.raises(QgsProcessingException, match="“area” has no CRS. Set the CRS of the layer"):
+        export(CLIP=layer, DISTANCE=100)
+
+
 def test_an_older_onboard_file_is_replaced_with_a_note(export, feedback):
     path = Path(export()["OUTPUT"])
     before = path.read_bytes()
