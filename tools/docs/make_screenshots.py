@@ -30,7 +30,7 @@ from desktop_qgis import make_package, run_desktop  # noqa: E402
 SESSION = Path(__file__).with_name("screenshot_session.py")
 IMAGES = ROOT / "docs" / "images"
 SCREEN_PX = 2800, 2600
-LARGEST_BYTES, LARGEST_FILM_BYTES = 250_000, 900_000
+LARGEST_FILM_BYTES = 900_000
 SAMPLE = "semref_sample"
 CHINESE_FONT = "fonts-wqy-microhei"
 
@@ -93,7 +93,7 @@ def keep(pictures: list[Path], folder: Path) -> None:
         print(f"{target} ({target.stat().st_size / 1000:.0f} kB, {len(frames)} frames)", flush=True)
     for picture in sorted(set(pictures) - {frame for frames in moving.values() for frame in frames}):
         target = folder / picture.name
-        shrink(picture, target, LARGEST_BYTES)
+        shrink(picture, target)
         print(f"{target} ({target.stat().st_size / 1000:.0f} kB)", flush=True)
 
 
