@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING, Callable
 
 from qgis.core import QgsApplication, QgsProject, QgsSettings
@@ -158,7 +159,8 @@ def _add_database(path: str) -> None:
 
 
 def _add_results(path: str) -> None:
-    QgsProject.instance().addMapLayers([layer for layer in named_results(path) if layer is not None])
+    layers = named_results(path, os.path.splitext(os.path.basename(path))[0])
+    QgsProject.instance().addMapLayers([layer for layer in layers if layer is not None])
 
 
 def _did(add: Callable[[str], None], path: str) -> bool:

@@ -61,6 +61,7 @@ def test_its_layers_are_saved_with_their_style_and_bring_the_track_back(flown, t
     flown.results.save.click()
     layers = list(QgsProject.instance().mapLayers().values())
     positions = next(layer for layer in layers if layer.geometryType() == 0)
+    assert {layer.name() for layer in layers} == {"flown", "flown · SemRef track"}
     assert len(layers) == 2 and isinstance(positions.renderer(), QgsRuleBasedRenderer)
     *_others, track = open_results(path)
     assert track is not None and track.featureCount() == 1

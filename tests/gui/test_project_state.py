@@ -157,7 +157,7 @@ def test_saved_results_that_are_dropped_on_qgis_come_with_all_their_layers(iface
     (handler,) = iface.drop_handlers
     assert handler.handleFileDrop(str(saved)) and not handler.handleFileDrop(area.image)
     names = sorted(layer.name() for layer in QgsProject.instance().mapLayers().values())
-    assert {"SemRef footprints", "SemRef positions", "SemRef matches"} <= set(names)
+    assert {f"results · SemRef {kind}" for kind in ("footprints", "positions", "matches")} <= set(names)
 
 
 @pytest.mark.slow

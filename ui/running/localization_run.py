@@ -51,8 +51,12 @@ class LocalizationRun(AlgorithmRun):
             self.pace = LocalTemplate(text).format(device=results["DEVICE"], rate=results["TILES_PER_SECOND"])
 
 
-def named_results(file: str) -> list[QgsVectorLayer | None]:
-    """Open the layers of a results file, with names for the user. Raises ParameterError."""
+def named_results(file: str, run: str = "") -> list[QgsVectorLayer | None]:
+    """Open the layers of a results file, with names for the user. Raises ParameterError.
+
+    Args:
+        run: Name of the results, which distinguishes their layers from those of others; empty without one.
+    """
     layers = list(open_results(file))
     titles = (
         tr("SemRef positions"),
@@ -63,5 +67,5 @@ def named_results(file: str) -> list[QgsVectorLayer | None]:
     )
     for layer, title in zip(layers, titles):
         if layer is not None:
-            layer.setName(title)
+            layer.setName(f"{run} · {title}" if run else title)
     return layers

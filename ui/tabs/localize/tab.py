@@ -267,14 +267,15 @@ class LocalizeTab(QWidget):
             return
         path = path if path.lower().endswith(".gpkg") else f"{path}.gpkg"
         QgsSettings().setValue(_RESULTS_FOLDER_SETTING, os.path.dirname(path))
+        name = os.path.splitext(os.path.basename(path))[0]
         try:
             save_results(self._results_file, path)
-            positions, *_others, track = named_results(path)
+            positions, *_others, track = named_results(path, name)
         except ParameterError as error:
             self._messages.error(worded(error))
             return
         self._results_file = path
-        positions.setName(os.path.splitext(os.path.basename(path))[0])
+        positions.setName(name)
         if track is not None:
             QgsProject.instance().addMapLayer(track)
         QgsProject.instance().addMapLayer(positions)
