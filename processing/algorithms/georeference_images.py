@@ -28,6 +28,7 @@ from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.values import Values
 from ..compat import SOURCE_FILE, SOURCE_POINT, SOURCE_POLYGON, wkt_for_gdal
+from ..layers.results_file import GEOTIFF, MOSAIC, MOSAIC_FILE, WORLD_FILE
 from ..messages.sentences import worded
 from ..translation import tr
 
@@ -36,10 +37,6 @@ if TYPE_CHECKING:
 
     from ...storage.georeferencing import ControlPoint
     from ..layers.positions import PositionRow
-
-GEOTIFF, WORLD_FILE, CONTROL_POINTS, MOSAIC = range(4)
-
-MOSAIC_FILE = "mosaic.tif"
 
 LEAST_MATCHES = 4
 """Landmarks that are needed as control points; with fewer, the corners of the computed footprint are used."""

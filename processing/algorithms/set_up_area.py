@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import os
 from collections.abc import Sequence
 from dataclasses import replace
@@ -25,16 +24,26 @@ from qgis.core import (
     QgsProcessingParameterRasterLayer,
     QgsProcessingUtils,
     QgsRasterLayer,
-    QgsReferencedRectangle,
     QgsVectorLayer,
 )
 
 from ...core.errors import ModelError, ParameterError
-from ...core.labels.class_table import OTHER
-from ...core.localization import SHOWN_RISK, Status
+from ...core.localization import Status
 from ...storage.atomic_output import make_folder
 from ..base import parameters
 from ..base.algorithm import LOCALIZATION, Declared, SemRefAlgorithm, check_canceled
+from ..base.area_steps import (
+    CAMERAS_FILE,
+    DATABASE_FILE,
+    EXPECTED_FILE,
+    GEOREFERENCE,
+    MODEL_FILE,
+    POSITIONS_FILE,
+    RULES_FILE,
+    TRAIN,
+    AreaRun,
+    steps_of,
+)
 from ..base.chain import Record, Step
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
@@ -42,40 +51,18 @@ from ..base.photo_source import drawn_file
 from ..base.shipped_models import PHOTO_MODEL
 from ..base.values import Values
 from ..compat import DOUBLE, SOURCE_FILE, SOURCE_LINE, SOURCE_POLYGON
-from ..layers.guess_fields import BUILDING
-from ..layers.results_file import LABELS_FOLDER, TABLES, table_outputs
+from ..layers.results_file import TABLES
 from ..translation import tr
-from .assess_database import AssessDatabase
-from .build_database import BuildDatabase
-from .classify_openstreetmap import LINES_OF_OSM, POLYGONS_OF_OSM, RULES_PATH, ClassifyOpenStreetMap
-from .georeference_images import MOSAIC, MOSAIC_FILE, GeoreferenceImages
-from .localize_images import LocalizeImages
-from .rasterize_annotation import RasterizeAnnotation
-from .train_model import TrainModel
+from .classify_openstreetmap import LINES_OF_OSM, POLYGONS_OF_OSM, RULES_PATH
 
 if TYPE_CHECKING:
     from ...core.segmentation.model_card import ModelCard
     from ..base.area_setup import AreaSetup
 
-RULES_FILE, CAMERAS_FILE = "rules.csv", "cameras.csv"
-LAND_COVER_FILE, LABEL_MAP_FILE = "land_cover.gpkg", "label_map.tif"
-DATABASE_FILE, MODEL_FILE, TRAINING_FILE = "reference_database.gpkg", "model.onnx", "training.html"
-EXPECTED_FILE, ASSESSMENT_FILE = "expected_success.gpkg", "assessment.html"
-POSITIONS_FILE, REPORT_FILE = "positions.gpkg", "report.html"
-FIRST_FILES = "first_positions.gpkg", "first_footprints.gpkg"
-PHOTOS_FOLDER = "training_photos"
-PHOTOS_MOSAIC = f"{PHOTOS_FOLDER}/{MOSAIC_FILE}"
-"""Results of the model as it is, and imagery of them, where the photos are the imagery of the training."""
-
-SCALES = 0.5, 2.0
-"""Scales to search where the ground width of a photo is typical."""
+REPORT_FILE = "report.html"
 
 LEAST_PLACED = 3
 """Photos with a position that can be the imagery of a training."""
-
-SIMULATED, MOST_SIMULATED, SQUARES = 100, 500, 2000
-"""Simulated images of the quick assessment on ground with landmarks, on all ground, and the largest number of squares:
-up to half a minute."""
 
 
 class SetUpArea(SemRefAlgorithm):
@@ -288,7 +275,7 @@ class SetUpArea(SemRefAlgorithm):
         if values.file(self.FOLDER) == QgsProcessing.TEMPORARY_OUTPUT:
             folder = Path(QgsProcessingUtils.generateTempFilename("area"))
         make_folder(folder)
-        steps = self._steps(values, area, folder)
+        steps = steps_of(self._area_run(values, area, folder))
         with Record(folder, self._inputs(values, area)) as record:
             for step in steps:
                 record.require_free(step)
@@ -307,104 +294,21 @@ class SetUpArea(SemRefAlgorithm):
                 record.add(step)
             return self._report(values, area, folder, record, feedback)
 
-    def _steps(self, values: Values, area: AreaSetup, folder: Path) -> list[Step]:
-        """Return the algorithms to run, in order."""
-        plan, trains = area.plan, self._trains(values)
-        polygons: dict[str, Any] = {"INPUT": self._map.layer, "CLASS_FIELD": self._map.class_field}
-        polygons |= {"PRIORITY_FIELD": self._map.priority_field} if self._map.priority_field else {}
-        polygons |= {} if self._map.class_field else {"CLASS": BUILDING}
-        steps = []
-        known, classes = self._known(values), {name.casefold() for name in area.classes}
-        if self._map.has_tags:
-            tags = {"INPUT": self._map.layer, "OUTPUT": str(folder / LAND_COVER_FILE)}
-            tags |= {} if self._map.lines is None else {"LINES": self._map.lines}
-            tags |= {"RULES": str(folder / RULES_FILE)} if known else {}
-            steps.append(Step(ClassifyOpenStreetMap, tags, (LAND_COVER_FILE,), tr("Classifying OpenStreetMap")))
-            polygons = {"INPUT": tags["OUTPUT"], "CLASS_FIELD": "class", "PRIORITY_FIELD": "priority"}
-        rasterize = {
-            **polygons,
-            "PIXEL_SIZE": plan.pixel_size_m,
-            "EXTENT": QgsReferencedRectangle(area.extent, area.crs),
-            "TARGET_CRS": area.crs,
-            "OTHER_GROUND": OTHER in known and OTHER not in classes,
-            "OUTPUT": str(folder / LABEL_MAP_FILE),
-        }
-        build = {
-            "LABELS": rasterize["OUTPUT"],
-            "REFERENCE_CLASSES": ";".join(area.reference),
-            "WINDOW_SIZE": plan.window_m,
-            "STRIDE": plan.stride_m,
-            "MINIMUM_AREA": plan.minimum_area_m2,
-            "DATABASE": str(folder / DATABASE_FILE),
-        }
-        steps.append(Step(RasterizeAnnotation, rasterize, (LABEL_MAP_FILE,), tr("Rasterizing the map")))
-        steps.append(Step(BuildDatabase, build, (DATABASE_FILE,), tr("Building the reference database")))
-        localize = self._localization(area, folder, build["DATABASE"])
-        if trains:
-            base = self._card(values)
-            is_fitting = (
-                base is not None
-                and base.can_be_base
-                and (known or classes <= {name.casefold() for name in base.classes})
-            )
-            if not self._imagery:
-                steps += self._photos_as_imagery(values, area, folder, localize)
-            train = {
-                "IMAGE": self._imagery or str(folder / PHOTOS_MOSAIC),
-                "LABELS": rasterize["OUTPUT"],
-                "BASE_MODEL": base.file if is_fitting else None,
-                "MINUTES": values.number(self.MINUTES),
-                "RESOLUTION": plan.resolution_cm,
-                "OUTPUT": str(folder / MODEL_FILE),
-                "REPORT": str(folder / TRAINING_FILE),
-            }
-            steps.append(Step(TrainModel, train, (MODEL_FILE, TRAINING_FILE), tr("Training the model")))
-        footprint = round(math.sqrt(math.prod(area.photos.size_m)), 1)
-        spacing = max(footprint / 2, math.sqrt(area.extent.area() / SQUARES))
-        assess = {
-            "DATABASE": build["DATABASE"],
-            "FOOTPRINT": str(footprint),
-            "SPACING": spacing,
-            "TRIALS": _simulated(area),
-            "OUTPUT": str(folder / EXPECTED_FILE),
-            "REPORT": str(folder / ASSESSMENT_FILE),
-        }
-        steps.append(Step(AssessDatabase, assess, (EXPECTED_FILE, ASSESSMENT_FILE), tr("Assessing the database")))
-        if area.photos.files:
-            localize |= {
-                "MODEL": str(folder / MODEL_FILE) if trains else self._model(values),
-                "LABELS": str(folder / LABELS_FOLDER),
-                **_tables(str(folder / POSITIONS_FILE)),
-            }
-            steps.append(Step(LocalizeImages, localize, (POSITIONS_FILE,), tr("Localizing the photos")))
-        return steps
-
-    def _localization(self, area: AreaSetup, folder: Path, database: str) -> dict[str, Any]:
-        """Return the parameters of localizing the photos, without model and outputs."""
-        values = {"DATABASE": database, "IMAGES": list(area.photos.files), "RISK": SHOWN_RISK}
-        if area.photos.unknown:
-            values |= {"ATTITUDE": str(folder / CAMERAS_FILE)}
-            values |= {"SCALE_MINIMUM": SCALES[0], "SCALE_MAXIMUM": SCALES[1]}
-        return values
-
-    def _photos_as_imagery(
-        self, values: Values, area: AreaSetup, folder: Path, localization: dict[str, Any]
-    ) -> list[Step]:
-        """Return the steps that make imagery of the photos that get a position with the model as it is."""
-        first, ground = (str(folder / name) for name in FIRST_FILES)
-        localize = {**localization, "MODEL": self._model(values), "OUTPUT": first, "FOOTPRINTS": ground}
-        georeference = {
-            "POSITIONS": first,
-            "FOOTPRINTS": ground,
-            "IMAGES": list(area.photos.files),
-            "FORMAT": MOSAIC,
-            "RESOLUTION": area.plan.resolution_cm,
-            "OUTPUT": str(folder / PHOTOS_FOLDER),
-        }
-        return [
-            Step(LocalizeImages, localize, FIRST_FILES, tr("Localizing the photos for the training")),
-            Step(GeoreferenceImages, georeference, (PHOTOS_MOSAIC,), tr("Georeferencing the photos for the training")),
-        ]
+    def _area_run(self, values: Values, area: AreaSetup, folder: Path) -> AreaRun:
+        """Return what the steps need."""
+        base, known = self._card(values), self._known(values)
+        classes = {name.casefold() for name in area.classes}
+        is_fitting = base is not None and base.can_be_base and (known or classes <= {*map(str.casefold, base.classes)})
+        return AreaRun(
+            self._map,
+            area,
+            folder,
+            known,
+            self._model(values),
+            base.file if is_fitting else None,
+            self._imagery,
+            values.number(self.MINUTES),
+        )
 
     def _prepare(
         self, values: Values, area: AreaSetup, step: Step, record: Record, feedback: QgsProcessingFeedback
@@ -420,7 +324,7 @@ class SetUpArea(SemRefAlgorithm):
             record.write(RULES_FILE, rules_of(self._known(values)))
         if step.values.get("ATTITUDE"):
             record.write(CAMERAS_FILE, camera_table(area.photos))
-        if step.algorithm is GeoreferenceImages:
+        if step.algorithm == GEOREFERENCE:
             rows = QgsVectorLayer(step.values["POSITIONS"], "", "ogr").getFeatures()
             count = sum(row["status"] == Status.FIX for row in rows)
             if count < LEAST_PLACED:
@@ -430,7 +334,7 @@ class SetUpArea(SemRefAlgorithm):
                     count=count,
                     all=len(area.photos.files),
                 )
-        if step.algorithm is not TrainModel or self._drawn is None:
+        if step.algorithm != TRAIN or self._drawn is None:
             return {}
         ground, context = (area.extent, area.crs), values.transform_context
         return {"IMAGE": drawn_file(self._drawn, ground, _resolution_m(area), context, feedback)[0], "RESOLUTION": None}
@@ -469,21 +373,6 @@ def layer_of_extract(path: str, layer_of_osm: str) -> QgsVectorLayer | None:
     """Return the layer of an OpenStreetMap extract with this name; None for other files."""
     layer = QgsVectorLayer(f"{path}|layername={layer_of_osm}", Path(path).stem, "ogr") if os.path.isfile(path) else None
     return layer if layer is not None and layer.isValid() else None
-
-
-def _tables(path: str) -> dict[str, str]:
-    """Return the outputs of the localization as tables of one file, as the dock opens them."""
-    if "'" in path:
-        # QGIS cannot write tables to such a path. The only layer gets the file's name, which is that of the table.
-        return {"OUTPUT": path}
-    return table_outputs(path)
-
-
-def _simulated(area: AreaSetup) -> int:
-    """Return the simulated images that are spread over all ground so that enough of them show landmarks."""
-    photo_m2, photos = math.prod(area.photos.size_m), area.plan.landmarks / max(area.plan.per_photo, 1)
-    share = min(max(photos, 1) * photo_m2 / max(area.extent.area(), photo_m2), 1.0)
-    return min(round(SIMULATED / share), MOST_SIMULATED)
 
 
 def rules_of(known: Sequence[str]) -> str:

@@ -10,12 +10,18 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from qgis.core import QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback
+from qgis.core import (
+    QgsApplication,
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingException,
+    QgsProcessingFeedback,
+)
 
 from ...core.errors import ParameterError
 from ...storage.atomic_output import written_beside
 from ..translation import tr
-from .algorithm import Canceled, SemRefAlgorithm
+from .algorithm import Canceled
 from .destinations import require_outputs_apart
 from .run_lock import take_lock
 
@@ -38,18 +44,19 @@ class Step:
     """One algorithm of the chain.
 
     Attributes:
+        algorithm: Its id in SemRef.
         files: Names of its files in the folder; the first one shows that it was run.
         text: What is shown while it runs.
     """
 
-    algorithm: type[SemRefAlgorithm]
+    algorithm: str
     values: dict[str, Any]
     files: tuple[str, ...]
     text: str
 
     def require_possible(self, context: QgsProcessingContext) -> None:
         """Raise ParameterError for an output that would be refused when the step starts."""
-        require_outputs_apart(self.algorithm().create(), self.values, context, {})
+        require_outputs_apart(self._new(), self.values, context, {})
 
     def run(self, values: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> None:
         """Run the algorithm; ``values`` replace or add parameters.
@@ -58,11 +65,14 @@ class Step:
             QgsProcessingException: What the algorithm raises.
         """
         try:
-            self.algorithm().run({**self.values, **values}, context, feedback, {}, False)
+            self._new().run({**self.values, **values}, context, feedback, {}, False)
         except QgsProcessingException:
             if feedback.isCanceled():
                 raise CanceledInFolder from None
             raise
+
+    def _new(self) -> QgsProcessingAlgorithm:
+        return QgsApplication.processingRegistry().createAlgorithmById(f"semref:{self.algorithm}")
 
 
 class Record:
@@ -132,7 +142,7 @@ class Record:
 
     def _key(self, step: Step) -> str:
         # Layer, extent and CRS are not JSON; the inputs identify them.
-        text = json.dumps([step.algorithm.ID, step.values, self._inputs], sort_keys=True, default=lambda _: "")
+        text = json.dumps([step.algorithm, step.values, self._inputs], sort_keys=True, default=lambda _: "")
         return hashlib.sha256(text.encode()).hexdigest()
 
 

@@ -22,6 +22,11 @@ TABLES = tuple(OUTPUTS.values())
 LABELS_FOLDER = "labels"
 """Folder of the photos' label images beside the file."""
 
+GEOTIFF, WORLD_FILE, CONTROL_POINTS, MOSAIC = range(4)
+"""Formats of *Georeference images*."""
+
+MOSAIC_FILE = "mosaic.tif"
+
 
 def table_outputs(file: str, is_flight: bool = False) -> dict[str, str]:
     """Return the outputs of an algorithm that write to tables of a results file."""
