@@ -4872,10 +4872,6 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Die Klassen lassen sich nicht auf das Bild transformieren: {reason}.</translation>
   </message>
   <message>
-   <source>The labels have the value {found}; a label map holds class values from 0 to 255.</source>
-   <translation>Die Klassen haben den Wert {found}; eine Klassenkarte enthält Klassenwerte von 0 bis 255.</translation>
-  </message>
-  <message>
    <source>The labels have the value {unknown}, which the class table lacks; its classes are {classes}.</source>
    <translation>Die Klassen haben den Wert {unknown}, der in der Klassentabelle fehlt; ihre Klassen sind {classes}.</translation>
   </message>
@@ -4922,10 +4918,6 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
   <message>
    <source>The lines can't be read. Choose a layer of lines.</source>
    <translation>Die Linien können nicht gelesen werden. Wählen Sie einen Linienlayer.</translation>
-  </message>
-  <message>
-   <source>The lines “{layer}” and the polygons need a coordinate reference system. Set the CRS in the layer properties.</source>
-   <translation>Die Linien „{layer}“ und die Polygone brauchen ein Koordinatenbezugssystem. Legen Sie das KBS in den Layereigenschaften fest.</translation>
   </message>
   <message>
    <source>The longest stretch is first. A stretch is between two points with sufficient success. Suggestions show the mean expected success of a parallel line, to the left or right of the flight direction.</source>

@@ -4872,10 +4872,6 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>Las etiquetas no se pueden reproyectar a la imagen: {reason}.</translation>
   </message>
   <message>
-   <source>The labels have the value {found}; a label map holds class values from 0 to 255.</source>
-   <translation>Las etiquetas tienen el valor {found}; un mapa de etiquetas contiene valores de clase de 0 a 255.</translation>
-  </message>
-  <message>
    <source>The labels have the value {unknown}, which the class table lacks; its classes are {classes}.</source>
    <translation>Las etiquetas tienen el valor {unknown}, que falta en la tabla de clases; sus clases son {classes}.</translation>
   </message>
@@ -4922,10 +4918,6 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
   <message>
    <source>The lines can't be read. Choose a layer of lines.</source>
    <translation>No se pueden leer las líneas. Elija una capa de líneas.</translation>
-  </message>
-  <message>
-   <source>The lines “{layer}” and the polygons need a coordinate reference system. Set the CRS in the layer properties.</source>
-   <translation>Las líneas “{layer}” y los polígonos necesitan un sistema de referencia de coordenadas. Defina el SRC en las propiedades de la capa.</translation>
   </message>
   <message>
    <source>The longest stretch is first. A stretch is between two points with sufficient success. Suggestions show the mean expected success of a parallel line, to the left or right of the flight direction.</source>

@@ -4872,10 +4872,6 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>Les étiquettes ne peuvent pas être reprojetées sur l’image : {reason}.</translation>
   </message>
   <message>
-   <source>The labels have the value {found}; a label map holds class values from 0 to 255.</source>
-   <translation>Les étiquettes contiennent la valeur {found} ; une carte d’étiquettes contient des valeurs de classe de 0 à 255.</translation>
-  </message>
-  <message>
    <source>The labels have the value {unknown}, which the class table lacks; its classes are {classes}.</source>
    <translation>Les étiquettes contiennent la valeur {unknown}, qui manque à la table des classes ; ses classes sont {classes}.</translation>
   </message>
@@ -4922,10 +4918,6 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   <message>
    <source>The lines can't be read. Choose a layer of lines.</source>
    <translation>Les lignes ne peuvent pas être lues. Choisissez une couche de lignes.</translation>
-  </message>
-  <message>
-   <source>The lines “{layer}” and the polygons need a coordinate reference system. Set the CRS in the layer properties.</source>
-   <translation>Les lignes « {layer} » et les polygones ont besoin d’un système de coordonnées de référence. Définissez le SCR dans les propriétés de la couche.</translation>
   </message>
   <message>
    <source>The longest stretch is first. A stretch is between two points with sufficient success. Suggestions show the mean expected success of a parallel line, to the left or right of the flight direction.</source>

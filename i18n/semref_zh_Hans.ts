@@ -4872,10 +4872,6 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>无法将标签重投影到影像：{reason}。</translation>
   </message>
   <message>
-   <source>The labels have the value {found}; a label map holds class values from 0 to 255.</source>
-   <translation>标签的值为 {found}；标签图的类别值为 0 到 255。</translation>
-  </message>
-  <message>
    <source>The labels have the value {unknown}, which the class table lacks; its classes are {classes}.</source>
    <translation>标签的值 {unknown} 不在类别表中；表中的类别为 {classes}。</translation>
   </message>
@@ -4922,10 +4918,6 @@ Use a label map of another date than that of the database, with a map displaceme
   <message>
    <source>The lines can't be read. Choose a layer of lines.</source>
    <translation>无法读取线。请选择线图层。</translation>
-  </message>
-  <message>
-   <source>The lines “{layer}” and the polygons need a coordinate reference system. Set the CRS in the layer properties.</source>
-   <translation>线“{layer}”和多边形需要坐标参照系。请在图层属性中设置坐标参照系。</translation>
   </message>
   <message>
    <source>The longest stretch is first. A stretch is between two points with sufficient success. Suggestions show the mean expected success of a parallel line, to the left or right of the flight direction.</source>

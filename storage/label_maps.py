@@ -77,16 +77,17 @@ class GdalLabels:
             self.dataset.FlushCache()
         if self._nodata is not None and self._nodata != 0:
             block[block == self._nodata] = 0
-        if block.dtype == np.uint8:
-            return np.ascontiguousarray(block)
-        if block.size and (block.min() < 0 or block.max() > 255):
-            found = int(block.max() if block.max() > 255 else block.min())
-            raise LabelMapError(
-                "{path} has the value {found}; a label map holds class values from 0 to 255.",
-                path=self._path,
-                found=found,
-            )
-        return block.astype(np.uint8)
+        return np.ascontiguousarray(block) if block.dtype == np.uint8 else as_labels(block, self._path)
+
+
+def as_labels(values: np.ndarray, path: str) -> np.ndarray:
+    """Return integers as uint8 labels. Raises LabelMapError for a value of the file that is not in 0…255."""
+    if values.size and (values.min() < 0 or values.max() > 255):
+        found = int(values.max() if values.max() > 255 else values.min())
+        raise LabelMapError(
+            "{path} has the value {found}; a label map holds class values from 0 to 255.", path=path, found=found
+        )
+    return values.astype(np.uint8)
 
 
 def hold_labels(labels: GdalLabels) -> Steps[LabelSource]:

@@ -77,12 +77,6 @@ def is_placed(image: RasterFile) -> bool:
     return open_raster(image.path).GetGeoTransform(can_return_null=True) is not None
 
 
-def shape_of(image: RasterFile) -> tuple[int, int]:
-    """(height, width) in pixels."""
-    dataset = open_raster(image.path)
-    return dataset.RasterYSize, dataset.RasterXSize
-
-
 def frame_of(image: RasterFile) -> MapFrame:
     """Return the pixel grid of an image. Raises LabelMapError for an image without georeference."""
     dataset = open_raster(image.path)

@@ -21,7 +21,7 @@ from ..core.labels.training_tiles import SUBSETS, TRAIN, VALIDATION, Tile, block
 from ..core.steps import Steps
 from .gdal_errors import gdal_failures, read_by_gdal
 from .images import GdalImage
-from .label_maps import GdalLabels, RasterFile, class_table_of_map, class_table_of_values
+from .label_maps import GdalLabels, RasterFile, as_labels, class_table_of_map, class_table_of_values
 from .pictures import write_png, write_tiff
 from .rasters import open_raster, pixel_area
 from .text_tables import CLASSES_FILE
@@ -47,6 +47,8 @@ class ImageBands:
     Attributes:
         bands: The exported bands.
         kind: GDAL's data type of all bands.
+        shape_hw: (height, width) in pixels.
+        geotransform: GDAL's six numbers; None without a georeference.
         network_bands: Numbers, from 1, of the exported bands that a network gets as red, green and blue.
         stretch: (3, 2) values that become 0 and 255 for the network; None for 8 bits.
 
@@ -57,8 +59,8 @@ class ImageBands:
 
     def __init__(self, path: str) -> None:
         self.path = path
-        self.dataset = open_raster(path)
-        bands = {n: self.dataset.GetRasterBand(n) for n in range(1, self.dataset.RasterCount + 1)}
+        self._dataset = open_raster(path)
+        bands = {n: self._dataset.GetRasterBand(n) for n in range(1, self._dataset.RasterCount + 1)}
         kept = [n for n, band in bands.items() if band.GetColorInterpretation() != gdal.GCI_AlphaBand]
         self.bands = [bands[n] for n in kept]
         self.kind = self.bands[0].DataType
@@ -72,16 +74,7 @@ class ImageBands:
         self._seen = GdalImage(path)
         self.network_bands = [kept.index(n) + 1 for n in self._seen.bands]
         self.stretch = self._seen.stretch
-
-    @property
-    def shape_hw(self) -> tuple[int, int]:
-        """(height, width) in pixels."""
-        return self.dataset.RasterYSize, self.dataset.RasterXSize
-
-    @property
-    def geotransform(self) -> tuple[float, ...] | None:
-        """GDAL's six numbers; None without a georeference."""
-        return self.dataset.GetGeoTransform(can_return_null=True)
+        self.shape_hw, self.geotransform = self._seen.shape_hw, self._seen.geotransform
 
     @property
     def as_png(self) -> bool:
@@ -109,7 +102,7 @@ class LabelsOnImage:
     """
 
     def __init__(self, file: RasterFile, image: ImageBands, image_crs_wkt: str) -> None:
-        self.labels = GdalLabels(file.path)
+        self._path, self.labels = file.path, GdalLabels(file.path)
         self.shape_hw = image.shape_hw
         self._image_transform = image.geotransform
         self._crs = file.crs_wkt or image_crs_wkt, image_crs_wkt or file.crs_wkt
@@ -138,13 +131,7 @@ class LabelsOnImage:
             gdal.ReprojectImage(source, piece, *self._crs, gdal.GRA_NearestNeighbour)
         if failures:
             raise LabelMapError("The labels can’t be reprojected to the image: {reason}.", reason=failures[0])
-        values = piece.ReadAsArray()
-        if values.max() > 255 or values.min() < 0:
-            found = int(values.max() if values.max() > 255 else values.min())
-            raise LabelMapError(
-                "The labels have the value {found}; a label map holds class values from 0 to 255.", found=found
-            )
-        return values.astype(np.uint8)
+        return as_labels(piece.ReadAsArray(), self._path)
 
 
 def _size(shape_hw: tuple[int, int]) -> str:

@@ -166,10 +166,12 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
 
     def _areas_of_lines(self, rules: Rules, values: Values, feedback: QgsProcessingFeedback) -> Iterator[Area]:
         from ..layers.line_areas import LineAreas
+        from ..layers.reference_systems import require_crs
 
         if self._lines is None:
             return
         lines, target = self._lines, self._source.sourceCrs()
+        require_crs(target, self._source.sourceName())
         areas = LineAreas(lines.sourceName(), lines.sourceCrs(), lines.sourceExtent(), target, values.transform_context)
         for geometry, columns in _features(lines, feedback):
             rule, area = areas.of(geometry, tags_of(columns), rules)

@@ -363,8 +363,8 @@ class TrainModel(AnnotationAlgorithm):
         """Burn the labels on the pixels of the image, and cut tiles of both."""
         from ...core.labels.training_tiles import TRAIN, VALIDATION, fitting_tiles
         from ...storage.rasterize import burn_label_map
-        from ...storage.training_ground import frame_of, shape_of
-        from ...storage.training_tiles import TileExport
+        from ...storage.training_ground import frame_of
+        from ...storage.training_tiles import ImageBands, TileExport
         from ..layers.training_ground import require_two_classes
 
         table = values.class_table(self.CLASS_TABLE)
@@ -374,7 +374,7 @@ class TrainModel(AnnotationAlgorithm):
             burnt = str(run.folder / "labels.tif")
             follow(burn_label_map(burnt, frame, table, polygons), feedback, CUT / 4, CUT / 2)
         labels = replace(image, path=burnt) if self._labels is None else self._labels.file
-        size, stride = fitting_tiles(shape_of(image))
+        size, stride = fitting_tiles(ImageBands(image.path).shape_hw)
         fraction = values.number(self.VALIDATION_FRACTION)
         is_unknown = self._is_rest_unknown(values)
         require = require_two_classes if is_unknown else None

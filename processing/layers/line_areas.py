@@ -13,10 +13,9 @@ from qgis.core import (
     QgsRectangle,
 )
 
-from ...core.errors import ParameterError
 from ...core.labels.openstreetmap import Rule, Rules, line_width_m
 from ..compat import FLAT_CAP, LINE_GEOMETRY, ROUND_JOIN
-from .reference_systems import utm_zone
+from .reference_systems import require_crs, utm_zone
 
 _SEGMENTS = 4
 """Of a quarter circle at a bend."""
@@ -33,13 +32,8 @@ class LineAreas:
         target: QgsCoordinateReferenceSystem,
         context: QgsCoordinateTransformContext,
     ) -> None:
-        """Choose the UTM zone for ``extent`` of the lines. Raises ParameterError without the CRS of both layers."""
-        if not crs.isValid() or not target.isValid():
-            raise ParameterError(
-                "The lines “{layer}” and the polygons need a coordinate reference system. Set the CRS in the layer "
-                "properties.",
-                layer=name,
-            )
+        """Choose the UTM zone for ``extent`` of the lines. Raises ParameterError for lines without a CRS."""
+        require_crs(crs, name)
         metric = utm_zone(crs, extent, context)
         self._to_metric = QgsCoordinateTransform(crs, metric, context)
         self._to_target = QgsCoordinateTransform(metric, target, context)

@@ -191,7 +191,7 @@ WITHOUT_WIDTH = "key,value,class,priority\nbuilding,*,building,9\nhighway,*,road
     [
         (lambda: QgsVectorLayer("LineString?crs=EPSG:32632&field=length:double", "lines", "memory"), "", "columns are"),
         (lambda: layer_of(*BUILDING), "", "“osm” has MultiPolygon geometry. Choose a layer of lines."),
-        (lambda: lines_of(ROAD, crs=""), "", "need a coordinate reference system"),
+        (lambda: lines_of(ROAD, crs=""), "", "has no CRS. Set the CRS of the layer"),
         (lambda: lines_of(ROAD), WITHOUT_WIDTH, "No rule with a width matches a tag of the lines “lines”"),
         (lambda: lines_of(ROAD), "key,value,class,priority,width\nhighway,*,road,8,wide\n", "line 2: “wide” is not a"),
     ],
