@@ -116,8 +116,6 @@ class LocalizeFlight(LocalizeAlgorithm):
         require_images(values.files(self.IMAGES))
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, Any]:
-        from ...core.localizer.localizer import Localizer
-        from ...core.localizer.settings import LOCALIZER
         from ...core.pipeline import Pipeline
         from ..base.flight_images import FlightReader, in_order, with_log
         from ..base.localized_layers import tracks_of, write_footprints, write_matches, write_positions, write_tracks
@@ -127,10 +125,7 @@ class LocalizeFlight(LocalizeAlgorithm):
         # Class areas decide between tracks, whichever method localizes single images.
         database = self.read_database(values, Method.MAP_CORRELATION, feedback)
         crs = database_crs(database)
-        settings = replace(LOCALIZER, allowed_risk=values.number(self.RISK))
-        localizer = Localizer(database, settings, values.optional_number(self.SUN_DIRECTION))
-        search = self.search(values, method, crs, values.has(self.MATCHES))
-        localizer.check(method, search.known)
+        localizer, search = self.prepare(values, method, database, crs)
         paths, cameras = in_order(*self.read_images(values, method, feedback))
         steps = cancelable(self._odometry, values, paths, feedback=feedback)
         log = self._read_log(values, feedback)

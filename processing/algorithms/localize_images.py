@@ -128,8 +128,6 @@ class LocalizeImages(LocalizeAlgorithm):
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
         from ...core.geometry.camera import Camera
-        from ...core.localizer.localizer import Localizer
-        from ...core.localizer.settings import LOCALIZER
         from ...core.pipeline import Pipeline
         from ...storage.file_states import state
         from ..base.localized_layers import write_footprints, write_matches, write_places, write_positions
@@ -139,10 +137,7 @@ class LocalizeImages(LocalizeAlgorithm):
         before = {path: state(path)}
         database = self.read_database(values, method, feedback)
         crs = database_crs(database)
-        settings = replace(LOCALIZER, allowed_risk=values.number(self.RISK))
-        localizer = Localizer(database, settings, values.optional_number(self.SUN_DIRECTION))
-        search = self.search(values, method, crs, values.has(self.MATCHES))
-        localizer.check(method, search.known)
+        localizer, search = self.prepare(values, method, database, crs)
         read_labels = self.label_reader(values, database.class_table, feedback)
         paths, cameras = self.read_images(values, method, feedback, self._layer is None)
         if self._layer is not None:

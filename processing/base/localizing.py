@@ -40,6 +40,7 @@ if TYPE_CHECKING:
 
     from ...core.database.model import ReferenceDatabase
     from ...core.geometry.camera import Camera
+    from ...core.localizer.localizer import Localizer
     from ...core.localizer.reach import Reach
     from ...core.localizer.search import Search
     from ...core.pipeline import Pipeline
@@ -193,13 +194,19 @@ class LocalizeAlgorithm(SemRefAlgorithm):
             cameras = [camera.without_leveling() for camera in cameras]
         return paths, cameras
 
-    def search(
-        self, values: Values, method: Method, crs: QgsCoordinateReferenceSystem, with_matches: bool = False
-    ) -> Search:
-        """Return what is searched; prior positions are transformed to ``crs``, the database's CRS."""
+    def prepare(
+        self, values: Values, method: Method, database: ReferenceDatabase, crs: QgsCoordinateReferenceSystem
+    ) -> tuple[Localizer, Search]:
+        """Return the localizer and what it searches; ``crs``: the CRS of the database."""
+        from ...core.localizer.localizer import Localizer
         from ...core.localizer.search import Search
+        from ...core.localizer.settings import LOCALIZER
 
-        return Search(method, priors.prior(values, crs), priors.scales(values, method), with_matches)
+        settings = replace(LOCALIZER, allowed_risk=values.number(self.RISK))
+        localizer = Localizer(database, settings, values.optional_number(self.SUN_DIRECTION))
+        prior, scales = priors.prior(values, crs), priors.scales(values, method)
+        localizer.check(method, prior)
+        return localizer, Search(method, prior, scales, values.has(self.MATCHES))
 
     def label_reader(self, values: Values, table: ClassTable, feedback: QgsProcessingFeedback) -> LabelReader:
         """Return the reader of label images or, with a model, of photos."""
