@@ -24,7 +24,7 @@ from ..base.parameters import with_help
 from ..base.photo_labels import describe, log_pace, open_model, pace_results
 from ..base.photo_source import PhotoSource, SourceImage
 from ..base.scheduler import SCHEDULER, require_scheduler, scheduler, workers
-from ..base.segmented_files import SegmentedFiles, write_polygons
+from ..base.segmented_files import segmented_files, write_polygons
 from ..base.values import Values
 from ..compat import DOUBLE, SOURCE_POLYGON, wkt_for_gdal
 from ..packages.components import NEEDED, ONNXRUNTIME, SHAPELY, require
@@ -177,16 +177,17 @@ class SegmentImage(SemRefAlgorithm):
         frame = MapFrame(wkt_for_gdal(photo.crs), transform or (), image.shape_hw)
         feedback.setProgressText(tr("Segmenting"))
         begun, sure = time.perf_counter(), Sureness()
+        keys = self.OUTPUT, self.CONFIDENCE, self.PROBABILITIES
         with (
-            SegmentedFiles(outputs, frame, model, (self.OUTPUT, self.CONFIDENCE, self.PROBABILITIES), wanted) as files,
+            segmented_files(outputs, frame, model, keys, wanted) as (label_map, write),
             closing(self._segment(values, model, (photo, image), resolution_m, overlap, wanted, feedback)) as steps,
         ):
             # Close the steps first: their threads end before the files are removed.
-            files.write(_finished_rows(steps, sure, feedback))
+            write(_finished_rows(steps, sure, feedback))
         if values.has(SCHEDULER):
             return self._certainty_result(sure, feedback)
         pace = log_pace(model, time.perf_counter() - begun, feedback)
-        write_polygons(values, outputs, self.POLYGONS, files.label_map, photo.crs, classes.table, feedback)
+        write_polygons(values, outputs, self.POLYGONS, label_map, photo.crs, classes.table, feedback)
         return {**pace, **self._certainty_result(sure, feedback)}
 
     def _segment(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from contextlib import ExitStack
+from contextlib import ExitStack, contextmanager
 from typing import TYPE_CHECKING, Callable
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     from ...core.segmentation.certainty import Certainty
     from ...core.segmentation.model import SegmentationModel
     from ...core.segmentation.tiling import SegmentedRows
-    from ...storage.pictures import PercentRaster
 
 FIELDS = schema("class integer, class_name text, area real")
 
@@ -33,67 +32,50 @@ TOLERANCE_PX = 1.5
 """Tolerance that straightens pixel edges: those of a slanting line are at most 0.71 pixels off it."""
 
 
-class SegmentedFiles:
-    """The files of one run, open within a ``with``; ``label_map`` is the path of the label map while it is written.
+@contextmanager
+def segmented_files(
+    outputs: Outputs, frame: MapFrame, model: SegmentationModel, keys: tuple[str, str, str], wanted: Certainty
+) -> Iterator[tuple[str, Callable[[Iterable[SegmentedRows]], None]]]:
+    """Open the files of one run; yield the path of the label map while it is written, and a function that writes rows.
 
-    Rows are written when they are finished, so memory does not grow with the height of the image.
+    It writes rows when they are finished, from the first to the last, so memory does not grow with the height of the
+    image. It raises LabelMapError if the disk is full.
+
+    Args:
+        keys: Keys of the label map, the confidence and the probabilities.
+        wanted: Which of the latter two are written.
     """
+    from ...core.segmentation.class_bias import class_bias_text
+    from ...storage.label_map_file import LabelMapFile, whole_tile_rows
+    from ...storage.pictures import PercentRaster
+    from ..layers.class_styles import write_percent_style
 
-    def __init__(
-        self, outputs: Outputs, frame: MapFrame, model: SegmentationModel, keys: tuple[str, str, str], wanted: Certainty
-    ) -> None:
-        """Prepare to write.
+    classes = model.classes
+    with ExitStack() as files:
 
-        Args:
-            keys: Keys of the label map, the confidence and the probabilities.
-            wanted: Which of the latter two are written.
-        """
-        self._outputs, self._frame, self._model, self._keys, self._wanted = outputs, frame, model, keys, wanted
-        self._files = ExitStack()
-        self._writers: list[Callable[[int, np.ndarray], None]] = []
-        self.label_map = ""
+        def percents(key: str, names: list[str], shown: int) -> PercentRaster:
+            path = files.enter_context(outputs.raster(key, lambda path: write_percent_style(path, shown)))
+            return files.enter_context(PercentRaster(path, frame, names))
 
-    def __enter__(self) -> SegmentedFiles:
-        with ExitStack() as files:
-            self._open(files)
-            self._files = files.pop_all()
-        return self
-
-    def __exit__(self, *error: object) -> bool | None:
-        return self._files.__exit__(*error)  # type: ignore[arg-type]
-
-    def write(self, rows: Iterable[SegmentedRows]) -> None:
-        """Write all rows, from the first to the last. Raises LabelMapError if the disk is full."""
-        from ...storage.label_map_file import whole_tile_rows
-
-        for first, bands in whole_tile_rows(_stacked(rows)):
-            for write in self._writers:
-                write(first, bands)
-
-    def _open(self, files: ExitStack) -> None:
-        from ...core.segmentation.class_bias import class_bias_text
-        from ...storage.label_map_file import LabelMapFile
-
-        classes = self._model.classes
-        self.label_map = files.enter_context(self._outputs.label_map(self._keys[0], classes.table))
-        bias = class_bias_text(self._model.class_bias)
-        labels = files.enter_context(LabelMapFile(self.label_map, self._frame, classes.table, bias))
-        self._writers = [lambda first, bands: labels.write_rows(first, bands[0])]
-        if self._wanted.of_label:
-            confidence = self._percents(files, self._keys[1], [tr("Confidence")], 1)
-            self._writers.append(lambda first, bands: confidence.write_rows(first, bands[1:2]))
-        if self._wanted.of_each:
+        label_map = files.enter_context(outputs.label_map(keys[0], classes.table))
+        bias = class_bias_text(model.class_bias)
+        labels = files.enter_context(LabelMapFile(label_map, frame, classes.table, bias))
+        writers = [lambda first, bands: labels.write_rows(first, bands[0])]
+        if wanted.of_label:
+            confidence = percents(keys[1], [tr("Confidence")], 1)
+            writers.append(lambda first, bands: confidence.write_rows(first, bands[1:2]))
+        if wanted.of_each:
             # The style shows the first class that is not “unlabeled”.
             shown = next((n for n, value in enumerate(classes.values, start=1) if value != UNLABELED), 1)
-            each = self._percents(files, self._keys[2], list(classes.names), shown)
-            self._writers.append(lambda first, bands: each.write_rows(first, bands[-len(classes.names) :]))
+            shares = percents(keys[2], list(classes.names), shown)
+            writers.append(lambda first, bands: shares.write_rows(first, bands[-len(classes.names) :]))
 
-    def _percents(self, files: ExitStack, key: str, names: list[str], shown: int) -> PercentRaster:
-        from ...storage.pictures import PercentRaster
-        from ..layers.class_styles import write_percent_style
+        def write(rows: Iterable[SegmentedRows]) -> None:
+            for first, bands in whole_tile_rows(_stacked(rows)):
+                for write_bands in writers:
+                    write_bands(first, bands)
 
-        path = files.enter_context(self._outputs.raster(key, lambda path: write_percent_style(path, shown)))
-        return files.enter_context(PercentRaster(path, self._frame, names))
+        yield label_map, write
 
 
 def _stacked(rows: Iterable[SegmentedRows]) -> Iterator[tuple[int, np.ndarray]]:
