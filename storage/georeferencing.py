@@ -146,12 +146,9 @@ def _turn(
     target: str, placed: str | gdal.Dataset, source: gdal.Dataset, corners_xy: np.ndarray, **options: object
 ) -> None:
     """Warp the result of ``_place`` to a north-up raster. Raises UnwritableError."""
-    tilted = not is_parallelogram(np.asarray(corners_xy, np.float64))
-    _warp(target, placed, source.RasterCount == 1, tps=tilted, **options)
-
-
-def _warp(target: str, placed: object, is_labels: bool, **options: object) -> None:
-    made = gdal.Warp(target, placed, dstNodata=0 if is_labels else None, dstAlpha=not is_labels, **options)
+    tilted, is_labels = not is_parallelogram(np.asarray(corners_xy, np.float64)), source.RasterCount == 1
+    options |= {"dstNodata": 0} if is_labels else {"dstAlpha": True}
+    made = gdal.Warp(target, placed, tps=tilted, **options)
     if made is None:
         raise UnwritableError("{path} can't be written: {reason}.", path=target, reason=gdal_failure())
     made.FlushCache()
@@ -171,12 +168,8 @@ def geotransform(corners_xy: np.ndarray, source: gdal.Dataset) -> tuple:
 
 def _control_points(footprint: np.ndarray, source: gdal.Dataset) -> list:
     """Return a grid of control points of a tilted image. With four points, GDAL would fit an affine transform."""
-    width, height = source.RasterXSize, source.RasterYSize
     shares = (1 - np.cos(np.linspace(0, np.pi, GRID))) / 2
-    columns, rows = np.meshgrid(width * shares, height * shares)
-    pixels = np.column_stack([columns.ravel(), rows.ravel()])
-    ground = on_ground(pixels, footprint, (height, width))
-    return [gdal.GCP(x, y, 0.0, column, row) for (x, y), (column, row) in zip(ground.tolist(), pixels.tolist())]
+    return [gdal.GCP(p.x, p.y, 0.0, p.column, p.row) for p in _grid_points(source, footprint, shares)]
 
 
 def write_world_file(image: str, target: str, crs_wkt: str, corners_xy: np.ndarray) -> None:
@@ -235,11 +228,15 @@ class ControlPoint:
 
 def corner_points(image: str, corners_xy: np.ndarray) -> list[ControlPoint]:
     """Return nine points: the corners, the middles of the edges and the center. Raises ImageError."""
-    source = open_raster(image)
-    height, width = source.RasterYSize, source.RasterXSize
-    columns, rows = np.meshgrid((0.0, width / 2, width), (0.0, height / 2, height))
+    return _grid_points(open_raster(image), np.asarray(corners_xy, np.float64), np.array([0.0, 0.5, 1.0]))
+
+
+def _grid_points(source: gdal.Dataset, footprint: np.ndarray, shares: np.ndarray) -> list[ControlPoint]:
+    """Return the points at these shares of the width and of the height of an image, row by row."""
+    width, height = source.RasterXSize, source.RasterYSize
+    columns, rows = np.meshgrid(width * shares, height * shares)
     pixels = np.column_stack([columns.ravel(), rows.ravel()])
-    ground = on_ground(pixels, np.asarray(corners_xy, np.float64), (height, width))
+    ground = on_ground(pixels, footprint, (height, width))
     return [ControlPoint(*pixel, *place) for pixel, place in zip(pixels.tolist(), ground.tolist())]
 
 

@@ -16,7 +16,6 @@ from ..core.segmentation.certainty import NO_DATA
 from .gdal_errors import close, require_written
 from .rasters import open_raster
 
-JPEG_QUALITY = 85
 _ROWS_AT_ONCE = 256
 
 
@@ -28,11 +27,6 @@ def write_png(path: Path, bands: np.ndarray) -> None:
 def write_tiff(path: Path, bands: np.ndarray, kind: int) -> None:
     """Write (bands, H, W) as a GeoTIFF with interleaved bands; ``kind``: GDAL's data type."""
     _write(path, bands, kind, "GTiff", ["COMPRESS=DEFLATE", "INTERLEAVE=PIXEL", "PHOTOMETRIC=MINISBLACK"])
-
-
-def write_jpeg(path: Path, bands: np.ndarray) -> None:
-    """Write (1 or 3, H, W) uint8 as a gray or RGB JPEG."""
-    _write(path, bands, gdal.GDT_Byte, "JPEG", [f"QUALITY={JPEG_QUALITY}"])
 
 
 def copy_part(source: str, target: str, window: tuple[int, int, int, int]) -> None:

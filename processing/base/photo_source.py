@@ -51,7 +51,7 @@ class PhotoSource:
     """
 
     def __init__(self, values: Values, key: str, extent_key: str, area: DrawnArea | None = None) -> None:
-        from ..layers.layer_inputs import image_layer
+        from ..layers.layer_inputs import raster_layer
         from ..layers.rendering import drawable, needs_drawing
 
         layer = values.raster(key)
@@ -63,7 +63,7 @@ class PhotoSource:
                 raise ImageError("“{layer}” has no extent of its own. Set an extent.", layer=layer.name())
             self._layer = drawable(layer)
         else:
-            self._file = image_layer(layer)
+            self._file = raster_layer(layer)
 
     def open(self, resolution_m: float | None, feedback: QgsProcessingFeedback) -> SourceImage:
         """Open the photo; draw a layer that is not a file with pixels of that size.

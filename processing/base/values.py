@@ -218,15 +218,15 @@ class Values:
 
     def label_map(self, key: str) -> RasterLayer:
         """Return a label map's layer for worker threads. Raises ImageError."""
-        from ..layers.layer_inputs import label_map_layer
+        from ..layers.layer_inputs import raster_layer
 
-        return label_map_layer(self.raster(key))
+        return raster_layer(self.raster(key), is_label_map=True)
 
     def image(self, key: str) -> RasterLayer:
         """Return an image's layer for worker threads. Raises ImageError."""
-        from ..layers.layer_inputs import image_layer
+        from ..layers.layer_inputs import raster_layer
 
-        return image_layer(self.raster(key))
+        return raster_layer(self.raster(key))
 
     def vector(self, key: str) -> QgsVectorLayer | None:
         """Return a vector layer, also if only some of its features are selected; None if it cannot be read."""

@@ -37,19 +37,12 @@ class RasterLayer:
         return RasterFile(self.path, wkt_for_gdal(self.crs), is_metric(self.crs), self.styled_classes)
 
 
-def label_map_layer(layer: QgsRasterLayer | None) -> RasterLayer:
-    """Copy the data of a label map layer. Raises ImageError."""
-    return _raster_layer(layer, ImageError("The label map can't be read. Choose a raster file."))
-
-
-def image_layer(layer: QgsRasterLayer | None) -> RasterLayer:
-    """Copy the data of an image layer. Raises ImageError."""
-    return _raster_layer(layer, ImageError("The image can't be read. Choose a photo or an orthophoto."))
-
-
-def _raster_layer(layer: QgsRasterLayer | None, unreadable: ImageError) -> RasterLayer:
+def raster_layer(layer: QgsRasterLayer | None, is_label_map: bool = False) -> RasterLayer:
+    """Copy the data of the layer of an image or a label map. Raises ImageError."""
     if layer is None or not layer.isValid():
-        raise unreadable
+        if is_label_map:
+            raise ImageError("The label map can't be read. Choose a raster file.")
+        raise ImageError("The image can't be read. Choose a photo or an orthophoto.")
     if layer.providerType() != "gdal":
         raise ImageError(
             "“{layer}” is not a local raster file, but a layer of {provider}. Save it as GeoTIFF first.",

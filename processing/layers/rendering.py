@@ -116,21 +116,16 @@ def draw(
     name, settings = layer.name(), _settings([layer], crs, context)
     height, width = frame.shape_hw
     places = [(column, row) for row in range(0, height, TILE_PX) for column in range(0, width, TILE_PX)]
-    anything, problems = False, []
+    anything = False
     with ColorPicture(path, frame) as picture, watched_downloads(layer) as downloads:
         for n, (column, row) in enumerate(places, start=1):
             shape_hw = min(TILE_PX, height - row), min(TILE_PX, width - column)
             settings.setOutputSize(QSize(*reversed(shape_hw)))
             settings.setExtent(QgsRectangle(*frame.part(column, row, shape_hw).extent))
-            image, errors = _draw_piece(settings, canceled, downloads, name)
-            pixels_hw4 = _pixels(image, shape_hw)
-            _require_plain_answers(name, downloads)
+            pixels_hw4 = _pixels(_draw_piece(settings, canceled, downloads, name), shape_hw)
             anything = anything or bool(pixels_hw4[:, :, 3].any())
-            problems += errors
             picture.write(column, row, pixels_hw4)
             yield "Drawing the layer", n / len(places)
-    if problems:
-        raise ImageError("“{layer}” can’t be drawn: {reason}.", layer=name, reason=problems[0])
     if not anything:
         raise ImageError(
             "“{layer}” shows nothing in the extent. Choose another extent, or check whether its server answers.",
@@ -186,10 +181,7 @@ def map_picture(
     settings.setOutputSize(QSize(width_px, round(width_px * extent.height() / extent.width())))
     settings.setExtent(extent)
     with watched_downloads(*layers) as downloads:
-        image, problems = _draw_piece(settings, canceled, downloads, layers[-1].name())
-        _require_plain_answers(layers[-1].name(), downloads)
-    if problems:
-        raise ImageError("“{layer}” can’t be drawn: {reason}.", layer=layers[-1].name(), reason=problems[0])
+        image = _draw_piece(settings, canceled, downloads, layers[-1].name())
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
     image.save(buffer, "JPG", 85)
@@ -212,10 +204,8 @@ def _settings(
     return settings
 
 
-def _draw_piece(
-    settings: QgsMapSettings, canceled: Callable[[], bool], downloads: Downloads, layer: str
-) -> tuple[QImage, list[str]]:
-    """Draw one tile; return the picture and the messages of errors."""
+def _draw_piece(settings: QgsMapSettings, canceled: Callable[[], bool], downloads: Downloads, layer: str) -> QImage:
+    """Draw one tile. Raises ImageError: the layer can't be drawn."""
     job = QgsMapRendererSequentialJob(settings)
     loop, timer = QEventLoop(), QTimer()
     job.finished.connect(loop.quit)
@@ -238,7 +228,10 @@ def _draw_piece(
             layer=layer,
             most_s=int(limits.DRAWING_S),
         )
-    return job.renderedImage(), [error.message for error in job.errors()]
+    _require_plain_answers(layer, downloads)
+    if job.errors() and not canceled():
+        raise ImageError("“{layer}” can’t be drawn: {reason}.", layer=layer, reason=job.errors()[0].message)
+    return job.renderedImage()
 
 
 def _pixels(image: QImage, shape_hw: tuple[int, int]) -> np.ndarray:

@@ -23,7 +23,7 @@ from ...storage.rasterize import AreaMask
 from ...storage.training_ground import frame_of, is_placed, prepare_image
 from ..compat import is_metric, wkt_for_gdal
 from .areas import DrawnArea, area_mask
-from .layer_inputs import RasterLayer, image_layer
+from .layer_inputs import RasterLayer, raster_layer
 from .reference_systems import describe_crs, metric_crs, transformed_box
 
 Placed = tuple[QgsRectangle, QgsCoordinateReferenceSystem]
@@ -79,7 +79,7 @@ def named_layer(layer: QgsRasterLayer) -> RasterLayer:
 def open_drawing(path: str) -> tuple[RasterLayer, QgsRectangle]:
     """Return a drawn file and its extent, in the thread that drew it."""
     layer = QgsRasterLayer(path)
-    return image_layer(layer), layer.extent()
+    return raster_layer(layer), layer.extent()
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,7 @@
 import contextlib
 import sqlite3
 
+import cv2
 import numpy as np
 import pytest
 from dock_area import add_raster_layer, dropped, from_the_layer_tree, messages, wait_until
@@ -10,7 +11,7 @@ from qgis.PyQt.QtGui import QDesktopServices
 from qgis.PyQt.QtWidgets import QDialog, QPushButton
 
 from semref.processing.inspection.models import PHOTO_MODEL
-from semref.storage.pictures import write_jpeg, write_png
+from semref.storage.pictures import write_png
 
 COLORS = np.random.default_rng(3).integers(0, 255, (3, 40, 40), np.uint8)
 
@@ -79,7 +80,7 @@ def photo_folder(tmp_path):
     folder = tmp_path / "photos"
     folder.mkdir()
     for number in range(3):
-        write_jpeg(folder / f"{number}.jpg", COLORS)
+        cv2.imwrite(str(folder / f"{number}.jpg"), COLORS.transpose(1, 2, 0))
     (folder / "notes.txt").write_text("of the flight", encoding="utf-8")
     return folder
 

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from datetime import datetime, timedelta, timezone
 from pathlib import Path
 
+import cv2
 import numpy as np
 from osgeo import gdal, ogr, osr
 
@@ -13,7 +14,6 @@ from semref.core.annotation.polygons import to_wkb
 from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_table import ClassTable
 from semref.storage.gdal_errors import close, require_written
-from semref.storage.pictures import JPEG_QUALITY, write_jpeg
 from semref.storage.rasterize import BurnLayer, BurnPolygon
 from semref.storage.text_tables import CLASSES_FILE
 
@@ -27,6 +27,7 @@ FLIGHT_FOLDER, FLIGHT_FILE = "flight", "flight.csv"
 FLIGHT_START, SECONDS_BETWEEN = datetime(2025, 5, 9, 10, tzinfo=timezone.utc), 12
 """When the first photo of the flight was taken, and how long after it the next one: at some 15 m/s."""
 
+JPEG_QUALITY = 85
 MARKER = "sample.json"
 """Distinguishes a folder of ours from somebody's data."""
 
@@ -47,7 +48,7 @@ def write_sample(folder: Path, landscape: Landscape) -> None:
         (folder / name).mkdir()
         for view in taken:
             shown_hw3 = photo.shoot(photo_hw3, view, landscape.seed)
-            write_jpeg(folder / name / view.name, np.moveaxis(shown_hw3, 2, 0))
+            cv2.imwrite(str(folder / name / view.name), shown_hw3[..., ::-1], [cv2.IMWRITE_JPEG_QUALITY, JPEG_QUALITY])
     write_truth(landscape, views, folder / PHOTOS_TRUTH_FILE)
     write_truth(landscape, flight, folder / FLIGHT_FILE, timed=True)
     about = {"made_by": "semref", "seed": landscape.seed, "pixel_size": 1.0, "photos": len(views)}
