@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from qgis.core import QgsApplication, QgsProcessingProvider, QgsProcessingRegistry
-from qgis.PyQt.QtGui import QIcon
 
 from .algorithms.add_model import AddModel
 from .algorithms.assess_database import AssessDatabase
@@ -27,7 +26,7 @@ from .algorithms.segment_image import SegmentImage
 from .algorithms.set_up_area import SetUpArea
 from .algorithms.train_model import TrainModel
 from .algorithms.update_database import UpdateDatabase
-from .base.algorithm import ICON_PATH
+from .base.algorithm import WithIcon
 from .base.destinations import RASTER_SUFFIXES
 from .base.shipped_models import shipped_models
 
@@ -57,7 +56,7 @@ ALGORITHMS = (
 )
 
 
-class SemRefProvider(QgsProcessingProvider):
+class SemRefProvider(WithIcon, QgsProcessingProvider):
     """Id ``semref``; the ids and keys of its algorithms are public."""
 
     def id(self) -> str:
@@ -65,12 +64,6 @@ class SemRefProvider(QgsProcessingProvider):
 
     def name(self) -> str:
         return "SemRef"
-
-    def icon(self) -> QIcon:
-        return QIcon(str(ICON_PATH))
-
-    def svgIconPath(self) -> str:
-        return str(ICON_PATH)
 
     def loadAlgorithms(self) -> None:
         for algorithm in ALGORITHMS:

@@ -64,7 +64,17 @@ class Canceled(Exception):
         return tr("Canceled. Nothing was written.")
 
 
-class SemRefAlgorithm(QgsProcessingAlgorithm):
+class WithIcon:
+    """What has the icon of SemRef in the toolbox."""
+
+    def icon(self) -> QIcon:
+        return QIcon(str(ICON_PATH))
+
+    def svgIconPath(self) -> str:
+        return str(ICON_PATH)
+
+
+class SemRefAlgorithm(WithIcon, QgsProcessingAlgorithm):
     """Base of the algorithms. A subclass defines ID, TITLE, GROUP, TAGS, SUMMARY, parameters and work.
 
     It translates its title and summary, and the titles and helps of its parameters and outputs.
@@ -138,12 +148,6 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
 
     def tags(self) -> list[str]:
         return [*self.TAGS, "semref"]
-
-    def icon(self) -> QIcon:
-        return QIcon(str(ICON_PATH))
-
-    def svgIconPath(self) -> str:
-        return str(ICON_PATH)
 
     def shortDescription(self) -> str:
         return tr(self.SUMMARY).split("\n\n")[0]

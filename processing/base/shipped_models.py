@@ -13,11 +13,10 @@ from qgis.core import (
     QgsProcessingModelAlgorithm,
     QgsProcessingParameterDefinition,
 )
-from qgis.PyQt.QtGui import QIcon
 
 from ..translation import tr
 from ..version import algorithm_help_url
-from .algorithm import ANNOTATION, ICON_PATH, REFERENCE_DATABASE, group_title, prints_help
+from .algorithm import ANNOTATION, REFERENCE_DATABASE, WithIcon, group_title, prints_help
 
 SHIPPED = Path(__file__).resolve().parents[2] / "models"
 
@@ -37,7 +36,7 @@ def _titles() -> dict[str, str]:
     }
 
 
-class ShippedModel(QgsProcessingModelAlgorithm):
+class ShippedModel(WithIcon, QgsProcessingModelAlgorithm):
     """A model of the folder ``models``, read by ``load``."""
 
     def __init__(self) -> None:
@@ -122,12 +121,6 @@ class ShippedModel(QgsProcessingModelAlgorithm):
 
     def helpUrl(self) -> str:
         return algorithm_help_url(self.name())
-
-    def icon(self) -> QIcon:
-        return QIcon(str(ICON_PATH))
-
-    def svgIconPath(self) -> str:
-        return str(ICON_PATH)
 
 
 def shipped_models() -> list[ShippedModel]:
