@@ -181,7 +181,8 @@ class AssessRoute(AssessAlgorithm):
         database, crs = self.read_all(values, feedback)
         footprint = values.optional_number(self.FOOTPRINT, database.parameters.window_size)
         spacing = values.optional_number(self.SPACING, footprint / 4)
-        points = route_points(lines_in(self._route, crs, values.transform_context), spacing)
+        lines = lines_in(self._route, crs, values.transform_context)
+        points = route_points(lines, spacing)
         inside = _inside(database.parameters.extent, points.places)
         if not inside.any():
             raise ParameterError("The route is outside the map of the database. Select another route or database.")
@@ -201,7 +202,6 @@ class AssessRoute(AssessAlgorithm):
         hints = self._hints(assessment, points, estimates, stretches, largest, count, feedback, part)
         speed = values.optional_number(self.SPEED) or None
         route = AssessedRoute(points, estimates, inside, stretches, hints, footprint, spacing, threshold, speed)
-        lines = lines_in(self._route, crs, values.transform_context)
         flown = route_flights.simulate(
             values, database, assessment.localizer, lines, self.conditions(values), footprint, feedback
         )

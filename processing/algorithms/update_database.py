@@ -6,7 +6,6 @@ from math import ceil, floor
 from typing import TYPE_CHECKING
 
 from qgis.core import (
-    QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
     QgsProcessingFeedback,
     QgsProcessingParameterFeatureSource,
@@ -103,11 +102,10 @@ class UpdateDatabase(SemRefAlgorithm):
         self._log_result(stored.database, changes, feedback)
 
     def _check_crs(self, database: ReferenceDatabase) -> None:
-        from ..layers.reference_systems import describe_crs
+        from ..layers.reference_systems import database_crs, describe_crs
 
-        stored = database.parameters.crs
-        crs = QgsCoordinateReferenceSystem.fromWkt(stored)
-        if wkt_for_gdal(self._layer.crs) != stored and self._layer.crs != crs:
+        crs = database_crs(database)
+        if wkt_for_gdal(self._layer.crs) != database.parameters.crs and self._layer.crs != crs:
             raise LabelMapError(
                 "The CRS of the label map ({crs}) differs from the CRS of the database ({database_crs}). Rasterize "
                 "the layer in the CRS of the database, or build a new database.",

@@ -159,7 +159,7 @@ def require_outputs_apart(
                 output=definition.description(),
                 path=wanted.path,
             )
-        _require_possible(definition, wanted, _is_layer(definition))
+        _require_possible(definition, wanted)
         for read in inputs:
             allowed = may_replace.get(definition.name()) == read.key or _adds_a_layer(wanted, read)
             if not allowed and _same(wanted.path, read.path):
@@ -231,10 +231,10 @@ def _is_layer(definition: QgsProcessingParameterDefinition) -> bool:
     return definition.type() in ("sink", "vectorDestination")
 
 
-def _require_possible(definition: QgsProcessingParameterDefinition, wanted: Destination, is_layer: bool) -> None:
+def _require_possible(definition: QgsProcessingParameterDefinition, wanted: Destination) -> None:
     """Refuse a path that QGIS would refuse when the layer is written, after all the work."""
     path = os.path.abspath(wanted.path)
-    is_database = path.lower().endswith(".gpkg")
+    is_layer, is_database = _is_layer(definition), path.lower().endswith(".gpkg")
     found, escape = "", _ESCAPE.search(path) if is_database else None
     if escape:
         found = escape.group()

@@ -57,9 +57,8 @@ def require_scheduler(values: Values, others: Sequence[str] = ()) -> None:
     if given:
         titles = ", ".join(f"“{values.title(key)}”" for key in given)
         raise ParameterError("“Scheduler” cannot be used together with {keys}. Leave one of them empty.", keys=titles)
-    _workers(values.text(SCHEDULER))
-    is_local = _LOCAL.fullmatch(values.text(SCHEDULER).strip())
-    require([DASK, CRYPTOGRAPHY] if is_local else [DASK])
+    wanted = _workers(values.text(SCHEDULER))
+    require([DASK, CRYPTOGRAPHY] if wanted["local"] else [DASK])
 
 
 class Workers:

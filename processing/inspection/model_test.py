@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 EDGE_PX = 512
 """Largest edge of the test picture, at the resolution of the network: one tile."""
 
-NO_CLASS = "#bdbdbd"
+NO_CLASS, NO_CLASS_GRAY = "#bdbdbd", 0xBD
 
 
 @dataclass(frozen=True)
@@ -61,14 +61,10 @@ def labels_of_picture(model_path: str, image_path: str) -> ModelTest:
     found = labels.found()
     pixels, _ = part.read(0, 0, width, height)
     counts = np.bincount(found.ravel(), minlength=256)
-    palette = np.full((256, 3), _rgb(NO_CLASS), np.uint8)
+    palette = np.full((256, 3), NO_CLASS_GRAY, np.uint8)
     for one in model.classes.table:
-        palette[one.value] = _rgb(one.color)
+        palette[one.value] = one.rgb
     shown = [(one.name, one.color, one.value) for one in model.classes.table]
     shown += [("", NO_CLASS, 0)] if counts[0] else []
     classes = tuple((name, color, float(counts[value] / found.size)) for name, color, value in shown)
     return ModelTest(pixels, palette[found], classes)
-
-
-def _rgb(color: str) -> tuple[int, ...]:
-    return tuple(bytes.fromhex(color[1:]))

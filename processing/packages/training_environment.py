@@ -5,11 +5,11 @@ torch is never installed into QGIS's Python: it is large, and needs a numpy of i
 
 from __future__ import annotations
 
-import contextlib
 import os
 import shutil
 import sys
-from collections.abc import Generator, Iterator
+from collections.abc import Generator
+from contextlib import ExitStack
 from pathlib import Path
 
 from qgis.core import QgsApplication, QgsSettings
@@ -83,7 +83,9 @@ def making_environment(wheels: str = "", without_graphics_card: bool = False) ->
     """
     folder = environment_folder()
     remove_environment()
-    with _whole(folder):
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    with ExitStack() as incomplete:
+        incomplete.callback(shutil.rmtree, folder, ignore_errors=True)
         base = yield from _base_python()
         title = tr("Making the training environment…")
         made = yield Command(title, base, ["-m", "venv", str(folder)], str(folder.parent), _APART)
@@ -100,6 +102,7 @@ def making_environment(wheels: str = "", without_graphics_card: bool = False) ->
                 reason=last_line(answer.output),
             )
         (folder / _MARK).write_text(answer.output, encoding="utf-8")
+        incomplete.pop_all()
 
 
 _APART = {"PYTHONHOME": "", "PYTHONPATH": "", "PYTHONDONTWRITEBYTECODE": "1"}
@@ -107,19 +110,6 @@ _APART = {"PYTHONHOME": "", "PYTHONPATH": "", "PYTHONDONTWRITEBYTECODE": "1"}
 
 _PROCESSOR_BUILDS = "https://download.pytorch.org/whl/cpu"
 """Index of torch's builds for processors only; the public index has builds for NVIDIA cards on Linux."""
-
-
-@contextlib.contextmanager
-def _whole(folder: Path) -> Iterator[None]:
-    """Remove the folder unless the block is completed."""
-    folder.parent.mkdir(parents=True, exist_ok=True)
-    done = False
-    try:
-        yield
-        done = True
-    finally:
-        if not done:
-            shutil.rmtree(folder, ignore_errors=True)
 
 
 def _base_python() -> Generator[Command, Answer, str]:

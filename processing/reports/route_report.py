@@ -155,36 +155,24 @@ def _next(route: AssessedRoute) -> list[str]:
 def _gap_table(route: AssessedRoute) -> list[str]:
     if not route.stretches:
         return [page.paragraph(tr("There are no such stretches. A position is expected everywhere."))]
-    header = [
-        tr("Route"),
-        tr("From (m)"),
-        tr("To (m)"),
-        tr("Length (m)"),
-        *([tr("Time (s)")] if route.speed else []),
-        tr("Landmarks in view"),
-        tr("Reason"),
-        tr("Suggestion"),
+    hints = {id(gap): hint for gap, hint in zip(route.stretches, route.hints)}
+    columns = [
+        (tr("Route"), lambda gap: str(gap.line + 1)),
+        (tr("From (m)"), lambda gap: shown(gap.start, ",.0f")),
+        (tr("To (m)"), lambda gap: shown(gap.end, ",.0f")),
+        (tr("Length (m)"), lambda gap: shown(gap.length, ",.0f")),
+        *([(tr("Time (s)"), lambda gap: shown(gap.length / route.speed, ",.0f"))] if route.speed else []),
+        (tr("Landmarks in view"), lambda gap: f"{route.estimates.landmarks[gap.points].mean():.0f}"),
+        (tr("Reason"), lambda gap: _reason(route, gap)),
+        (tr("Suggestion"), lambda gap: _hint(hints[id(gap)])),
     ]
-    rows = []
-    for gap, hint in sorted(zip(route.stretches, route.hints), key=lambda pair: -pair[0].length):
-        rows.append(
-            [
-                str(gap.line + 1),
-                shown(gap.start, ",.0f"),
-                shown(gap.end, ",.0f"),
-                shown(gap.length, ",.0f"),
-                *([shown(gap.length / route.speed, ",.0f")] if route.speed else []),
-                f"{route.estimates.landmarks[gap.points].mean():.0f}",
-                _reason(route, gap),
-                _hint(hint),
-            ]
-        )
+    longest_first = sorted(route.stretches, key=lambda gap: -gap.length)
     numbers = range(1, 6 if route.speed else 5)
     note = tr(
         "The longest stretch is first. A stretch is between two points with sufficient success. Suggestions show the "
         "mean expected success of a parallel line, to the left or right of the flight direction."
     )
-    return [page.table(header, rows, numbers), page.paragraph(note)]
+    return [page.records(longest_first, columns, numbers), page.paragraph(note)]
 
 
 def _reason(route: AssessedRoute, gap: RouteGap) -> str:
@@ -210,15 +198,19 @@ def _hint(hint: ShiftHint | None) -> str:
 
 def _round_up(value: float) -> float:
     """Return the next of 4, 8, 20, 40, 80, 200, …, so that four even ticks are whole numbers."""
-    decade = 10 ** math.floor(math.log10(max(value, 4) / 4))
-    return next(step * 4 * decade for step in (1, 2, 5, 10) if value <= step * 4 * decade)
+    return 4 * _round_step(max(value, 4) / 4)
 
 
 def _ticks(length: float) -> list[float]:
     """Return about six round distances."""
-    decade = 10 ** math.floor(math.log10(length / 6))
-    step = next(step * decade for step in (1, 2, 5, 10) if length / 6 <= step * decade)
+    step = _round_step(length / 6)
     return [n * step for n in range(int(length / step + 1e-9) + 1)]
+
+
+def _round_step(least: float) -> float:
+    """Return the smallest of …, 0.5, 1, 2, 5, 10, 20, … that is at least ``least``."""
+    decade = 10 ** math.floor(math.log10(least))
+    return next(step * decade for step in (1, 2, 5, 10) if least <= step * decade)
 
 
 def flown_parts(flown: FlownRoute | None, threshold: float, footprint: float) -> list[str]:
