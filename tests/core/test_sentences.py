@@ -72,7 +72,7 @@ def test_a_missing_value_is_an_error_rather_than_a_gap():
 @pytest.mark.parametrize(
     ("value", "said"),
     [
-        ("a\nb\0c\x1b[2J", "a\\nb\\x00c\\x1b[2J"),
+        ("a\n\r\x85b\0c\x1b[2J", "a\\n\\r\\x85b\\x00c\\x1b[2J"),
         ("left\u202eto right\u2028", "left\\u202eto right\\u2028"),
         ("lone \udcff", "lone \\udcff"),
         ("thin\u2009space, é, 日本", "thin\u2009space, é, 日本"),

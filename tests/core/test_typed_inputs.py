@@ -11,7 +11,6 @@ from semref.core.database.parameters import BuildParameters, build_parameters
 from semref.core.errors import ClassTableError, DatabaseError, ModelError, SemRefError
 from semref.core.labels.class_table import ClassTable, LandCoverClass, class_table_from_csv
 from semref.core.segmentation.metadata import read_classes, read_settings
-from semref.core.sentences import Sentence, english
 from semref.core.values import read_json
 
 hypothesis = pytest.importorskip("hypothesis")
@@ -97,11 +96,3 @@ def test_any_metadata_of_a_network_are_settings_and_classes_or_one_sentence(text
         require_one_sentence(error)
     else:
         assert min(settings.std) > 0 and len(classes.values) == channels
-
-
-@seeded
-@hypothesis.given(strategies.text() | strategies.integers() | strategies.lists(strategies.text()))
-def test_any_value_in_a_sentence_stays_in_one_line(value):
-    text = english(Sentence("{path} is damaged or cut short; copy it again.", path=value))
-    assert text.endswith(" is damaged or cut short; copy it again.") and text.encode("utf-8")
-    assert not set(text) & set("\n\r\0\x1b\u2028\x85\u202e")

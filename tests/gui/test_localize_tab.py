@@ -34,7 +34,7 @@ from qgis.PyQt.QtWidgets import QFileDialog
 from semref.core.localization import Status
 from semref.processing.layers.localized_image import ERROR
 from semref.ui.canvas.marks import AMBER, RED, RIM
-from semref.ui.findings import Finding, error_text, status_text
+from semref.ui.findings import status_text
 from semref.ui.running import localization_run
 from semref.ui.widgets.tables import sign_icon
 
@@ -158,12 +158,6 @@ def test_a_likely_position_is_amber_and_counted_apart(dock, iface, area, tab, mo
     assert colors() == {AMBER.name()} and shown_center(iface).x() == pytest.approx(finding.x, abs=1e-3)
     results.setCurrentRow(1)
     assert colors() == {RED.name()}
-
-
-@pytest.mark.parametrize(("confidence", "words"), [(1 - 1 / 8, "1 in 8"), (0.8, "1 in 5"), (0.985, "1 in 67")])
-def test_the_error_probability_of_a_likely_position_is_shown(qgis_app, confidence, words):
-    empty = dict.fromkeys(Finding.__dataclass_fields__)
-    assert error_text(Finding(**{**empty, "status": "likely", "confidence": confidence})) == words
 
 
 def test_the_heading_arrow_points_where_the_top_of_the_image_is(dock, iface, area):

@@ -60,8 +60,6 @@ def test_what_a_file_or_a_preset_states_need_not_be_given(add, bare, tmp_path):
 
 
 def test_missing_statements_and_files_that_are_no_network_are_one_sentence(add, bare, tmp_path):
-    with pytest.raises(QgsProcessingException, match="Enter the license of the network"):
-        add(bare, **{**GIVEN, "LICENSE": ""})
     with pytest.raises(QgsProcessingException, match="Enter the resolution"):
         add(bare, CLASSES="a;b;c", LICENSE="CC0")
     with pytest.raises(QgsProcessingException, match="not a list of numbers"):

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from made_inputs import polygon, read_rows, square, write_layer
 from osgeo import gdal, ogr
-from qgis.core import QgsProcessingException, QgsProcessingFeatureSourceDefinition, QgsProject, QgsVectorLayer
+from qgis.core import QgsProcessingException, QgsVectorLayer
 
 from semref.core.annotation.check import check_features
 from semref.core.annotation.polygons import AnnotatedFeature
@@ -59,15 +59,6 @@ def test_polygons_outside_the_area_of_the_crs_are_reported(issues, tmp_path):
     far = "POLYGON ((9.5 47.1, 9.6 47.1, 9.6 47.2, 9.5 47.1))"
     rows = issues(write_layer(tmp_path / "a.gpkg", [(square(0, 0, 9), "field"), (far, "field")]))
     assert [(row["kind"], row["feature_id"]) for row in rows if row["kind"] == "outside_crs"] == [("outside_crs", 2)]
-
-
-def test_only_selected_features_are_checked(issues, tmp_path):
-    path = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 9), "a"), (square(5, 0, 9), "b"), (square(40, 0, 9), "c")])
-    layer = QgsVectorLayer(str(path))
-    layer.selectByIds([1, 3])
-    QgsProject.instance().addMapLayer(layer)
-    assert issues(QgsProcessingFeatureSourceDefinition(layer.id(), selectedFeaturesOnly=True)) == []
-    QgsProject.instance().clear()
 
 
 def test_a_layer_in_degrees_is_checked_in_meters(issues, tmp_path, feedback):

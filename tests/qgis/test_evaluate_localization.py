@@ -67,15 +67,6 @@ def test_ranges_come_back_in_the_points(evaluate):
         assert 10 <= row["missed"] <= 15 and 0.2 <= row["offset"] <= 0.3 and row["invented"] == 20
 
 
-@pytest.mark.slow
-def test_a_map_with_other_pixels_will_do(evaluate, tmp_path):
-    fine = np.kron(LABELS, np.ones((2, 2), np.uint8))
-    path = write_raster(tmp_path / "fine.tif", fine, names=NAMES, transform=(WEST, 0.5, 0.0, NORTH, 0.0, -0.5))
-    found, results = evaluate(LABELS=str(path), **CLEAN, MIRRORED=0, TRIALS=6)
-    assert results["SUCCESS_RATE"] > 0.7
-    assert all(row["scale_error"] < 0.02 for row in found if row["method"] == "automatic" and row["right"])
-
-
 @pytest.fixture(scope="module")
 def reported(run_algorithm, inputs, tmp_path_factory):
     folder = tmp_path_factory.mktemp("report")

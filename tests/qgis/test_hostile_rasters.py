@@ -54,11 +54,11 @@ def refuse(path, readers, words=None) -> None:
 
 
 @pytest.mark.parametrize("suffix", [".png", ".tif", ".jpg", ".dat", ""])
-@pytest.mark.parametrize("content", ["wms", "curl", "local"])
+@pytest.mark.parametrize("content", ["wms", "curl", "local", "ers"])
 def test_a_description_under_the_name_of_a_picture_is_refused(qgis_app, host, tmp_path, suffix, content):
     write_raster(tmp_path / "secret.tif", LABELS)
     texts = {"wms": WMS.format(url=host.url), "local": VRT.format(name=tmp_path / "secret.tif")}
-    texts["curl"] = VRT.format(name=f"/vsicurl/{host.url}/a.tif")
+    texts |= {"curl": VRT.format(name=f"/vsicurl/{host.url}/a.tif"), "ers": ERS.format(name=host.name())}
     path = write_text(tmp_path / f"picture{suffix}", texts[content])
     refuse(path, doors())
     assert host.asked == []
@@ -157,11 +157,6 @@ def test_a_pipe_beside_a_raster_does_not_block_it(qgis_app, tmp_path, suffix):
     path = write_raster(tmp_path / "labels.tif", LABELS)
     os.mkfifo(f"{path}{suffix}")
     refuse(path, doors_to_all())
-
-
-def test_a_header_of_another_raster_under_the_name_of_a_picture_is_refused(qgis_app, host, tmp_path):
-    refuse(write_text(tmp_path / "picture.dat", ERS.format(name=host.name())), doors())
-    assert host.asked == []
 
 
 @pytest.mark.parametrize("is_external", [True, False])

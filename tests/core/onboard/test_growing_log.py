@@ -149,16 +149,6 @@ def test_a_line_has_time_level_event_and_details(lines):
     assert line == {"level": "warning", "event": "image failed", "path": "a.png", "tries": 2}
 
 
-def test_the_traceback_of_an_error_is_optional(lines):
-    written = lines("info")
-    try:
-        raise ValueError("no such thing")
-    except ValueError:
-        log_event(logging.ERROR, "bug", traceback=True)
-    (line,) = written()
-    assert line["traceback"].endswith("ValueError: no such thing")
-
-
 def test_a_name_that_is_no_utf8_comes_back_as_the_system_has_it():
     text = json_line({"path": "a\udcff.png", "class": "forêt"})
     assert text.encode("utf-8") and "forêt" in text

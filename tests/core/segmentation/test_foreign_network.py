@@ -117,12 +117,6 @@ def test_a_single_output_without_an_axis_for_classes_gets_a_sigmoid_too(tmp_path
     assert ((named_labels(model) == "building") == (STANDARD[0] > 0)).all()
 
 
-def test_numbers_of_0_to_255_are_standardized_as_pixels(tmp_path):
-    facts = replace(FACTS, mean=(0.0, 0.0, 0.0), std=(1 / 255,) * 3)
-    model = copied(bare(tmp_path / "bare.onnx"), facts, tmp_path)
-    np.testing.assert_allclose(model.scores([IMAGE])[0][0], IMAGE[:, :, 0], atol=0.01)
-
-
 def test_old_metadata_of_the_classes_do_not_stay(tmp_path):
     more = {"class_colors": '{"0": "#000000"}', "temperature": "2", "tile_size": "64", "secret": "x"}
     source = str(write_model(tmp_path / "named.onnx", metadata=more, size=(SIZE, SIZE)))

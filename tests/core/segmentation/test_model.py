@@ -117,8 +117,6 @@ def test_a_file_that_is_not_there_is_refused(tmp_path):
         ),
         (brightest_color().add("Flatten"), {"output_shape": (1, "n")}, "outputs the shape 1 × 12288"),
         (brightest_color(), {"metadata": metadata(class_names=["a", "b"])}, "outputs 3 classes"),
-        (brightest_color(), {"metadata": metadata(class_names=None)}, "does not name its classes"),
-        (brightest_color(), {"metadata": metadata(model_type="Detector")}, "model of type Detector"),
         (brightest_color(external="weights.bin"), {}, "are in another file, which is missing"),
         (None, {"ir_version": 99}, "can't be run by onnxruntime .*99"),
         (None, {"opset": 99}, "can't be run by onnxruntime .*99"),

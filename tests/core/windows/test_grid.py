@@ -6,7 +6,7 @@ import pytest
 from semref.core.errors import WindowError
 from semref.core.windows import distinctiveness as module
 from semref.core.windows.distinctiveness import nearest_distances
-from semref.core.windows.grid import WindowGrid, centered_square, window_name
+from semref.core.windows.grid import WindowGrid, centered_square
 
 
 @pytest.mark.parametrize(
@@ -38,10 +38,6 @@ def test_only_windows_completely_on_the_map_count(width, height, size, stride, c
 def test_a_stride_larger_than_the_window_and_a_window_larger_than_the_map_are_refused(width, height, stride, sentence):
     with pytest.raises(WindowError, match=f"^{re.escape(sentence)}"):
         WindowGrid(width, height, 30, stride)
-
-
-def test_windows_are_named_after_their_first_pixel_column_first():
-    assert window_name(5950, 2100) == "5950_2100"
 
 
 @pytest.mark.parametrize(
