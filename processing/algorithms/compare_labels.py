@@ -104,7 +104,6 @@ class CompareLabels(SemRefAlgorithm):
                     createByDefault=False,
                 ),
                 "Copy of the model with the class offset, in meters, in its metadata.",
-                advanced=True,
             ),
             QgsProcessingOutputNumber(self.MEAN_IOU, "Mean IoU"),
             QgsProcessingOutputNumber(self.OVERALL_ACCURACY, "Overall accuracy"),

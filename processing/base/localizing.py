@@ -147,14 +147,12 @@ class LocalizeAlgorithm(SemRefAlgorithm):
                 ),
                 "One point for each landmark of the map that matches a landmark of an image: its position in the "
                 "image, its position by the computed position of the image, and the residual.",
-                advanced=True,
             ),
             with_help(
                 QgsProcessingParameterFolderDestination(
                     self.LABELS, "Folder for label images", optional=True, createByDefault=False
                 ),
                 "A new or empty folder. The labels of each image are saved as a GeoTIFF with the class table.",
-                advanced=True,
             ),
         )
 
