@@ -25,7 +25,7 @@ from qgis.core import (
     QgsProcessingParameterDefinition,
     QgsProcessingParameterFileDestination,
 )
-from qgis.PyQt.QtCore import QTimer
+from qgis.PyQt.QtCore import QCoreApplication, QTimer
 from qgis.PyQt.QtGui import QIcon
 
 from ...core.errors import ParameterError, SemRefError
@@ -35,7 +35,7 @@ from ..messages.sentences import worded
 from ..packages.components import NEEDED, Package, require
 from ..translation import tr
 from ..version import algorithm_help_url, plugin_version
-from .destinations import require_outputs_apart, require_rows_apart
+from .destinations import is_batch, require_outputs_apart, require_rows_apart
 from .outputs import Outputs
 from .values import Values
 
@@ -326,11 +326,14 @@ def cancelable(function: Callable[..., Result], *arguments: Any, feedback: QgsPr
     """Run a function in its own thread and return its result; a cancel takes effect at once."""
     pool = ThreadPoolExecutor(1)
     try:
-        running = pool.submit(function, *arguments)
-        while not wait([running], timeout=CANCEL_EVERY_S).done:
+        running, is_running = pool.submit(function, *arguments), True
+        while is_running:
+            is_running = bool(wait([running], timeout=CANCEL_EVERY_S).not_done)
+            if is_batch(feedback):
+                # Otherwise the window would not react to “Cancel”, and show messages of the function after later ones.
+                QCoreApplication.processEvents()
+            # A function that checks for the cancel itself ends early.
             check_canceled(feedback)
-        # A function that checks for the cancel itself ends early.
-        check_canceled(feedback)
         return running.result()
     finally:
         pool.shutdown(wait=False)

@@ -198,7 +198,7 @@ def require_rows_apart(
     Raises:
         ParameterError: With title and path.
     """
-    if not feedback.metaObject().className().endswith("BatchFeedback"):
+    if not is_batch(feedback):
         return
     earlier = [Destination(*row) for row in feedback.property(_ROWS) or ()]
     updated = {(read.key, _normal(read.path)) for read in _inputs(algorithm, parameters, context)}
@@ -214,6 +214,11 @@ def require_rows_apart(
             )
         earlier.append(wanted)
     feedback.setProperty(_ROWS, [astuple(place) for place in earlier])
+
+
+def is_batch(feedback: QgsProcessingFeedback) -> bool:
+    """Return whether the run is a row of QGIS's batch dialog, which runs its rows in the main thread in QGIS 3.22."""
+    return feedback.metaObject().className().endswith("BatchFeedback")
 
 
 def _outputs(

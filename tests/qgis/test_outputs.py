@@ -12,8 +12,10 @@ from bad_input import WINDOWS
 from made_inputs import square, write_layer, write_older
 from osgeo import ogr
 from qgis.core import QgsProcessingException, QgsProcessingMultiStepFeedback, QgsVectorLayer
+from qgis.PyQt.QtCore import QTimer
 
 from semref.processing.base import outputs
+from semref.processing.base.algorithm import Canceled, cancelable
 
 BUILD, DECODE, DESCRIBE = "semref:builddatabase", "semref:decodecolorlabels", "semref:describeimage"
 LOCALIZE, UPDATE = "semref:localizeimages", "semref:updatedatabase"
@@ -90,6 +92,13 @@ def test_two_outputs_in_one_file_are_refused_but_a_database_may_be_updated_in_pl
     run_algorithm(LOCALIZE, {**asked, "OUTPUT": str(given / "both.gpkg")}, rows)
     with pytest.raises(QgsProcessingException, match="is also in an earlier row"):
         run_algorithm(LOCALIZE, {**asked, "OUTPUT": str(given / "both.gpkg")}, rows)
+
+
+def test_a_batch_reacts_to_cancel_during_a_long_step(feedback):
+    rows = type("BatchFeedback", (QgsProcessingMultiStepFeedback,), {})(1, feedback)
+    QTimer.singleShot(0, feedback.cancel)
+    with pytest.raises(Canceled):
+        cancelable(time.sleep, 0.3, feedback=rows)
 
 
 @pytest.mark.slow
