@@ -248,7 +248,9 @@ class SemRefAlgorithm(WithIcon, QgsProcessingAlgorithm):
         with Outputs(values, self._note) as outputs:
             numbers = self.work(values, outputs, feedback)
             outputs.commit()
-        return {**outputs.results, **(numbers or {})}
+        # A script that QGIS exports from a model reads each output of a step, also one that was not selected.
+        nothing = dict.fromkeys(output.name() for output in self.destinationParameterDefinitions())
+        return {**nothing, **outputs.results, **(numbers or {})}
 
 
 _READ = {"number": Values.number, "distance": Values.number, "range": Values.range}

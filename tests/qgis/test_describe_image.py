@@ -25,7 +25,7 @@ def describe(run_algorithm, feedback, tmp_path):
         outputs = {"REFERENCES": str(tmp_path / "points.gpkg"), "VECTOR": str(tmp_path / "vector.json")}
         given = {"INPUT": str(image), "CLASS_TABLE": table, "MINIMUM_AREA": 40, **outputs, **parameters}
         results = run_algorithm(DESCRIBE, given, feedback)
-        vector = json.loads(Path(results["VECTOR"]).read_text(encoding="utf-8")) if "VECTOR" in results else None
+        vector = json.loads(Path(results["VECTOR"]).read_text(encoding="utf-8")) if results["VECTOR"] else None
         points = read_rows(results["REFERENCES"])
         for row in points:
             row["x"], row["y"] = row.pop("geometry").GetPoint_2D()

@@ -232,7 +232,7 @@ def test_temporary_outputs_have_the_rows_and_those_left_empty_are_not_made(run_a
     empty = QgsProcessingOutputLayerDefinition("")
     given = {"DATABASE": database, "IMAGES": [image(tmp_path, "a.png", window(0, 0))], "MATCHES": empty}
     results = run_algorithm(LOCALIZE, {**given, **dict.fromkeys(("OUTPUT", "FOOTPRINTS"), "TEMPORARY_OUTPUT")})
-    assert "MATCHES" not in results and results["OUTPUT"].featureCount() == results["FOOTPRINTS"].featureCount() == 1
+    assert results["MATCHES"] is None and results["OUTPUT"].featureCount() == results["FOOTPRINTS"].featureCount() == 1
 
 
 @pytest.mark.parametrize("method", [{}, {"METHOD": 0}, {"METHOD": 2}])

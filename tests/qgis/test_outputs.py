@@ -101,6 +101,12 @@ def test_a_batch_reacts_to_cancel_during_a_long_step(feedback):
         cancelable(time.sleep, 0.3, feedback=rows)
 
 
+def test_results_name_an_output_that_was_not_selected_because_exported_scripts_read_it(run_algorithm, given):
+    asked = {"DATABASE": str(given / "area.gpkg"), "IMAGES": [str(given / "photo.png")], "OUTPUT": "memory:"}
+    found = run_algorithm(LOCALIZE, asked)
+    assert (found["FOOTPRINTS"], found["LABELS"]) == (None, None)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("suffix", ["gpkg", "shp", "geojson", "csv", "fgb"])
 def test_layers_of_any_format_are_written_whole(describe, given, suffix):
