@@ -14,9 +14,12 @@ from qgis.core import (
     QgsProcessingParameterDefinition,
 )
 
+from ...core.errors import SemRefError
+from ..messages.sentences import worded
 from ..translation import tr
 from ..version import algorithm_help_url
 from .algorithm import ANNOTATION, REFERENCE_DATABASE, WithIcon, group_title, prints_help
+from .destinations import require_rows_apart
 
 SHIPPED = Path(__file__).resolve().parents[2] / "models"
 
@@ -46,37 +49,9 @@ class ShippedModel(WithIcon, QgsProcessingModelAlgorithm):
     def load(self, path: str) -> bool:
         """Read the file; return whether this succeeded, which needs its algorithms to be registered."""
         self._path = path
-        if not self.fromFile(path):
-            return False
-        self._translate()
-        return True
-
-    def _translate(self) -> None:
-        model, of_steps = self.toVariant(), self._parameters_of_steps()
-        for name, definition in model["parameterDefinitions"].items():
-            definition["description"] = tr(definition["description"])
-            if name in of_steps:
-                definition["metadata"] = of_steps[name].metadata()
-        for child in model["children"].values():
-            for output in child["outputs"].values():
-                output["component_description"] = tr(output["component_description"])
-        helps = {name: one.help() for name, one in of_steps.items()}
-        model["help"] = {**helps, **{name: tr(text) for name, text in model["help"].items()}}
-        self.loadVariant(model)
-
-    def _parameters_of_steps(self) -> dict[str, QgsProcessingParameterDefinition]:
-        """Return the algorithms' parameters that get a parameter of the model, by the name of the latter."""
-        found: dict[str, QgsProcessingParameterDefinition] = {}
-        registry = QgsApplication.processingRegistry()
-        for child in self.childAlgorithms().values():
-            algorithm = registry.algorithmById(child.algorithmId())
-            for key, sources in child.parameterSources().items():
-                definition = algorithm and algorithm.parameterDefinition(key)
-                # Only a parameter of the model has a name.
-                for name in (one.parameterName() for one in sources if definition):
-                    if name:
-                        found.setdefault(name, definition)
-        return found
+        model = QgsProcessingModelAlgorithm()
+        # A model that is loaded twice logs “Duplicate output” in each run.
+        return model.fromFile(path) and self.loadVariant(_translated(model))
 
     # --- QgsProcessingAlgorithm ---
 
@@ -91,6 +66,17 @@ class ShippedModel(WithIcon, QgsProcessingModelAlgorithm):
         find = QgsApplication.processingRegistry().algorithmById
         answers = (find(child.algorithmId()).canExecute() for child in self.childAlgorithms().values())
         return next((answer for answer in (super().canExecute(), *answers) if not answer[0]), (True, ""))
+
+    def prepareAlgorithm(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> bool:
+        # The steps do not see that they run in a batch.
+        try:
+            require_rows_apart(self, parameters, context, {}, feedback)
+        except SemRefError as error:
+            feedback.reportError(worded(error), True)
+            return False
+        return super().prepareAlgorithm(parameters, context, feedback)
 
     def postProcessAlgorithm(self, context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> dict[str, Any]:
         # QGIS names layers after the outputs, which are part of their keys and therefore in English.
@@ -121,6 +107,36 @@ class ShippedModel(WithIcon, QgsProcessingModelAlgorithm):
 
     def helpUrl(self) -> str:
         return algorithm_help_url(self.name())
+
+
+def _translated(loaded: QgsProcessingModelAlgorithm) -> dict[str, Any]:
+    """Return a model in QGIS's form, with the user's texts and with the widgets and helps of its steps."""
+    model, of_steps = loaded.toVariant(), _parameters_of_steps(loaded)
+    for name, definition in model["parameterDefinitions"].items():
+        definition["description"] = tr(definition["description"])
+        if name in of_steps:
+            definition["metadata"] = of_steps[name].metadata()
+    for child in model["children"].values():
+        for output in child["outputs"].values():
+            output["component_description"] = tr(output["component_description"])
+    helps = {name: one.help() for name, one in of_steps.items()}
+    model["help"] = {**helps, **{name: tr(text) for name, text in model["help"].items()}}
+    return model
+
+
+def _parameters_of_steps(model: QgsProcessingModelAlgorithm) -> dict[str, QgsProcessingParameterDefinition]:
+    """Return the algorithms' parameters that get a parameter of the model, by the name of the latter."""
+    found: dict[str, QgsProcessingParameterDefinition] = {}
+    registry = QgsApplication.processingRegistry()
+    for child in model.childAlgorithms().values():
+        algorithm = registry.algorithmById(child.algorithmId())
+        for key, sources in child.parameterSources().items():
+            definition = algorithm and algorithm.parameterDefinition(key)
+            # Only a parameter of the model has a name.
+            for name in (one.parameterName() for one in sources if definition):
+                if name:
+                    found.setdefault(name, definition)
+    return found
 
 
 def shipped_models() -> list[ShippedModel]:

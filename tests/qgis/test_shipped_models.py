@@ -5,9 +5,11 @@ import sys
 
 import pytest
 from qgis.core import (
+    QgsApplication,
     QgsProcessingContext,
     QgsProcessingFeedback,
     QgsProcessingModelAlgorithm,
+    QgsProcessingMultiStepFeedback,
     QgsProject,
 )
 
@@ -45,8 +47,11 @@ def test_a_copy_has_title_group_and_help_of_the_model_and_every_parameter(create
 def test_all_texts_and_names_of_layers_are_in_the_users_language(qgis_app, repository, monkeypatch, name):
     monkeypatch.setattr(shipped_models, "tr", lambda text: f"«{text}»")
     monkeypatch.setattr(shipped_models, "group_title", lambda group: f"«{group}»")
-    model = shipped_models.ShippedModel()
+    model, logged = shipped_models.ShippedModel(), []
+    received = QgsApplication.messageLog().messageReceived[str, str, "Qgis::MessageLevel"]
+    received.connect(lambda text, *_: logged.append(text))
     assert model.load(str(repository / "models" / f"{FILES[IDS.index(name)]}.model3"))
+    assert logged == []
     assert [text for text in texts_of(model.create()) if not (text.startswith("«") and text.endswith("»"))] == []
     context, project = QgsProcessingContext(), QgsProject()
     names = [output for child in model.childAlgorithms().values() for output in child.modelOutputs()]
@@ -57,6 +62,13 @@ def test_all_texts_and_names_of_layers_are_in_the_users_language(qgis_app, repos
     model.postProcessAlgorithm(context, QgsProcessingFeedback())
     shown = {path: details.name for path, details in context.layersToLoadOnCompletion().items()}
     assert shown == {**{one: f"«{one}»" for one in names}, "Houses": "Houses"}
+
+
+def test_a_row_of_a_batch_does_not_replace_the_database_of_an_earlier_row(create, feedback, tmp_path):
+    rows = type("BatchFeedback", (QgsProcessingMultiStepFeedback,), {})(2, feedback)
+    asked, context = {"build:Reference database": str(tmp_path / "area.gpkg")}, QgsProcessingContext()
+    assert [create("annotationtodatabase").prepare(asked, context, rows) for _ in range(2)] == [True, False]
+    assert "is also in an earlier row" in feedback.textLog()
 
 
 @pytest.mark.slow
