@@ -14,9 +14,10 @@ SEPARATOR = "▸"
 
 LABELS_OF_QGIS = {
     "Add Directory", "Advanced", "Clip", "Copy as JSON", "Copy as Python Command", "Copy as qgis_process Command",
-    "Data Management Tools", "Edit Model…", "Export", "Export Map to Image…", "Geoprocessing Tools", "History…",
-    "Import/Export", "Install Plugin", "Install from ZIP", "Load default style", "Manage and Install Plugins…",
-    "Merge Vector Layers", "Options…", "Panels", "Plugins", "Processing", "Project", "Raise exception",
+    "Data Management Tools", "Export", "Export Map to Image…", "Geoprocessing Tools", "History…", "Models",
+    "Open Existing Model…", "Import/Export", "Install Plugin", "Install from ZIP", "Load default style",
+    "Manage and Install Plugins…", "Merge Vector Layers", "Options…", "Panels", "Plugins", "Processing", "Project",
+    "Raise exception",
     "Results Viewer", "Run", "Run as Batch Process…", "Save As…", "SemRef", "Settings", "Styles",
     "Temporal Controller", "Toolbox", "Vector", "View",
 }  # fmt: skip
