@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import ParameterError
+from ..errors import ParameterError, reason_of
 from ..geometry.lon_lat import LonLatPolynomial, local_axes, meters_from
 from ..localization import Status
 from .sinks import LOOPBACK, Sink, not_written
@@ -49,6 +49,32 @@ class _Udp:
 
     def close(self) -> None:
         self._socket.close()
+
+
+class _Serial:
+    """A serial line, which is opened again after an error: its adapter may have been unplugged."""
+
+    def __init__(self, device: str, rate: int) -> None:
+        from serial import Serial, SerialTimeoutException
+
+        self._slow = SerialTimeoutException
+        self._line = Serial(device, rate, write_timeout=1)
+
+    def write(self, data: bytes) -> None:
+        try:
+            if not self._line.is_open:
+                self._line.open()
+            self._line.write(data)
+        except self._slow:
+            # The device is there, but its receiver does not read.
+            raise
+        except Exception as error:
+            # termios.error, for one, is not an OSError.
+            self._line.close()
+            raise OSError(reason_of(error)) from None
+
+    def close(self) -> None:
+        self._line.close()
 
 
 class MavlinkSink(Sink):
@@ -252,20 +278,19 @@ def _is_host(name: str) -> bool:
     return True
 
 
-def _open_line(where: str) -> Any:  # noqa: ANN401 - a socket, or a serial line without types
+def _open_line(where: str) -> _Udp | _Serial:
     kind, name, number = split_address(where)
     try:
         if kind == UDP:
             return _Udp(name, number)
         try:
-            from serial import Serial
+            return _Serial(name, number)
         except ImportError:
             raise ParameterError(
                 "{option} needs the Python package {package}. Install it: pip install {package}.",
                 package="pyserial",
                 option="--mavlink serial:",
             ) from None
-        return Serial(name, number, write_timeout=1)
     except (OSError, ValueError) as error:
         raise not_written(where, error) from None
 

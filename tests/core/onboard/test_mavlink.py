@@ -147,22 +147,36 @@ def test_meters_on_the_ellipsoid():
     assert meters_from((45.0, 179.5), (45.0, -179.5)) == pytest.approx((0, 78_847), abs=3)
 
 
-def test_a_serial_line_hears_it(mavutil, lon_lat):
+def test_a_serial_line_hears_it_also_after_its_adapter_was_unplugged(mavutil, lon_lat, tmp_path):
     pytest.importorskip("serial", reason="pyserial is not here")
     pty = pytest.importorskip("pty")
-    ours, theirs = pty.openpty()
-    sink = MavlinkSink(f"serial:{os.ttyname(theirs)}:57600", lon_lat)
-    sink.send(record())
-    data = b""
-    while select.select([ours], [], [], 0.5)[0]:
-        data += os.read(ours, 4000)
-    sink.close()
-    os.close(ours)
-    os.close(theirs)
     from pymavlink.dialects.v20 import ardupilotmega
 
-    kinds = [message.get_type() for message in ardupilotmega.MAVLink(None).parse_buffer(data)]
-    assert kinds == ["HEARTBEAT", "SET_GPS_GLOBAL_ORIGIN", "ODOMETRY"]
+    device = tmp_path / "tty"
+
+    def heard(*records) -> list[str]:
+        """Plug in, send the records, unplug, and return the kinds of the messages."""
+        ours, theirs = pty.openpty()
+        device.symlink_to(os.ttyname(theirs))
+        sink = sinks[0] if sinks else MavlinkSink(f"serial:{device}:57600", lon_lat)
+        sinks[:] = [sink]
+        for one in records:
+            sink.send(one)
+        data = b""
+        while select.select([ours], [], [], 0.5)[0]:
+            data += os.read(ours, 4000)
+        os.close(ours)
+        os.close(theirs)
+        device.unlink()
+        return [message.get_type() for message in ardupilotmega.MAVLink(None).parse_buffer(data) or ()]
+
+    sinks: list[MavlinkSink] = []
+    assert heard(record()) == ["HEARTBEAT", "SET_GPS_GLOBAL_ORIGIN", "ODOMETRY"]
+    sinks[0].send(record())
+    sinks[0].send(record())
+    assert heard(record())[-1:] == ["ODOMETRY"]
+    assert sinks[0].lost == 2
+    sinks[0].close()
 
 
 @pytest.mark.parametrize("message", ["odometry", "vision", "external"])
