@@ -9,7 +9,7 @@ import os
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
-from itertools import product
+from itertools import combinations, product
 from typing import Any, Callable
 
 import cv2
@@ -100,12 +100,20 @@ def _problem(options: argparse.Namespace) -> str | None:
     for name in ("state", "odometry"):
         if getattr(options, name, None) and not options.flight:
             return f"argument --{name}: it needs --flight"
+    return _problem_of_files(options)
+
+
+def _problem_of_files(options: argparse.Namespace) -> str | None:
+    """Return why an output cannot be written where the options say; None if all can."""
     read = ("database", "model", "require_signature", "cameras", "flight_log", "odometry")
     written = ("state", "fixes", "gga")
     inputs, outputs = ([getattr(options, name, None) for name in names] for names in (read, written))
     for output, path in product(outputs, inputs):
         if output and path and os.path.exists(output) and os.path.exists(path) and os.path.samefile(output, path):
             return f"{output} is an input of this command; write to another file"
+    for output, other in combinations(filter(None, outputs), 2):
+        if output != "-" and os.path.realpath(output) == os.path.realpath(other):
+            return f"{other} is given for two outputs; write to a different file for each"
     for output in filter(None, outputs):
         if is_image_name(os.path.basename(output)):
             return f"{output} has the name of an image; write to another file"

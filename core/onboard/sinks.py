@@ -78,7 +78,7 @@ class _File(Sink):
         super().__init__(where)
         try:
             # Without a buffer: a line that a full disk refused must not be written later, out of order.
-            self._file = open(where, "ab", buffering=0)  # noqa: SIM115  closed by close
+            self._file = open(where, "ab", buffering=0, opener=_open_at_once)  # noqa: SIM115  closed by close
         except (OSError, ValueError) as error:
             raise not_written(where, error) from None
         self._before = b"\n" if _ends_within_a_line(where) else b""
@@ -99,6 +99,15 @@ class _File(Sink):
 
     def close(self) -> None:
         self._file.close()
+
+
+def _open_at_once(path: str, flags: int) -> int:
+    """Open a file; a named pipe without a reader is an error, because waiting for it would stop everything."""
+    if not hasattr(os, "O_NONBLOCK"):
+        return os.open(path, flags, 0o666)
+    file = os.open(path, flags | os.O_NONBLOCK, 0o666)
+    os.set_blocking(file, True)
+    return file
 
 
 def _ends_within_a_line(where: str) -> bool:

@@ -244,6 +244,14 @@ def outputs() -> list[str]:
     return ["--state", *(f"--{one.dest}" for one in watch if one.metavar == "WHERE" and one.dest != "mavlink")]
 
 
+def test_two_outputs_in_one_file_are_refused_because_the_state_would_replace_the_fixes(area, tmp_path, capsys):
+    watched = ["watch", str(tmp_path), "--once", "--flight", "--database", area]
+    with pytest.raises(SystemExit) as ended:
+        main([*watched, "--state", str(tmp_path / "flown"), "--fixes", str(tmp_path / "." / "flown")])
+    assert ended.value.code == WRONG_USAGE and "flown is given for two outputs" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
+
+
 @pytest.mark.parametrize("option", outputs())
 def test_nothing_is_written_into_the_database_or_an_image(area, image, capsys, option):
     photo = image("here.png")

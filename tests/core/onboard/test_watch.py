@@ -240,7 +240,8 @@ def test_an_invalid_port_is_refused(where):
 
 
 def test_a_place_that_cannot_be_opened_is_refused(tmp_path):
-    for where in (str(tmp_path), str(tmp_path / "no" / "file"), "a\0b"):
+    os.mkfifo(tmp_path / "pipe without a reader")
+    for where in (str(tmp_path), str(tmp_path / "no" / "file"), "a\0b", str(tmp_path / "pipe without a reader")):
         with pytest.raises(ParameterError, match="can't be written"):
             open_sink(where)
 
