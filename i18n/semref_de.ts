@@ -6356,8 +6356,8 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>{count} Landmarken, Mitte {x:.0f} {y:.0f}</translation>
   </message>
   <message>
-   <source>{count} of {all} photos have a position without training, too few to train on. Select imagery, or set the training to 0 minutes.</source>
-   <translation>{count} von {all} Fotos haben ohne Training eine Position, zu wenige für das Training. Wählen Sie Luftbilder oder setzen Sie das Training auf 0 Minuten.</translation>
+   <source>{count} of {all} photos have a position, too few to train on. Select imagery, or set the training to 0 minutes.</source>
+   <translation>{count} von {all} Fotos haben eine Position, zu wenige für das Training. Wählen Sie Luftbilder oder setzen Sie das Training auf 0 Minuten.</translation>
   </message>
   <message>
    <source>{count} other position fits almost as well as the best one.</source>

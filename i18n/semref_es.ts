@@ -6356,8 +6356,8 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>{count} hitos, centro {x:.0f} {y:.0f}</translation>
   </message>
   <message>
-   <source>{count} of {all} photos have a position without training, too few to train on. Select imagery, or set the training to 0 minutes.</source>
-   <translation>{count} de {all} fotos tienen una posición sin entrenamiento, demasiado pocas para entrenar. Seleccione imágenes aéreas o ponga el entrenamiento en 0 minutos.</translation>
+   <source>{count} of {all} photos have a position, too few to train on. Select imagery, or set the training to 0 minutes.</source>
+   <translation>{count} de {all} fotos tienen una posición, demasiado pocas para entrenar. Seleccione imágenes aéreas o ponga el entrenamiento en 0 minutos.</translation>
   </message>
   <message>
    <source>{count} other position fits almost as well as the best one.</source>

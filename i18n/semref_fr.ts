@@ -6356,8 +6356,8 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>{count} repères visuels, centre {x:.0f} {y:.0f}</translation>
   </message>
   <message>
-   <source>{count} of {all} photos have a position without training, too few to train on. Select imagery, or set the training to 0 minutes.</source>
-   <translation>{count} photos sur {all} ont une position sans entraînement, trop peu pour entraîner. Sélectionnez une imagerie, ou réglez l’entraînement sur 0 minute.</translation>
+   <source>{count} of {all} photos have a position, too few to train on. Select imagery, or set the training to 0 minutes.</source>
+   <translation>{count} photos sur {all} ont une position, trop peu pour entraîner. Sélectionnez une imagerie, ou réglez l’entraînement sur 0 minute.</translation>
   </message>
   <message>
    <source>{count} other position fits almost as well as the best one.</source>

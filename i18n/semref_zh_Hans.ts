@@ -6356,8 +6356,8 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>{count} 个地标，中心 {x:.0f} {y:.0f}</translation>
   </message>
   <message>
-   <source>{count} of {all} photos have a position without training, too few to train on. Select imagery, or set the training to 0 minutes.</source>
-   <translation>{all} 张照片中有 {count} 张在未训练时得到位置，不足以训练。请选择底图影像，或将训练设为 0 分钟。</translation>
+   <source>{count} of {all} photos have a position, too few to train on. Select imagery, or set the training to 0 minutes.</source>
+   <translation>{all} 张照片中有 {count} 张得到位置，不足以训练。请选择底图影像，或将训练设为 0 分钟。</translation>
   </message>
   <message>
    <source>{count} other position fits almost as well as the best one.</source>

@@ -26,6 +26,7 @@ from ..base.parameters import with_help
 from ..base.scheduler import require_scheduler, scheduler, workers
 from ..base.values import Values
 from ..compat import DOUBLE, wkt_for_gdal
+from ..messages.numbers import shown
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -117,7 +118,9 @@ class RasterizeAnnotation(AnnotationAlgorithm):
                 width=width,
                 height=height,
                 share=labeled / (width * height),
-                classes=", ".join(f"{c.value} {c.name} {counts[c.value] / (width * height):.2%}" for c in present),
+                classes=", ".join(
+                    f"{c.value} {c.name} {shown(counts[c.value] / (width * height), '.2%')}" for c in present
+                ),
             )
         )
         if not labeled:

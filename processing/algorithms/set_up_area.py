@@ -329,8 +329,8 @@ class SetUpArea(SemRefAlgorithm):
             count = sum(row["status"] == Status.FIX for row in rows)
             if count < LEAST_PLACED:
                 raise ParameterError(
-                    "{count} of {all} photos have a position without training, too few to train on. Select imagery, "
-                    "or set the training to 0 minutes.",
+                    "{count} of {all} photos have a position, too few to train on. Select imagery, or set the training "
+                    "to 0 minutes.",
                     count=count,
                     all=len(area.photos.files),
                 )

@@ -311,6 +311,16 @@ def read_area(
     bounds = extent.xMinimum(), extent.yMinimum(), extent.xMaximum(), extent.yMaximum()
     landmarks = MeasuredLandmarks(np.array(areas), np.array(widths), points, bounds)
     plan = plan_area(landmarks, photos.size_m, imagery_pixel_m)
+    warnings += _warnings(photos, plan, extent)
+    reference = tuple(
+        sorted(name for name in classes if is_usual_landmark(name) and (not names or name.casefold() in names))
+    )
+    return AreaSetup(photos, plan, crs, extent, frozenset(classes), reference, sha.hexdigest(), tuple(warnings))
+
+
+def _warnings(photos: AreaPhotos, plan: AreaPlan, extent: QgsRectangle) -> list[str]:
+    """Return one sentence for each reason why the photos may get no position."""
+    warnings = []
     if photos.is_assumed:
         text = tr("The photos have no camera data. Their pixels are assumed to be as large as those of the imagery.")
         warnings.append(text)
@@ -325,10 +335,7 @@ def read_area(
             "with more buildings."
         )
         warnings.append(text.format(count=plan.per_photo, least=FEW_LANDMARKS))
-    reference = tuple(
-        sorted(name for name in classes if is_usual_landmark(name) and (not names or name.casefold() in names))
-    )
-    return AreaSetup(photos, plan, crs, extent, frozenset(classes), reference, sha.hexdigest(), tuple(warnings))
+    return warnings
 
 
 def _nothing_found(name: str, classes: set[str], known: Sequence[str]) -> ParameterError:

@@ -25,12 +25,11 @@ LAND_COVER_FILE, LABEL_MAP_FILE = "land_cover.gpkg", "label_map.tif"
 DATABASE_FILE, MODEL_FILE, TRAINING_FILE = "reference_database.gpkg", "model.onnx", "training.html"
 EXPECTED_FILE, ASSESSMENT_FILE = "expected_success.gpkg", "assessment.html"
 POSITIONS_FILE = "positions.gpkg"
-FIRST_FILES = "first_positions.gpkg", "first_footprints.gpkg"
-PHOTOS_FOLDER = "training_photos"
-PHOTOS_MOSAIC = f"{PHOTOS_FOLDER}/{MOSAIC_FILE}"
-"""Results of the model as it is, and imagery of them, where the photos are the imagery of the training."""
 
 TRAIN, GEOREFERENCE = "trainmodel", "georeferenceimages"
+
+ROUNDS = "first", "second"
+"""Names of the rounds of a training on photos. In the second round, more photos have a position."""
 
 SCALES = 0.5, 2.0
 """Scales to search where the ground width of a photo is typical."""
@@ -68,8 +67,10 @@ class AreaRun:
 def steps_of(run: AreaRun) -> list[Step]:
     """Return the steps in order."""
     steps = [*_mapping(run), _building(run)]
-    if run.minutes:
-        steps += [*([] if run.imagery else _photos_as_imagery(run)), _training(run)]
+    if run.minutes and run.imagery:
+        steps.append(_training(run, run.imagery, run.base, run.minutes))
+    elif run.minutes:
+        steps += _training_on_photos(run)
     steps.append(_assessment(run))
     if run.area.photos.files:
         model = run.path(MODEL_FILE) if run.minutes else run.model
@@ -123,34 +124,43 @@ def _localization(run: AreaRun, model: str, outputs: dict[str, str], files: tupl
     return Step("localizeimages", {**values, **outputs}, files, text)
 
 
-def _photos_as_imagery(run: AreaRun) -> list[Step]:
-    """Return the steps that make imagery of the photos that get a position with the model as it is."""
-    first = {"OUTPUT": run.path(FIRST_FILES[0]), "FOOTPRINTS": run.path(FIRST_FILES[1])}
-    georeference = {
-        "POSITIONS": first["OUTPUT"],
-        "FOOTPRINTS": first["FOOTPRINTS"],
-        "IMAGES": list(run.area.photos.files),
-        "FORMAT": MOSAIC,
-        "RESOLUTION": run.area.plan.resolution_cm,
-        "OUTPUT": run.path(PHOTOS_FOLDER),
-    }
-    return [
-        _localization(run, run.model, first, FIRST_FILES, tr("Localizing the photos for the training")),
-        Step(GEOREFERENCE, georeference, (PHOTOS_MOSAIC,), tr("Georeferencing the photos for the training")),
-    ]
+def _training_on_photos(run: AreaRun) -> list[Step]:
+    """Return rounds that localize the photos, make imagery of those with a position, and train the model on it."""
+    steps, model, base = [], run.model, run.base
+    for name in ROUNDS:
+        files = f"{name}_positions.gpkg", f"{name}_footprints.gpkg"
+        outputs = dict(zip(("OUTPUT", "FOOTPRINTS"), map(run.path, files)))
+        text = tr("Localizing the photos for the training")
+        steps.append(_localization(run, model, outputs, files, text))
+        georeference = {
+            "POSITIONS": outputs["OUTPUT"],
+            "FOOTPRINTS": outputs["FOOTPRINTS"],
+            "IMAGES": list(run.area.photos.files),
+            "FORMAT": MOSAIC,
+            "RESOLUTION": run.area.plan.resolution_cm,
+            "OUTPUT": run.path(f"{name}_photos"),
+        }
+        mosaic = f"{name}_photos/{MOSAIC_FILE}"
+        text = tr("Georeferencing the photos for the training")
+        steps.append(Step(GEOREFERENCE, georeference, (mosaic,), text))
+        prefix = "" if name == ROUNDS[-1] else f"{name}_"
+        steps.append(_training(run, run.path(mosaic), base, run.minutes / len(ROUNDS), prefix))
+        model = base = run.path(prefix + MODEL_FILE)
+    return steps
 
 
-def _training(run: AreaRun) -> Step:
+def _training(run: AreaRun, imagery: str, base: str | None, minutes: float, prefix: str = "") -> Step:
+    files = prefix + MODEL_FILE, prefix + TRAINING_FILE
     train = {
-        "IMAGE": run.imagery or run.path(PHOTOS_MOSAIC),
+        "IMAGE": imagery,
         "LABELS": run.path(LABEL_MAP_FILE),
-        "BASE_MODEL": run.base,
-        "MINUTES": run.minutes,
+        "BASE_MODEL": base,
+        "MINUTES": minutes,
         "RESOLUTION": run.area.plan.resolution_cm,
-        "OUTPUT": run.path(MODEL_FILE),
-        "REPORT": run.path(TRAINING_FILE),
+        "OUTPUT": run.path(files[0]),
+        "REPORT": run.path(files[1]),
     }
-    return Step(TRAIN, train, (MODEL_FILE, TRAINING_FILE), tr("Training the model"))
+    return Step(TRAIN, train, files, tr("Training the model"))
 
 
 def _assessment(run: AreaRun) -> Step:

@@ -1,9 +1,12 @@
 import csv
 import errno
 import gc
+import os
 import re
+import shutil
 from datetime import datetime
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -18,6 +21,7 @@ from semref.core.flight.cameras import read_cameras
 from semref.processing.algorithms import set_up_area
 from semref.processing.algorithms.build_database import BuildDatabase
 from semref.processing.algorithms.train_model import TrainModel
+from semref.processing.base import training_process
 from semref.processing.base.area_setup import camera_table, read_photos
 from semref.processing.base.chain import Record
 from semref.processing.packages import training_environment
@@ -259,21 +263,24 @@ def test_a_training_without_imagery_uses_the_photos_with_a_position(
 ):
     trained_on = []
 
-    def train(algorithm, values, *_):
-        trained_on.extend([values.raster("IMAGE").source(), values.number("MINUTES")])
-        raise ParameterError("Trained enough.")
+    def train(algorithm, values, python, target, *_):
+        base = os.path.basename(values.file("BASE_MODEL"))
+        trained_on.append((values.raster("IMAGE").source(), values.number("MINUTES"), base))
+        shutil.copyfile(given["MODEL"], target)
+        return SimpleNamespace(html=lambda: "", mean_iou=None)
 
     monkeypatch.setattr(training_environment, "training_python", lambda *_: "python")
-    monkeypatch.setattr(TrainModel, "work", train)
-    with pytest.raises(QgsProcessingException, match="1 of 1 photos have a position without training, too few"):
+    monkeypatch.setattr(training_process, "require_training", lambda *_: {"torch": "", "device": ""})
+    monkeypatch.setattr(TrainModel, "_train", train)
+    with pytest.raises(QgsProcessingException, match="1 of 1 photos have a position, too few"):
         run_algorithm(SETUP, {**given, "MINUTES": 5, "PHOTOS": given["PHOTOS"][:1]})
     # As the message says, it continues in the same folder.
     run_algorithm(SETUP, {**given, "PHOTOS": given["PHOTOS"][:1]}, feedback)
     assert feedback.textLog().count("is used again") == 2
-    with pytest.raises(QgsProcessingException, match="Trained enough"):
-        run_algorithm(SETUP, {**given, "MINUTES": 5, "FOLDER": given["FOLDER"] + " 2"})
-    path, minutes = trained_on
-    assert minutes == 5
+    results = run_algorithm(SETUP, {**given, "MINUTES": 5, "FOLDER": given["FOLDER"] + " 2"}, feedback)
+    assert results["TRAINED_MODEL"].endswith("model.onnx")
+    (_, minutes, _), (path, more_minutes, base) = trained_on
+    assert (minutes, more_minutes, base) == (2.5, 2.5, "first_model.onnx")
     mosaic = gdal.Open(path)
     x, pixel, _, y, *_ = mosaic.GetGeoTransform()
     bounds = (x, y - pixel * mosaic.RasterYSize, x + pixel * mosaic.RasterXSize, y)

@@ -4,9 +4,10 @@
 
 For each named row of the benchmark ``placed_photos``, the script draws 40 crops of its place, other than those of the
 benchmark. The row's network of FOLDER localizes them, and is trained further on those that get a position, with the map
-as labels. It becomes OUTPUT_FOLDER/placed_KENYA_1.onnx, which the row “Kenya 1, trained” uses.
+as labels; then the same once more. It becomes OUTPUT_FOLDER/placed_KENYA_1.onnx, which the row “Kenya 1, trained” uses.
 """
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -21,6 +22,7 @@ from semref.core.geometry.footprint import image_corners
 from semref.core.localization import SHOWN_RISK, Method, Prior
 from semref.core.localizer.search import Search
 from semref.core.pipeline import localize_with
+from semref.core.segmentation.model import SegmentationModel
 from semref.storage.georeferencing import write_mosaic
 from semref.storage.pictures import write_png
 from semref.training.job import LITE0, PACKAGED
@@ -29,6 +31,9 @@ COUNT, SEED = 40, 1671
 TILE_PX, STRIDE_PX, VALIDATION_FRACTION = 256, 128, 0.15
 EPOCHS, PATIENCE, LIGHT = 200, 30, 1.5
 """As *Train model*."""
+
+ROUNDS = 2
+"""As *Set up an area*."""
 
 
 def main() -> None:
@@ -44,25 +49,30 @@ def main() -> None:
         work = folder / name
         work.mkdir(exist_ok=True)
         source = photos.of(World(DATA, folder, options.models), row)
-        image, labels, classes = imagery_of(source, work)
-        tiles = cut(image, labels, classes, work / "tiles", (TILE_PX, STRIDE_PX), VALIDATION_FRACTION, True)
-        job = Job(
-            (str(tiles),),
-            str(folder / f"{name}.onnx"),
-            str(work / "training"),
-            source.model.path,
-            encoder=LITE0,
-            encoder_weights=PACKAGED,
-            learn_unlabeled=True,
-            epochs=EPOCHS,
-            patience=PATIENCE,
-            light=LIGHT,
-            minutes=options.minutes,
-            processor_time=True,
-            resolution=photos.PLACE_PIXEL_M,
-            resume=True,
-        )
-        train(options.python, job)
+        for number in range(1, ROUNDS + 1):
+            step = work / str(number)
+            step.mkdir(exist_ok=True)
+            image, labels, classes = imagery_of(source, step)
+            tiles = cut(image, labels, classes, step / "tiles", (TILE_PX, STRIDE_PX), VALIDATION_FRACTION, True)
+            trained = folder / f"{name}.onnx" if number == ROUNDS else step / "model.onnx"
+            job = Job(
+                (str(tiles),),
+                str(trained),
+                str(step / "training"),
+                source.model.path,
+                encoder=LITE0,
+                encoder_weights=PACKAGED,
+                learn_unlabeled=True,
+                epochs=EPOCHS,
+                patience=PATIENCE,
+                light=LIGHT,
+                minutes=options.minutes / ROUNDS,
+                processor_time=True,
+                resolution=photos.PLACE_PIXEL_M,
+                resume=True,
+            )
+            train(options.python, job)
+            source = replace(source, model=SegmentationModel(str(trained), 1))
 
 
 def imagery_of(source: photos.Photos, folder: Path) -> tuple[Path, Path, Path]:
@@ -78,7 +88,7 @@ def imagery_of(source: photos.Photos, folder: Path) -> tuple[Path, Path, Path]:
         write_png(path, np.moveaxis(photo, 2, 0))
         best, (height, width) = found.best, photo.shape[:2]
         placed.append((str(path), image_corners(best.position, best.heading_deg, best.pixel_size_m, width, height)))
-    print(f"{folder.name}: {len(placed)} of {COUNT} photos have a position.", flush=True)
+    print(f"{folder.parent.name}: {len(placed)} of {COUNT} photos have a position.", flush=True)
     mosaic, labels, classes = folder / "mosaic.tif", folder / "labels.tif", folder / "classes.csv"
     write_mosaic(placed, str(mosaic), "", photos.PLACE_PIXEL_M, lambda _: True)
     truth, frame = (ground.labels_hw == photos.BUILDING).astype(np.uint8), ground.frame
