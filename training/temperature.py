@@ -18,9 +18,13 @@ SMALLEST, LARGEST = 0.25, 16.0
 STEPS = 61
 """Number of tested temperatures, with a constant ratio of 1.07."""
 
+UNTESTED = 2.0
+"""Temperature of a network without validation tiles. After 2.5 to 5 minutes of training on few photos of two places,
+validation tiles gave 1.3 to 4.9."""
 
-def fit_temperature(scores_of: Callable[[np.ndarray], np.ndarray], reader: object) -> float | None:
-    """Return the temperature of the smallest negative log likelihood; None without known pixels.
+
+def fit_temperature(scores_of: Callable[[np.ndarray], np.ndarray], reader: object) -> float:
+    """Return the temperature of the smallest negative log likelihood; UNTESTED without known pixels.
 
     Args:
         scores_of: Function from image (H, W, 3) to scores (C, H, W).
@@ -29,7 +33,7 @@ def fit_temperature(scores_of: Callable[[np.ndarray], np.ndarray], reader: objec
     pieces = [_sample(scores_of, *reader(index)) for index in range(min(len(reader), MOST_TILES))]
     scores = np.concatenate([piece for piece, _ in pieces]) if pieces else np.empty((0, 1))
     if not len(scores):
-        return None
+        return UNTESTED
     truth = np.concatenate([channels for _, channels in pieces])
     tried = np.geomspace(SMALLEST, LARGEST, STEPS)
     return float(tried[np.argmin([loss(scores / temperature, truth) for temperature in tried])])

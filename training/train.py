@@ -252,7 +252,7 @@ def finish(
     scores_of = export.scoring(temporary, start.mean, start.deviation)
     entries |= _biases(scores_of, ground, ground.validation.spread(numbers.bias))
     report("exporting", share=trainer.total_share)
-    entries |= _temperature(scores_of, ground.validation.spread(numbers.final))
+    entries[TEMPERATURE] = round(temperature.fit_temperature(scores_of, ground.validation.spread(numbers.final)), 3)
     report("exporting", share=trainer.total_share)
     export.add_metadata(temporary, entries)
     image = tiles.standardized(ground.training(0)[0], start.mean, start.deviation)
@@ -308,12 +308,6 @@ def training_facts(job: Job, trainer: loop.Trainer, ground: TileData) -> dict:
             "start": Path(job.base_model).name or job.encoder,
         },
     }
-
-
-def _temperature(scores_of: Callable[[np.ndarray], np.ndarray], reader: tiles.TileReader) -> dict[str, float]:
-    """Return the metadata entry of the temperature; empty without validation tiles."""
-    found = temperature.fit_temperature(scores_of, reader)
-    return {} if found is None else {TEMPERATURE: round(found, 3)}
 
 
 def _device_name(device: torch.device) -> str:

@@ -220,7 +220,7 @@ def test_the_temperature_that_made_the_labels_is_found(true_temperature):
     assert found == pytest.approx(true_temperature, rel=0.1)
 
 
-def test_pixels_without_a_label_have_no_effect():
+def test_a_network_without_labels_to_test_it_counts_as_too_certain():
     tiles = Tiles(1.0, 1)
     tiles.labels[:] = 255
-    assert temperature.fit_temperature(lambda index: tiles.scores[index], tiles) is None
+    assert temperature.fit_temperature(lambda index: tiles.scores[index], tiles) == temperature.UNTESTED > 1

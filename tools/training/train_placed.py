@@ -28,7 +28,7 @@ from semref.storage.pictures import write_png
 from semref.training.job import LITE0, PACKAGED
 
 COUNT, SEED = 40, 1671
-TILE_PX, STRIDE_PX, VALIDATION_FRACTION = 256, 128, 0.15
+TILE_PX, STRIDE_PX, VALIDATION_FRACTION = 256, 128, 0.0
 EPOCHS, PATIENCE, LIGHT = 200, 30, 1.5
 """As *Train model*."""
 
