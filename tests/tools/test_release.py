@@ -64,7 +64,8 @@ def test_shipped_metadata_has_the_news_of_the_changelog_and_every_language_by_ea
 
 def test_addresses_that_nobody_filled_in_are_named():
     text = "[general]\nemail=a@example.org\nhomepage=https://forge.net/a\nrepository=https://forge.net/a\n"
-    assert metadata.placeholders(text) == ["email=a@example.org", "tracker=example.org"]
+    left = ["email=a@example.org", "tracker=example.org", "SECURITY-KEY"]
+    assert metadata.placeholders(text, "Write to a@b.org (key: SECURITY-KEY).") == left
 
 
 @pytest.fixture

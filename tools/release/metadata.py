@@ -9,6 +9,9 @@ from changelog import for_metadata
 ROOT = Path(__file__).resolve().parents[2]
 PLACEHOLDER = "example.org"
 ADDRESSES = ("email", "homepage", "repository", "tracker")
+CONTACTS = ("SECURITY-ADDRESS", "SECURITY-KEY")
+"""Placeholders in SECURITY.md."""
+
 SAME_LANGUAGE = {"zh": ("zh-Hans", "zh_CN")}
 """QGIS looks up the language by the name in its settings, then by the part before an underscore."""
 
@@ -25,11 +28,12 @@ def plugin_version(root: Path = ROOT) -> str:
     return general((root / "metadata.txt").read_text(encoding="utf-8"))["version"]
 
 
-def placeholders(text: str) -> list[str]:
-    """Return the addresses that the owner has not filled in yet, as ``key=value``."""
+def placeholders(text: str, security: str) -> list[str]:
+    """Return what the owner has not filled in yet in metadata.txt, as ``key=value``, and in SECURITY.md."""
     found = general(text)
     addresses = {key: found.get(key, PLACEHOLDER) for key in ADDRESSES}
-    return [f"{key}={address}" for key, address in addresses.items() if PLACEHOLDER in address]
+    left = [f"{key}={address}" for key, address in addresses.items() if PLACEHOLDER in address]
+    return left + [contact for contact in CONTACTS if contact in security]
 
 
 def shipped_metadata(root: Path = ROOT) -> str:

@@ -86,7 +86,7 @@ def main() -> None:
     subprocess.run([sys.executable, "-m", "tools.sample"], cwd=ROOT, check=True)
     write_package(target)
     print(f"{target} ({target.stat().st_size / 1024:.0f} kB)")
-    left = placeholders((ROOT / "metadata.txt").read_text(encoding="utf-8"))
+    left = placeholders(*((ROOT / name).read_text(encoding="utf-8") for name in ("metadata.txt", "SECURITY.md")))
     if left:
         print(f"Fill in before publishing: {', '.join(left)} (docs/publishing.md)", file=sys.stderr)
 
