@@ -18,7 +18,7 @@ from ..constellation.hypotheses import SMALLEST_OBJECT_PX
 from ..constellation.solver import localize as solve
 from ..database.model import ReferenceDatabase
 from ..errors import DatabaseError, ParameterError
-from ..evaluation.trial import Query, Trial, judge
+from ..evaluation.trial import RIGHT_SHARE, Query, Trial, judge
 from ..geometry.error_settings import UNBIASED, KnownBiases
 from ..labels.sources import ArrayLabels
 from ..landmarks.landmarks import Landmarks
@@ -36,6 +36,10 @@ contain them, and they disturb. Liechtenstein 2021 has this share of objects of 
 REACH = 1.5
 """Landmarks are searched this many times farther out than a level camera sees: a tilted one sees farther on one
 side."""
+
+COARSE_EDGE_PX = 128
+"""Smallest width of an image for map correlation. The overview has fewer pixels on the ground of a small image, but the
+image shows the class areas in them."""
 
 OTHER_SHAPE = 0.8
 """An object without a known bounding box counts as a square with a half edge of √area / 2 / 0.8, as landmarks are
@@ -73,6 +77,8 @@ class ImageSimulator:
         self._localizer, self._biases = localizer, biases
         self._database = database
         self.footprint = footprint
+        # A position cannot be more accurate than the map.
+        self._right_within = max(RIGHT_SHARE * footprint, 2 * database.parameters.map_accuracy)
         parameters, settings = database.parameters, localizer.settings.constellation
         self.size_px = min(max(round(footprint / parameters.pixel_size), 1), limits.SIMULATED_EDGE_PX)
         self.pixel = footprint / self.size_px
@@ -146,27 +152,28 @@ class ImageSimulator:
             localizer = self._localizer
             errors = localizer.errors.with_biases(self._biases)
             found = solve(landmarks, size, localizer.index, self._prior, self._smallest_px, errors=errors)
-        return judge(query, Method.CONSTELLATION, found, landmarks=count)
+        return judge(query, Method.CONSTELLATION, found, self._right_within, count)
 
     def correlation(self, query: Query, rng: np.random.Generator) -> Trial:
         """Localize an image at a place, cut from the overview with errors, by its class areas."""
         database = self._database
         # A database for map correlation has an overview.
         frame, source = database.parameters.overview_frame, ArrayLabels(cast(np.ndarray, database.overview))
-        pixel = frame.pixel_size
-        labels = cut(source, frame, self._coarse_view(query.view, pixel))
+        view = self._coarse_view(query.view, frame.pixel_size)
+        labels, pixel = cut(source, frame, view), view.pixel_size
         # Spurious landmarks are those of another place.
         x, y = database.references.positions[rng.integers(0, len(database.references))]
-        donor = cut(source, frame, self._coarse_view(self.view(x, y, float(rng.uniform(0, 360))), pixel))
+        donor = cut(source, frame, self._coarse_view(self.view(x, y, float(rng.uniform(0, 360))), frame.pixel_size))
         # Boundaries move together over as many meters as pixels of a label map with pixels of 1 m.
         noise = replace(query.noise.in_pixels(pixel), jitter_length=max(JITTER_LENGTH_PX / pixel, 2.0))
         labels = spoil_labels(labels, noise, rng, database.class_table.reference_values, donor)
         found = self._localizer.localize_by_map_correlation(labels, biases=self._biases)
-        return judge(query, Method.MAP_CORRELATION, found, landmarks=len(self.whole_landmarks(query.view)[0]))
+        count = len(self.whole_landmarks(query.view)[0])
+        return judge(query, Method.MAP_CORRELATION, found, self._right_within, count)
 
     def _coarse_view(self, view: View, pixel: float) -> View:
-        """Return the same ground in pixels about as coarse as the overview's."""
-        size = min(max(round(self.footprint / pixel), 1), limits.SIMULATED_EDGE_PX)
+        """Return the same ground in pixels about as coarse as the overview's, but in enough of them."""
+        size = min(max(round(self.footprint / pixel), COARSE_EDGE_PX), limits.SIMULATED_EDGE_PX)
         return replace(view, pixel_size=self.footprint / size, width_px=size, height_px=size)
 
     def _as_seen(self, chosen: np.ndarray, centers: np.ndarray | None = None) -> Landmarks:

@@ -74,3 +74,12 @@ def test_map_correlation_is_tried_on_the_overview(built):
     simulator = ImageSimulator(Localizer(database), database, FOOTPRINT)
     trial = simulator.correlation(Query(simulator.view(600400.0, 5199700.0, 33.0)), np.random.default_rng(1))
     assert trial.is_right and trial.method == trial.result.method == "map correlation"
+
+
+def test_a_small_image_shows_class_areas_finer_than_the_overview(built):
+    rng = np.random.default_rng(2)
+    database = built(np.kron(rng.choice([1, 2, 4], (25, 41)), np.ones((24, 24))).astype(np.uint8))
+    simulator = ImageSimulator(Localizer(database), database, 120.0)
+    places = rng.uniform((600200, 5199600), (600800, 5199900), (12, 2))
+    queries = [Query(simulator.view(*place, rng.uniform(0, 360))) for place in places]
+    assert all(simulator.correlation(query, rng).is_right for query in queries)
