@@ -125,7 +125,7 @@ class LocalizeFlight(LocalizeAlgorithm):
         # Class areas decide between tracks, whichever method localizes single images.
         database = self.read_database(values, Method.MAP_CORRELATION, feedback)
         crs = database_crs(database)
-        localizer, search = self.prepare(values, method, database, crs)
+        localizer, search = self.make_localizer(values, method, database, crs)
         paths, cameras = in_order(*self.read_images(values, method, feedback))
         steps = cancelable(self._odometry, values, paths, feedback=feedback)
         log = self._read_log(values, feedback)

@@ -137,7 +137,7 @@ class LocalizeImages(LocalizeAlgorithm):
         before = {path: state(path)}
         database = self.read_database(values, method, feedback)
         crs = database_crs(database)
-        localizer, search = self.prepare(values, method, database, crs)
+        localizer, search = self.make_localizer(values, method, database, crs)
         read_labels = self.label_reader(values, database.class_table, feedback)
         paths, cameras = self.read_images(values, method, feedback, self._layer is None)
         if self._layer is not None:

@@ -192,7 +192,7 @@ class LocalizeAlgorithm(SemRefAlgorithm):
             cameras = [camera.without_leveling() for camera in cameras]
         return paths, cameras
 
-    def prepare(
+    def make_localizer(
         self, values: Values, method: Method, database: ReferenceDatabase, crs: QgsCoordinateReferenceSystem
     ) -> tuple[Localizer, Search]:
         """Return the localizer and what it searches; ``crs``: the CRS of the database."""
