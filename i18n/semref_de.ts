@@ -156,8 +156,8 @@
    <translation>Eine Spur wird angenommen, wenn ihre Irrtumswahrscheinlichkeit höchstens diesen Wert hat, zum Beispiel 0,0001 (1 zu 10.000). Ein kleinerer Wert erfordert mehr Bilder.</translation>
   </message>
   <message>
-   <source>A typical photo shows about {count} landmarks, but at least {least} are needed. Fly higher, or use a map with more buildings.</source>
-   <translation>Ein typisches Foto zeigt etwa {count} Landmarken, nötig sind aber mindestens {least}. Fliegen Sie höher oder verwenden Sie eine Karte mit mehr Gebäuden.</translation>
+   <source>A typical photo shows about {count} landmarks. With fewer than {least}, many photos get no position. Fly higher, or use a map with more buildings.</source>
+   <translation>Ein typisches Foto zeigt etwa {count} Landmarken. Bei weniger als {least} bekommen viele Fotos keine Position. Fliegen Sie höher oder verwenden Sie eine Karte mit mehr Gebäuden.</translation>
   </message>
   <message>
    <source>A typical photo shows {width:.0f} m of ground, more than the map. Check the ground width of a photo.</source>

@@ -156,8 +156,8 @@
    <translation>Una trayectoria se acepta si la probabilidad de que sea errónea no supera este valor, por ejemplo 0.0001 (1 de cada 10 000). Un valor menor requiere más imágenes.</translation>
   </message>
   <message>
-   <source>A typical photo shows about {count} landmarks, but at least {least} are needed. Fly higher, or use a map with more buildings.</source>
-   <translation>Una foto típica muestra unos {count} hitos, pero se necesitan al menos {least}. Vuele más alto o use un mapa con más edificios.</translation>
+   <source>A typical photo shows about {count} landmarks. With fewer than {least}, many photos get no position. Fly higher, or use a map with more buildings.</source>
+   <translation>Una foto típica muestra unos {count} hitos. Con menos de {least}, muchas fotos no obtienen posición. Vuele más alto o use un mapa con más edificios.</translation>
   </message>
   <message>
    <source>A typical photo shows {width:.0f} m of ground, more than the map. Check the ground width of a photo.</source>

@@ -156,8 +156,8 @@
    <translation>Une trace est acceptée si la probabilité qu’elle soit fausse ne dépasse pas cette valeur, par exemple 0.0001 (1 sur 10 000). Une valeur plus petite demande plus d’images.</translation>
   </message>
   <message>
-   <source>A typical photo shows about {count} landmarks, but at least {least} are needed. Fly higher, or use a map with more buildings.</source>
-   <translation>Une photo typique montre environ {count} repères visuels, mais il en faut au moins {least}. Volez plus haut, ou utilisez une carte avec plus de bâtiments.</translation>
+   <source>A typical photo shows about {count} landmarks. With fewer than {least}, many photos get no position. Fly higher, or use a map with more buildings.</source>
+   <translation>Une photo typique montre environ {count} repères visuels. Avec moins de {least}, beaucoup de photos n’obtiennent pas de position. Volez plus haut, ou utilisez une carte avec plus de bâtiments.</translation>
   </message>
   <message>
    <source>A typical photo shows {width:.0f} m of ground, more than the map. Check the ground width of a photo.</source>

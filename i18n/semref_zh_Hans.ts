@@ -156,8 +156,8 @@
    <translation>如果航迹错误的概率不大于此值，则接受该航迹，例如 0.0001（万分之一）。值越小，需要的影像越多。</translation>
   </message>
   <message>
-   <source>A typical photo shows about {count} landmarks, but at least {least} are needed. Fly higher, or use a map with more buildings.</source>
-   <translation>一张典型照片显示约 {count} 个地标，但至少需要 {least} 个。请提高飞行高度，或使用建筑物更多的地图。</translation>
+   <source>A typical photo shows about {count} landmarks. With fewer than {least}, many photos get no position. Fly higher, or use a map with more buildings.</source>
+   <translation>一张典型照片显示约 {count} 个地标。少于 {least} 个时，许多照片得不到位置。请提高飞行高度，或使用建筑物更多的地图。</translation>
   </message>
   <message>
    <source>A typical photo shows {width:.0f} m of ground, more than the map. Check the ground width of a photo.</source>

@@ -331,8 +331,8 @@ def _warnings(photos: AreaPhotos, plan: AreaPlan, extent: QgsRectangle) -> list[
         warnings.append(text.format(width=photos.size_m[0]))
     if plan.per_photo < FEW_LANDMARKS:
         text = tr(
-            "A typical photo shows about {count} landmarks, but at least {least} are needed. Fly higher, or use a map "
-            "with more buildings."
+            "A typical photo shows about {count} landmarks. With fewer than {least}, many photos get no position. Fly "
+            "higher, or use a map with more buildings."
         )
         warnings.append(text.format(count=plan.per_photo, least=FEW_LANDMARKS))
     return warnings
