@@ -3180,8 +3180,8 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
    <translation>Orthofoto, Kartenkacheln oder Übersicht der Datenbank. Liegt im Bericht unter allem anderen.</translation>
   </message>
   <message>
-   <source>Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must allow this. If not set, the model is trained on the photos that get a position without training.</source>
-   <translation>Orthofoto oder Layer mit Kartenkacheln, mit dem das Modell trainiert wird. Die Lizenz der Kartenkacheln muss das erlauben. Ohne Angabe wird das Modell mit den Fotos trainiert, die ohne Training eine Position erhalten.</translation>
+   <source>Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must allow this. If not set, the model is trained on the photos that get a position.</source>
+   <translation>Orthofoto oder Layer mit Kartenkacheln, mit dem das Modell trainiert wird. Die Lizenz der Kartenkacheln muss das erlauben. Ohne Angabe wird das Modell mit den Fotos trainiert, die eine Position erhalten.</translation>
   </message>
   <message>
    <source>Other feature</source>
@@ -4988,8 +4988,8 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Das Modell ist trainiert und im Bedienfeld gewählt.</translation>
   </message>
   <message>
-   <source>The model is trained on the photos that get a position without training.</source>
-   <translation>Das Modell wird mit den Fotos trainiert, die ohne Training eine Position erhalten.</translation>
+   <source>The model is trained on the photos that get a position.</source>
+   <translation>Das Modell wird mit den Fotos trainiert, die eine Position erhalten.</translation>
   </message>
   <message>
    <source>The most similar window has the distance {distance:.3f}; at most {threshold:g} is accepted.</source>

@@ -3180,8 +3180,8 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
    <translation>Ortofoto, teselas de mapa o vista general de la base de datos. En el informe se dibuja debajo de todo lo demás.</translation>
   </message>
   <message>
-   <source>Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must allow this. If not set, the model is trained on the photos that get a position without training.</source>
-   <translation>Ortofoto o capa de teselas de mapa con la que se entrena el modelo. La licencia de las teselas de mapa debe permitirlo. Si no se indica, el modelo se entrena con las fotos que obtienen una posición sin entrenamiento.</translation>
+   <source>Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must allow this. If not set, the model is trained on the photos that get a position.</source>
+   <translation>Ortofoto o capa de teselas de mapa con la que se entrena el modelo. La licencia de las teselas de mapa debe permitirlo. Si no se indica, el modelo se entrena con las fotos que obtienen una posición.</translation>
   </message>
   <message>
    <source>Other feature</source>
@@ -4988,8 +4988,8 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>El modelo está entrenado y seleccionado en el panel.</translation>
   </message>
   <message>
-   <source>The model is trained on the photos that get a position without training.</source>
-   <translation>El modelo se entrena con las fotos que obtienen una posición sin entrenamiento.</translation>
+   <source>The model is trained on the photos that get a position.</source>
+   <translation>El modelo se entrena con las fotos que obtienen una posición.</translation>
   </message>
   <message>
    <source>The most similar window has the distance {distance:.3f}; at most {threshold:g} is accepted.</source>

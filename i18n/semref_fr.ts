@@ -3180,8 +3180,8 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
    <translation>Orthophoto, tuiles de carte ou vue d’ensemble de la base de données. Elle est dessinée sous tout le reste dans le rapport.</translation>
   </message>
   <message>
-   <source>Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must allow this. If not set, the model is trained on the photos that get a position without training.</source>
-   <translation>Orthophoto, ou couche de tuiles de carte, sur laquelle le modèle est entraîné. La licence des tuiles de carte doit le permettre. Sans imagerie, le modèle est entraîné sur les photos qui obtiennent une position sans entraînement.</translation>
+   <source>Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must allow this. If not set, the model is trained on the photos that get a position.</source>
+   <translation>Orthophoto, ou couche de tuiles de carte, sur laquelle le modèle est entraîné. La licence des tuiles de carte doit le permettre. Sans imagerie, le modèle est entraîné sur les photos qui obtiennent une position.</translation>
   </message>
   <message>
    <source>Other feature</source>
@@ -4988,8 +4988,8 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>Le modèle est entraîné et sélectionné dans le panneau.</translation>
   </message>
   <message>
-   <source>The model is trained on the photos that get a position without training.</source>
-   <translation>Le modèle est entraîné sur les photos qui obtiennent une position sans entraînement.</translation>
+   <source>The model is trained on the photos that get a position.</source>
+   <translation>Le modèle est entraîné sur les photos qui obtiennent une position.</translation>
   </message>
   <message>
    <source>The most similar window has the distance {distance:.3f}; at most {threshold:g} is accepted.</source>

@@ -3180,8 +3180,8 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation>正射影像、地图瓦片或数据库的概览。在报告中绘制于其他所有内容之下。</translation>
   </message>
   <message>
-   <source>Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must allow this. If not set, the model is trained on the photos that get a position without training.</source>
-   <translation>用于训练模型的正射影像或地图瓦片图层。地图瓦片的许可必须允许这样使用。不填则用无需训练即可得到位置的照片训练模型。</translation>
+   <source>Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must allow this. If not set, the model is trained on the photos that get a position.</source>
+   <translation>用于训练模型的正射影像或地图瓦片图层。地图瓦片的许可必须允许这样使用。不填则用得到位置的照片训练模型。</translation>
   </message>
   <message>
    <source>Other feature</source>
@@ -4988,8 +4988,8 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>模型已训练完成，并已在面板中选用。</translation>
   </message>
   <message>
-   <source>The model is trained on the photos that get a position without training.</source>
-   <translation>模型将用无需训练即可得到位置的照片进行训练。</translation>
+   <source>The model is trained on the photos that get a position.</source>
+   <translation>模型将用得到位置的照片进行训练。</translation>
   </message>
   <message>
    <source>The most similar window has the distance {distance:.3f}; at most {threshold:g} is accepted.</source>

@@ -128,7 +128,7 @@ class SetUpArea(SemRefAlgorithm):
             with_help(
                 QgsProcessingParameterRasterLayer(self.IMAGERY, "Imagery", optional=True),
                 "Orthophoto, or layer of map tiles, on which the model is trained. The license of map tiles must "
-                "allow this. If not set, the model is trained on the photos that get a position without training.",
+                "allow this. If not set, the model is trained on the photos that get a position.",
             ),
             with_help(
                 QgsProcessingParameterNumber(self.MINUTES, "Training (minutes)", DOUBLE, 0.0, minValue=0.0),
@@ -242,7 +242,7 @@ class SetUpArea(SemRefAlgorithm):
             terms = tr("“{layer}” is drawn for the training. Check that its provider permits this use.")
             area = replace(area, warnings=(*area.warnings, terms.format(layer=self._drawn.name())))
         if self._trains(values) and not values.has(self.IMAGERY):
-            text = tr("The model is trained on the photos that get a position without training.")
+            text = tr("The model is trained on the photos that get a position.")
             area = replace(area, warnings=(*area.warnings, text))
         return area
 

@@ -31,9 +31,6 @@ TRAIN, GEOREFERENCE = "trainmodel", "georeferenceimages"
 ROUNDS = "first", "second"
 """Names of the rounds of a training on photos. In the second round, more photos have a position."""
 
-WITHOUT_VALIDATION = {"VALIDATION_FRACTION": 0.0}
-"""For a training on photos: the few tiles of a few photos teach more than they test."""
-
 SCALES = 0.5, 2.0
 """Scales to search where the ground width of a photo is typical."""
 
@@ -147,12 +144,12 @@ def _training_on_photos(run: AreaRun) -> list[Step]:
         text = tr("Georeferencing the photos for the training")
         steps.append(Step(GEOREFERENCE, georeference, (mosaic,), text))
         prefix = "" if name == ROUNDS[-1] else f"{name}_"
-        steps.append(_training(run, run.path(mosaic), base, run.minutes / len(ROUNDS), prefix, **WITHOUT_VALIDATION))
+        steps.append(_training(run, run.path(mosaic), base, run.minutes / len(ROUNDS), prefix))
         model = base = run.path(prefix + MODEL_FILE)
     return steps
 
 
-def _training(run: AreaRun, imagery: str, base: str | None, minutes: float, prefix: str = "", **values: float) -> Step:
+def _training(run: AreaRun, imagery: str, base: str | None, minutes: float, prefix: str = "") -> Step:
     files = prefix + MODEL_FILE, prefix + TRAINING_FILE
     train = {
         "IMAGE": imagery,
@@ -162,8 +159,10 @@ def _training(run: AreaRun, imagery: str, base: str | None, minutes: float, pref
         "RESOLUTION": run.area.plan.resolution_cm,
         "OUTPUT": run.path(files[0]),
         "REPORT": run.path(files[1]),
-        **values,
     }
+    if not run.imagery:
+        # The few tiles of a few photos teach more than they test.
+        train["VALIDATION_FRACTION"] = 0.0
     return Step(TRAIN, train, files, tr("Training the model"))
 
 
