@@ -52,7 +52,7 @@ def test_it_asks_for_what_is_missing_and_shows_sizes(project_map, dialog, sample
     dialog.folder.setFilePath(str(tmp_path / "results"))
     wait_until(dialog.start.isEnabled, "the button Run")
     dialog.minutes.setValue(5)
-    shows(dialog, "The model is trained on the photos that get a position without training.")
+    shows(dialog, "The model is trained on the photos that get a position.")
     opened = []
     monkeypatch.setattr(QDesktopServices, "openUrl", lambda url: opened.append(url.toLocalFile()))
     dialog.help.click()
