@@ -20,8 +20,8 @@ from .evaluation.summary import MethodSummary, summarize
 from .flight.cameras import read_cameras
 from .flight.flight import localize_flight as localize_images_of_flight
 from .flight.model import FlightImage
-from .flight.pixel_features import Features, features_of
-from .flight.pixel_motion import motion_between
+from .flight.pixel_features import features_of
+from .flight.pixel_links import PixelLinks
 from .flight.settings import FLIGHT
 from .geometry.camera import Camera
 from .geometry.frame import MapFrame
@@ -206,19 +206,15 @@ def localize_flight(  # noqa: PLR0913 - as of ``localize``
     search = Search(Method.AUTOMATIC, prior or Prior())
     pipeline, known = _prepared(images, database, model, search, cameras, risk, sun_deg)
     pipeline = replace(pipeline, looks_again=False)
-    results, flown, links = [], [], []
-    before: Features | None = None
-    for number, (name, camera) in enumerate(known):
+    results, flown, pixels = [], [], PixelLinks()
+    for name, camera in known:
         result = pipeline.run(name, camera, with_pixels=True)
         seen = result.seen
-        flown.append(FlightImage.of(name, result, camera.time_s))
-        features = features_of(seen.labels_hw, seen.pixels, result.leveling)
-        link = None if before is None else motion_between(before, features, (number - 1, number)).link
-        links += [] if link is None else [link]
+        image = FlightImage.of(name, result, camera.time_s)
+        flown.append(replace(image, is_apart=pixels.add(features_of(seen.labels_hw, seen.pixels, result.leveling))))
         results.append(replace(result, seen=replace(seen, pixels=None)))
-        before = features
     settings = replace(FLIGHT, allowed_risk=risk)
-    poses = localize_images_of_flight(flown, links, pipeline.localizer, settings)
+    poses = localize_images_of_flight(flown, pixels.links, pipeline.localizer, settings)
     return [result.as_taken(pose.localization()) for result, pose in zip(results, poses)]
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 
 from qgis.core import (
     QgsProcessingContext,
@@ -15,6 +16,7 @@ from qgis.core import (
 from qgis.gui import QgsFileWidget, QgsProcessingMapLayerComboBox
 from qgis.PyQt.QtCore import QSize, Qt, QTimer, pyqtSignal
 from qgis.PyQt.QtWidgets import (
+    QCheckBox,
     QDialog,
     QDoubleSpinBox,
     QFileDialog,
@@ -73,6 +75,7 @@ class SetUpAreaDialog(QDialog):
         self.photos = _files(QgsFileWidget.StorageMode.GetDirectory)
         self.add_files = QPushButton(tr("Add files…"))
         self.width_m = _number(tr("from the camera or the imagery"), " m", 1, 10)
+        self.flight = QCheckBox(self._definition(SetUpArea.FLIGHT).description())
         self.map = QgsProcessingMapLayerComboBox(self._definition(SetUpArea.ANNOTATION))
         self.lines = QgsProcessingMapLayerComboBox(self._definition(SetUpArea.LINES))
         self.imagery = QgsProcessingMapLayerComboBox(self._definition(SetUpArea.IMAGERY))
@@ -96,6 +99,7 @@ class SetUpAreaDialog(QDialog):
         self._run, self._reader, self._soon = AlgorithmRun(self), Reader(self), QTimer(self)
         self._feedback, self._context = QgsProcessingFeedback(False), QgsProcessingContext()
         self._used: dict = {}
+        self._seen: Sequence[str] = ()
         self._is_other_project = False
         self._lay_out()
         self.resize(self.sizeHint().expandedTo(QSize(_WIDTH_PX, 0)))
@@ -108,6 +112,7 @@ class SetUpAreaDialog(QDialog):
         for key, widget in (
             (SetUpArea.PHOTOS, self.photos),
             (SetUpArea.PHOTO_WIDTH, self.width_m),
+            (SetUpArea.FLIGHT, self.flight),
             (SetUpArea.ANNOTATION, self.map),
             (SetUpArea.LINES, self.lines),
             (SetUpArea.IMAGERY, self.imagery),
@@ -119,7 +124,7 @@ class SetUpAreaDialog(QDialog):
             widget.setToolTip(definition.help())
             widget.setAccessibleName(definition.description())
             row = row_of((widget, 1), self.add_files) if widget is self.photos else widget
-            form.addRow(definition.description(), row)
+            form.addRow("" if widget is self.flight else definition.description(), row)
         self.summary.setAlignment(Qt.AlignmentFlag.AlignTop)
         # Without it, a long summary would squeeze the fields on a small screen.
         scrolled = QScrollArea()
@@ -169,6 +174,7 @@ class SetUpAreaDialog(QDialog):
         return {
             SetUpArea.PHOTOS: [path for path in photos if path],
             SetUpArea.PHOTO_WIDTH: self.width_m.value() or None,
+            SetUpArea.FLIGHT: self.flight.isChecked(),
             SetUpArea.ANNOTATION: self.map.value(),
             SetUpArea.LINES: self.lines.value(),
             SetUpArea.IMAGERY: self.imagery.value(),
@@ -210,6 +216,10 @@ class SetUpAreaDialog(QDialog):
         self._reader.read(tr("Reading the photos and the map"), algorithm.read, values, self._feedback)
 
     def _show_area(self, area) -> None:
+        if self._seen != area.photos.files:
+            # Only once for the same photos: the user may know better.
+            self._seen = area.photos.files
+            self.flight.setChecked(area.photos.is_flight)
         lines = [area.summary(self.minutes.value()), *area.warnings]
         if not self.folder.filePath().strip():
             lines.append(tr("Choose a folder for the results."))
@@ -278,7 +288,8 @@ def add_area(results: dict, given: dict, project: QgsProject) -> str:
         add_database_to_map(results[SetUpArea.DATABASE], project)
     positions = results.get(SetUpArea.POSITIONS, "").partition("|")[0]
     if positions:
-        shown = [layer for layer in named_results(positions)[:2] if layer is not None]
+        layers = named_results(positions)
+        shown = [layer for layer in (*layers[:2], layers[-1]) if layer is not None]
         for layer in reversed(shown):
             place_on_top(layer, project)
     return positions

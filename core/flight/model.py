@@ -44,6 +44,8 @@ class FlightImage:
         prior: Of this image: heading with its range, range of pixel sizes, position with its radius.
         biases: Class offsets of the labels.
         leveling: How the labels were leveled; None for labels as taken.
+        is_apart: Its pixels do not show the ground of the image before, so that motion between overlapping images did
+            not continue.
     """
 
     name: str
@@ -53,6 +55,7 @@ class FlightImage:
     prior: Prior = Prior()
     biases: KnownBiases = UNBIASED
     leveling: Leveling | None = field(default=None, compare=False, repr=False)
+    is_apart: bool = False
 
     @classmethod
     def of(cls, name: str, result: ImageResult, time_s: float | None) -> FlightImage:

@@ -59,10 +59,12 @@ class Motion:
     Attributes:
         link: The motion; None without one.
         reason: Why there is no motion; None with a link.
+        is_apart: Whether the images have enough texture to show a common motion, and show none.
     """
 
     link: Link | None
     reason: Sentence | None = None
+    is_apart: bool = False
 
 
 def motion_between(first: Features, second: Features, numbers: tuple[int, int] = (0, 1)) -> Motion:
@@ -77,7 +79,7 @@ def motion_between(first: Features, second: Features, numbers: tuple[int, int] =
         return Motion(None, Sentence("One of the two images has too little texture to match it with the other."))
     proposed = _propose(first, second)
     if proposed is None:
-        return Motion(None, Sentence("No common motion matches the two images. They may show different ground."))
+        return Motion(None, Sentence("No common motion matches the two images. They may show different ground."), True)
     mapping: Mapping = partial(similarity, proposed)
     motion = Motion(None)
     for _ in range(ROUNDS):
@@ -91,7 +93,7 @@ def motion_between(first: Features, second: Features, numbers: tuple[int, int] =
                 agreeing=agreeing,
                 cells=cells,
             )
-            return Motion(None, reason)
+            return Motion(None, reason, True)
         mapping = found.mapping
         motion = Motion(_link(first, second, found, agreeing / cells, numbers))
     return motion

@@ -103,14 +103,14 @@ class FlightTracker:
 
         Args:
             image: Its labels and priors.
-            link: From the image before. If None, the motion before continues; without any motion the flight begins
-                again.
+            link: From the image before. If None, the motion before continues. Without any motion, and where the pixels
+                contradict it, the flight begins again.
         """
         self._number += 1
         prior = self._prior(image)
         seen = prepare_image(image.labels_hw, self.localizer.pyramid, prior, image.own, self.settings)
         if self._latest is not None:
-            link = link or self._assumed_link()
+            link = link or self._assumed_link(image)
         if link is None or self._latest is None:
             self._begin()
         else:
@@ -186,10 +186,10 @@ class FlightTracker:
         sizes = self.localizer.pixel_sizes(image.size_wh[::-1], default_scales(Method.MAP_CORRELATION))
         return replace(image.prior, pixel_size_range=sizes)
 
-    def _assumed_link(self) -> Link | None:
-        """Return the motion before as a link; None without one."""
+    def _assumed_link(self, image: FlightImage) -> Link | None:
+        """Return the motion before as a link; None without one, and if the image should overlap but does not."""
         latest = self._past[0].link if self._past else None
-        if latest is None:
+        if latest is None or (image.is_apart and latest.source is LinkSource.PIXELS):
             return None
         share, heading_deg, size = ASSUMED
         known = np.diag([*[(share * abs(latest.step)) ** 2] * 2, np.radians(heading_deg) ** 2, size**2])

@@ -15,6 +15,7 @@ from qgis.core import (
     QgsProcessingOutputFile,
     QgsProcessingOutputHtml,
     QgsProcessingOutputVectorLayer,
+    QgsProcessingParameterBoolean,
     QgsProcessingParameterExtent,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterField,
@@ -83,6 +84,7 @@ class SetUpArea(SemRefAlgorithm):
     LINES = "LINES"
     PHOTOS = "PHOTOS"
     PHOTO_WIDTH = "PHOTO_WIDTH"
+    FLIGHT = "FLIGHT"
     IMAGERY = "IMAGERY"
     EXTENT = parameters.EXTENT
     MODEL = parameters.MODEL
@@ -105,6 +107,11 @@ class SetUpArea(SemRefAlgorithm):
                 ),
                 "Width of the ground that a typical photo shows, for example 150. If not set, height and focal "
                 "length of the camera give it, or the pixels of the imagery.",
+            ),
+            with_help(
+                QgsProcessingParameterBoolean(self.FLIGHT, "These images are one flight", False),
+                "Compute all positions together, in the order of the images’ times, or of their names if there are no "
+                "times. Images without a position of their own get one from the flight.",
             ),
             with_help(
                 QgsProcessingParameterFeatureSource(self.ANNOTATION, "Map", types=[SOURCE_POLYGON]),
@@ -308,6 +315,7 @@ class SetUpArea(SemRefAlgorithm):
             base.file if is_fitting else None,
             self._imagery,
             values.number(self.MINUTES),
+            values.switch(self.FLIGHT),
         )
 
     def _prepare(

@@ -53,6 +53,9 @@ _VIEW_DEG = 2 * math.degrees(math.atan(0.5))
 
 _WIDTHS_READ = 2000
 
+LEAST_OF_FLIGHT, MOST_GAP_S = 3, 60.0
+"""Photos are one flight if there are at least so many and each is taken at most so long after the one before."""
+
 
 class AreaMap:
     """Private copies of the land-cover layer and of lines for other threads, and how they get their classes.
@@ -144,6 +147,7 @@ class AreaPhotos:
         places: (longitude, latitude) of photos with a GPS position, degrees.
         is_assumed: Whether the size follows from the pixels of the imagery.
         pixel_m: Pixel size of a typical photo; None without photos.
+        is_flight: Whether their times show that they are one flight.
     """
 
     files: Sequence[str]
@@ -152,6 +156,7 @@ class AreaPhotos:
     places: Sequence[tuple[float, float]] = ()
     is_assumed: bool = False
     pixel_m: float | None = None
+    is_flight: bool = False
 
 
 def read_photos(
@@ -177,6 +182,7 @@ def read_photos(
     shapes: dict[str, tuple[int, int]] = {}
     sizes: dict[str, float | None] = {}
     places: dict[str, tuple[float, float]] = {}
+    times_s: list[float | None] = []
     faults = []
     for path in files:
         check_canceled(feedback)
@@ -187,7 +193,10 @@ def read_photos(
             faults.append(error)
             continue
         shapes[path] = raster.RasterYSize, raster.RasterXSize
-        sizes[path] = _pixel_size_m(path, shapes[path])
+        camera = photo_camera(path)
+        times_s.append(camera.time_s)
+        stated = stated_pixel_size_m(path)
+        sizes[path] = camera.pixel_size(shapes[path]) if stated is None else stated[0]
         place = photo_lon_lat(path)
         if place is not None:
             places[path] = place
@@ -208,13 +217,14 @@ def read_photos(
     ratio = median([height / width for height, width in shapes.values()]) if shapes else RATIO
     unknown = [path for path, size in sizes.items() if not size]
     pixel_m = typical_m / median([width for _, width in shapes.values()]) if shapes else None
-    return AreaPhotos(files, (typical_m, typical_m * ratio), unknown, list(places.values()), is_assumed, pixel_m)
+    size_m = typical_m, typical_m * ratio
+    return AreaPhotos(files, size_m, unknown, list(places.values()), is_assumed, pixel_m, _is_flight(times_s))
 
 
-def _pixel_size_m(path: str, shape_hw: tuple[int, int]) -> float | None:
-    """Return the pixel size from a georeference, or from height and lens; None if both are unknown."""
-    stated = stated_pixel_size_m(path)
-    return stated[0] if stated is not None else photo_camera(path).pixel_size(shape_hw)
+def _is_flight(times_s: Sequence[float | None]) -> bool:
+    known = sorted(time_s for time_s in times_s if time_s is not None)
+    gaps = [later - earlier for earlier, later in zip(known, known[1:])]
+    return len(known) == len(times_s) >= LEAST_OF_FLIGHT and max(gaps) <= MOST_GAP_S
 
 
 @dataclass(frozen=True)

@@ -49,6 +49,7 @@ class AreaRun:
         base: Model to start the training from; None for a new one.
         imagery: Imagery of the training; empty for the photos.
         minutes: Duration of the training; 0 without one.
+        is_flight: Whether the photos are one flight.
     """
 
     map: AreaMap
@@ -59,6 +60,7 @@ class AreaRun:
     base: str | None
     imagery: str
     minutes: float
+    is_flight: bool
 
     def path(self, name: str) -> str:
         return str(self.folder / name)
@@ -74,7 +76,7 @@ def steps_of(run: AreaRun) -> list[Step]:
     steps.append(_assessment(run))
     if run.area.photos.files:
         model = run.path(MODEL_FILE) if run.minutes else run.model
-        outputs = {"LABELS": run.path(LABELS_FOLDER), **_tables(run.path(POSITIONS_FILE))}
+        outputs = {"LABELS": run.path(LABELS_FOLDER), **_tables(run.path(POSITIONS_FILE), run.is_flight)}
         steps.append(_localization(run, model, outputs, (POSITIONS_FILE,), tr("Localizing the photos")))
     return steps
 
@@ -121,7 +123,8 @@ def _localization(run: AreaRun, model: str, outputs: dict[str, str], files: tupl
     if photos.unknown:
         values |= {"ATTITUDE": run.path(CAMERAS_FILE)}
         values |= {"SCALE_MINIMUM": SCALES[0], "SCALE_MAXIMUM": SCALES[1]}
-    return Step("localizeimages", {**values, **outputs}, files, text)
+    algorithm = "localizeflight" if run.is_flight else "localizeimages"
+    return Step(algorithm, {**values, **outputs}, files, text)
 
 
 def _training_on_photos(run: AreaRun) -> list[Step]:
@@ -179,12 +182,12 @@ def _assessment(run: AreaRun) -> Step:
     return Step("assessdatabase", assess, (EXPECTED_FILE, ASSESSMENT_FILE), tr("Assessing the database"))
 
 
-def _tables(path: str) -> dict[str, str]:
+def _tables(path: str, is_flight: bool) -> dict[str, str]:
     """Return the outputs of the localization as tables of one file, as the dock opens them."""
     if "'" in path:
         # QGIS cannot write tables to such a path. The only layer gets the file's name, which is that of the table.
         return {"OUTPUT": path}
-    return table_outputs(path)
+    return table_outputs(path, is_flight)
 
 
 def _simulated(area: AreaSetup) -> int:

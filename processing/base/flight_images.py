@@ -15,8 +15,8 @@ from ...core.flight.cameras import complete_camera
 from ...core.flight.model import FlightImage, FlightPose
 from ...core.flight.motion import Link
 from ...core.flight.odometry import OdometryRow, odometry_links
-from ...core.flight.pixel_features import Features, features_of
-from ...core.flight.pixel_motion import motion_between
+from ...core.flight.pixel_features import features_of
+from ...core.flight.pixel_links import PixelLinks
 from ...core.flight.telemetry import Telemetry, log_cameras, log_links
 from ...core.geometry.camera import Camera
 from ...core.localization import Localization
@@ -97,16 +97,12 @@ class FlightReader:
 
     Attributes:
         taken: Images that were read, in order.
-        links: Motion measured in pixels, between the images of ``flown``.
-        unlinked: (number of the later image in ``flown``, reason) where pixels show no motion.
     """
 
     def __init__(self, pipeline: Pipeline, keep: LabelImages) -> None:
         self._pipeline, self._keep = pipeline, keep
         self.taken: list[TakenImage] = []
-        self.links: list[Link] = []
-        self.unlinked: list[tuple[int, str]] = []
-        self._features: list[Features] = []
+        self._pixels = PixelLinks()
 
     @property
     def flown(self) -> list[FlightImage]:
@@ -125,11 +121,10 @@ class FlightReader:
             self.taken.append(TakenImage(path, camera, error=worded(error)))
             return
         self._keep(path, result.labels_hw)
-        number = len(self.flown)
         # All photos of a flight together would fill the memory.
         result = replace(result, seen=replace(seen, pixels=None))
+        flown = replace(flown, is_apart=self._pixels.add(features))
         self.taken.append(TakenImage(path, camera, result, flown, camera_remark(camera, result.shape_hw)))
-        self._link(features, number)
 
     def search_within_reach(self, speed: float, feedback: QgsProcessingFeedback) -> None:
         """Search the images that have no position by themselves within reach of the others; see ``Reach``."""
@@ -152,17 +147,6 @@ class FlightReader:
             flown = replace(cast(FlightImage, taken.flown), own=level, prior=result.prior)
             self.taken[n] = replace(taken, result=replace(result, level=level), flown=flown)
 
-    def _link(self, features: Features, number: int) -> None:
-        before, self._features = self._features, [*self._features[-1:], features]
-        # A blurred image may be between two images that show the same ground.
-        for away, earlier in enumerate(reversed(before), 1):
-            motion = motion_between(earlier, features, (number - away, number))
-            if motion.link is not None:
-                self.links.append(motion.link)
-                return
-            if away == 1 and motion.reason is not None:
-                self.unlinked.append((number, worded(motion.reason)))
-
     def links_with(self, steps: Sequence[OdometryRow], log: Telemetry | None) -> list[Link]:
         """Return all links: of the odometry table, otherwise of pixels, otherwise of the log."""
         names = [image.name for image in self.flown]
@@ -170,7 +154,7 @@ class FlightReader:
         logged = []
         if log is not None:
             logged = log_links(log, [stem_of(name) for name in names], [image.time_s for image in self.flown])
-        for link in (*self.links, *logged):
+        for link in (*self._pixels.links, *logged):
             links.setdefault((link.first, link.second), link)
         return sorted(links.values(), key=lambda link: (link.second, link.first))
 
@@ -186,9 +170,9 @@ class FlightReader:
         counts = {key: sources.count(source) for key, source in _SOURCES.items()}
         said = [text.format(pairs=pairs, unknown=pairs - len(linked), **counts)]
         names = [image.name for image in self.flown]
-        for number, reason in self.unlinked:
+        for number, reason in self._pixels.unlinked:
             if number not in linked:
-                said.append(f"{names[number - 1]} – {names[number]}: {reason}")
+                said.append(f"{names[number - 1]} – {names[number]}: {worded(reason)}")
         return said
 
 

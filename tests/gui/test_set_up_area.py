@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 from dock_area import messages, settle, wait_until
+from made_inputs import write_photo
 from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer, QgsWkbTypes
 from qgis.PyQt.QtGui import QDesktopServices
 from qgis.PyQt.QtWidgets import QCheckBox, QFileDialog
@@ -91,8 +92,22 @@ def test_only_the_selected_polygons_are_read_if_the_user_wants_that(project_map,
     shows(dialog, "A typical photo shows 6400 m of ground, more than the map")
 
 
+def test_photos_with_times_are_one_flight_until_the_user_says_no(project_map, dialog, repository, tmp_path):
+    for n in range(3):
+        write_photo(tmp_path / f"{n}.jpg", DateTimeOriginal=f"2026:05:01 10:00:{n:02}")
+    dialog.model.setFilePath(str(repository / "models" / "sample_area.onnx"))
+    dialog.width_m.setValue(640)
+    dialog.photos.setFilePath(str(tmp_path))
+    shows(dialog, "3 photos.")
+    assert dialog.flight.isChecked() and dialog.parameters()["FLIGHT"]
+    dialog.flight.setChecked(False)
+    dialog.width_m.setValue(6400)
+    shows(dialog, "more than the map")
+    assert not dialog.flight.isChecked()
+
+
 @pytest.fixture
-def started(project_map, dialog, sample, repository, tmp_path):
+def started(project_map, dialog, sample, repository, tmp_path, request):
     photos = tmp_path / "photos"
     photos.mkdir()
     for n in (1, 2):
@@ -102,17 +117,22 @@ def started(project_map, dialog, sample, repository, tmp_path):
     dialog.model.setFilePath(str(repository / "models" / "sample_area.onnx"))
     dialog.folder.setFilePath(str(tmp_path / "results"))
     wait_until(dialog.start.isEnabled, "the button Run")
+    dialog.flight.setChecked(getattr(request, "param", False))
     dialog.start.click()
     assert dialog.start.text() == "Cancel"
     return dialog
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("started", [False, True], indirect=True, ids=["images", "flight"])
 def test_a_run_shows_map_landmarks_and_positions(dock, iface, started, tmp_path):
     wait_until(lambda: not started.isVisible() or started.start.text() == "Run", "the end of the run")
     assert not started.isVisible(), started.summary.text()
     names = [node.name() for node in QgsProject.instance().layerTreeRoot().findLayers()]
-    assert [*names[:3], names[-1]] == ["SemRef positions", "SemRef footprints", "Landmarks", "land cover"]
+    is_flight = dock.content.localize.images.flight.isChecked()
+    track = ["SemRef track"] if is_flight else []
+    shown = ["SemRef positions", "SemRef footprints", *track, "Landmarks"]
+    assert is_flight is started.flight.isChecked() and [*names[: len(shown)], names[-1]] == [*shown, "land cover"]
     assert dock.content.database.path() == str(tmp_path / "results" / "reference_database.gpkg")
     assert dock.content.localize.state.text_shown.startswith("2 of 2 images have a position")
     assert any("The area is set up" in text for text in messages(iface))

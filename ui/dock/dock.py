@@ -109,11 +109,12 @@ class SemRefDock(QgsDockWidget):
             self.setting_up = None
         shut_down(self)
 
-    def prepare(self, database: str, model: str, images: list[str], results: str = "") -> None:
+    def prepare(self, database: str, model: str, images: list[str], results: str = "", is_flight: bool = False) -> None:
         """Show the dock with database, model, images and results, and the automatic method."""
         from .content import LOCALIZE
 
-        self.content.localize.show_state(DockState(database, model, Method.AUTOMATIC.number, images, results))
+        state = DockState(database, model, Method.AUTOMATIC.number, images, results, is_flight=is_flight)
+        self.content.localize.show_state(state)
         self.setUserVisible(True)
         self.content.tabs.setCurrentIndex(LOCALIZE)
 
@@ -136,7 +137,8 @@ class SemRefDock(QgsDockWidget):
         from ..set_up_area import add_area
 
         results_file = add_area(results, given, QgsProject.instance())
-        self.prepare(results["DATABASE"], results["TRAINED_MODEL"], given["PHOTOS"], results_file)
+        chosen = results["DATABASE"], results["TRAINED_MODEL"], given["PHOTOS"]
+        self.prepare(*chosen, results_file, given["FLIGHT"])
         self.messages.success_with(tr("The area is set up."), tr("Open report"), partial(open_file, results["REPORT"]))
 
     def choose_database(self, path: str) -> None:

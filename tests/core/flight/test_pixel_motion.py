@@ -6,6 +6,7 @@ import pytest
 
 from semref.core.flight.pixel_features import label_features, photo_features
 from semref.core.flight.pixel_fit import fit_mapping
+from semref.core.flight.pixel_links import PixelLinks
 from semref.core.flight.pixel_motion import CHANCE, LEAST_EVIDENCE, evidence, motion_between, unmeasured_covariance
 from semref.core.simulation.views import View, image_coordinates, map_coordinates
 
@@ -180,3 +181,13 @@ def test_evidence_is_what_speaks_against_chance():
     assert evidence(0, 50) == evidence(1, 50) == 0
     assert evidence(7, 7) == pytest.approx(-7 * np.log(CHANCE))
     assert evidence(10, 100) < LEAST_EVIDENCE < evidence(14, 100)
+
+
+def test_links_lead_over_a_blurred_image_and_end_where_other_ground_is_shown():
+    here = [cut(scene(1), (500 + 40 * step, 500), 0, 1.0) for step in range(3)]
+    images = [here[0], cv2.GaussianBlur(here[1], (0, 0), 30), here[2], cut(scene(2), (500, 500), 0, 1.0)]
+    links = PixelLinks()
+    is_apart = [links.add(photo_features(image)) for image in images]
+    assert [(link.first, link.second) for link in links.links] == [(0, 2)]
+    assert not is_apart[0] and not is_apart[2] and is_apart[3]
+    assert [number for number, _ in links.unlinked] == [1, 2, 3]

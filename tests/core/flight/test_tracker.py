@@ -59,6 +59,16 @@ def test_a_track_that_the_images_contradict_is_lost_and_found_again_under_anothe
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("is_apart", [False, True])
+def test_the_motion_before_is_assumed_to_continue_unless_the_pixels_contradict_it(labels, flown, localizer, is_apart):
+    other = fly(labels, seed=3, start=(501_400.0, 5_198_700.0))
+    tracker = FlightTracker(localizer, FEW)
+    before = [tracker.add(*pair) for pair in zip(flown.images[:5], [None, *flown.links])]
+    jumped = tracker.add(replace(other.images[0], is_apart=is_apart))
+    assert before[-1].is_fix and jumped.is_fix is not is_apart
+
+
+@pytest.mark.slow
 def test_over_ground_that_the_map_does_not_show_the_place_is_predicted_until_images_agree_again(labels, localizer):
     flown = fly(labels, seed=3, count=11, start=(500_300.0, 5_198_500.0), step=130.0)
     tracker, changed = FlightTracker(localizer, replace(FEW, window=5)), patches(6, FRAME.shape_hw, 700)
