@@ -70,6 +70,11 @@ class MapRow:
         foreign: Kind of images of other places (``foreign.KINDS``, ``mirrored``, ``other half``); empty for the map's.
         heading_known_deg: Largest error of the known heading; 0 for unknown.
         count: Number of images or flights.
+        photos: ``sample``, ``tileN``, or a place and the number of its photo (``kenya.1``); empty for labels.
+        network: Part of the name of the network in --models; empty for the shipped network.
+        labels: Labels of photos, ``network`` or ``true``.
+        other_km2: Area of buildings of another country that the map of a photo's place also has.
+        wanted: Kind of views, as ``ground.Wanted``.
     """
 
     name: str
@@ -81,6 +86,11 @@ class MapRow:
     foreign: str = ""
     heading_known_deg: float = 0.0
     count: int = 200
+    photos: str = ""
+    network: str = ""
+    labels: str = "network"
+    other_km2: float = 0.0
+    wanted: dict[str, Any] = field(default_factory=dict)
 
     def ground(self, world: World) -> Ground:
         """Return the ground of the images."""
@@ -108,15 +118,10 @@ class Row(MapRow):
         displaced: Whether the map is displaced like maps of another date.
         shift_m: Shift of all buildings in a random direction.
         stated: Whether the localizer knows this shift.
-        wanted: Kind of views, as ``ground.Wanted``.
         prior_share: Radius of the prior position, as a share of the footprint; 0 for no prior.
         size_known: Largest error of the known pixel size, 0.2 for 20 %; 0 for unknown.
         level_error_deg: Error of the known roll and pitch; negative for an image that is not leveled.
-        photos: ``sample``, ``tileN``, or a place and the number of its photo (``kenya.1``); empty for labels.
-        other_km2: Area of buildings of another country that the map of a photo's place also has.
         part_km2: Area of a part of the map to use as a small map, in the middle of its landmarks; 0 for the whole map.
-        network: Part of the name of the network in --models; empty for the shipped network.
-        labels: Labels of photos, ``network`` or ``true``.
         right_m: A position is right within this distance; 0 for 2 % of the footprint.
         places: Text that the places of the images follow from, for rows that show the same ones; empty for the name.
     """
@@ -126,15 +131,10 @@ class Row(MapRow):
     displaced: bool = False
     shift_m: float = 0.0
     stated: bool = False
-    wanted: dict[str, Any] = field(default_factory=dict)
     prior_share: float = 0.0
     size_known: float = 0.0
     level_error_deg: float = -1.0
-    photos: str = ""
-    other_km2: float = 0.0
     part_km2: float = 0.0
-    network: str = ""
-    labels: str = "network"
     right_m: float = 0.0
     places: str = ""
 

@@ -8,8 +8,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+import cv2
 import numpy as np
 
+from benchmarks import photos
 from benchmarks.accuracy import BUILDINGS, NOISES, MapRow, measure, rows_of
 from benchmarks.ground import Ground
 from benchmarks.maps import World
@@ -19,8 +21,12 @@ from semref.core.assessment.flights import SIZE_KNOWN, link_between
 from semref.core.flight.flight import FlightSolver
 from semref.core.flight.model import FlightImage
 from semref.core.flight.motion import Link
-from semref.core.localization import RISK, Localization, Method, Prior
+from semref.core.flight.pixel_features import photo_features
+from semref.core.flight.pixel_links import PixelLinks
+from semref.core.localization import RISK, Localization, Method, Place, Prior
 from semref.core.localizer.reach import Reach, search_within_reach
+from semref.core.localizer.search import Search
+from semref.core.pipeline import localize_with
 from semref.core.simulation.noise import DISPLACED_M
 from semref.core.simulation.views import View, cut
 
@@ -39,6 +45,7 @@ COLUMNS = (
     "wrong",
     "median, 95th percentile of error",
     "in the 95 % ellipse",
+    "right alone",
     "s an image: median, p95",
     *(f"image {n}" for n in AT),
     "only predicted, in the 95 % ellipse",
@@ -78,24 +85,28 @@ def run(world: World, name: str, scenario: dict[str, Any], only: Sequence[str]) 
     """Measure the flights of a scenario."""
 
     def measured(row: Row) -> list[str]:
-        ground = row.ground(world)
-        known = row.known(ground)
-        found = cells(row, [one_flight(ground, known, row, number) for number in range(world.count or row.count)])
+        source = photos.of(world, row) if row.photos else None
+        ground = row.ground(world) if source is None else source.ground
+        known, numbers = row.known(ground), range(world.count or row.count)
+        found = cells(row, [one_flight(ground, known, row, number, source) for number in numbers])
         print("  " + " | ".join(found), file=sys.stderr, flush=True)
         return found
 
     return [{"columns": list(COLUMNS), "rows": list(measure(rows_of(scenario, Row), only, measured).values())}]
 
 
-def one_flight(ground: Ground, known: Ground, row: Row, number: int) -> dict[str, list]:
+def one_flight(
+    ground: Ground, known: Ground, row: Row, number: int, source: photos.Photos | None = None
+) -> dict[str, list]:
     """Return the poses of the whole flight, the poses known at each image, and the seconds per image."""
     rng = np.random.default_rng([1616, len(row.name), number])
-    images, links, views = draw(ground, row, rng)
-    if row.foreign == "mirrored":
+    images, links, views = draw(ground, row, rng, source)
+    if row.foreign == "mirrored" and source is None:
         images = [replace(i, labels_hw=np.ascontiguousarray(i.labels_hw[:, ::-1])) for i in images]
         links = [link.mirrored() for link in links]
     # As for the user, the flight starts from what each image shows by itself.
-    images = [replace(i, own=known.localizer.localize(i.labels_hw, Method.AUTOMATIC, i.prior)) for i in images]
+    if source is None:
+        images = [replace(i, own=known.localizer.localize(i.labels_hw, Method.AUTOMATIC, i.prior)) for i in images]
     if row.reach_m:
         images, links = _found_within_reach(images, known, row.reach_m), []
     solver, seconds = FlightSolver(known.localizer), []
@@ -108,7 +119,9 @@ def one_flight(ground: Ground, known: Ground, row: Row, number: int) -> dict[str
     ways = {"whole": solver.poses, "causal": solver.causal}
     placed = {name: [_placed(pose, view) for pose, view in zip(poses, views)] for name, poses in ways.items()}
     left = [(pose, view) for pose, view in zip(solver.causal, views) if not pose.is_fix and pose.place is not None]
-    return {**placed, "seconds": seconds, "predicted": [_in_ellipse(*one) for one in left]}
+    found = [(image.own.fix, view) for image, view in zip(images, views) if image.own is not None]
+    alone = [fix is not None and _off(fix, view) <= WRONG_SHARE * view.footprint for fix, view in found]
+    return {**placed, "seconds": seconds, "predicted": [_in_ellipse(*one) for one in left], "alone": alone}
 
 
 def _found_within_reach(images: Sequence[FlightImage], known: Ground, reach_m: float) -> list[FlightImage]:
@@ -127,8 +140,11 @@ def _placed(pose: Any, view: View) -> tuple[float, float, bool] | None:
     """Return (error, footprint width, whether the ellipse contains the truth); None without a fix."""
     if not pose.is_fix:
         return None
-    off = np.subtract(pose.place.position, view.position)
-    return float(np.hypot(*off)), view.footprint, _in_ellipse(pose, view)
+    return _off(pose.place, view), view.footprint, _in_ellipse(pose, view)
+
+
+def _off(place: Place, view: View) -> float:
+    return float(np.hypot(*np.subtract(place.position, view.position)))
 
 
 def _in_ellipse(pose: Any, view: View) -> bool:
@@ -137,12 +153,19 @@ def _in_ellipse(pose: Any, view: View) -> bool:
     return float(off @ np.linalg.solve(np.array(pose.covariance.position), off)) <= -2 * np.log(0.05)
 
 
-def draw(ground: Ground, row: Row, rng: np.random.Generator) -> tuple[list[FlightImage], list[Link], list[View]]:
+def draw(
+    ground: Ground, row: Row, rng: np.random.Generator, source: photos.Photos | None = None
+) -> tuple[list[FlightImage], list[Link], list[View]]:
     """Draw a flight over the extent of a ground. All of its images show the map.
+
+    Args:
+        source: Photos of the ground and their network; None for noise instead.
 
     Raises:
         ValueError: The map has no room for a flight.
     """
+    if source is not None:
+        source.stay_inside()
     left, bottom, right, top = ground.extent
     for _ in range(LARGEST_TRIES):
         views = _route(ground, row, rng)
@@ -157,7 +180,8 @@ def draw(ground: Ground, row: Row, rng: np.random.Generator) -> tuple[list[Fligh
             continue
         seen = [cut(ground.labels_hw, ground.frame, view) for view in views]
         if min((labels > 0).mean() for labels in seen) >= 0.7:
-            return *_fly(ground, row, views, seen, rng), views
+            flown = _fly(ground, row, views, seen, rng) if source is None else _photograph(source, row, views, rng)
+            return *flown, views
     raise ValueError(f"{LARGEST_TRIES} flights left the map.")
 
 
@@ -210,6 +234,23 @@ def _fly(
     return images, links
 
 
+def _photograph(
+    source: photos.Photos, row: Row, views: list[View], rng: np.random.Generator
+) -> tuple[list[FlightImage], list[Link]]:
+    """Take the photos of a flight with another exposure, blur and noise each; label, link and localize them."""
+    images, pixels = [], PixelLinks()
+    for number, view in enumerate(views):
+        photo = source.taken(replace(view, is_mirrored=row.foreign == "mirrored")) * rng.uniform(0.85, 1.15)
+        photo = cv2.GaussianBlur(photo, (0, 0), rng.uniform(0.3, 0.8)) + rng.normal(0, 3, photo.shape)
+        photo = np.clip(photo, 0, 255).astype(np.uint8)
+        prior, seen = Prior(pixel_size_range=source.searched), source.labeled(photo)
+        own = localize_with(source.ground.localizer, Search(Method.AUTOMATIC), seen, prior, None).localization
+        is_apart = pixels.add(photo_features(photo))
+        image = FlightImage(f"{number:03d}", seen.labels_hw, own, float(number), prior, seen.biases, is_apart=is_apart)
+        images.append(image)
+    return images, pixels.links
+
+
 def cells(row: Row, flown: Sequence[dict[str, list]]) -> list[str]:
     """Return the cells of a row, one per column."""
     images = [one for flight in flown for one in flight["whole"]]
@@ -229,6 +270,7 @@ def cells(row: Row, flown: Sequence[dict[str, list]]) -> list[str]:
         rate(len(wrong), len(images)),
         f"{np.median(errors):.1f} m, {np.percentile(errors, 95):.1f} m" if errors else "–",
         rate(sum(one[2] for one in placed), len(placed)) if errors else "–",
+        rate(sum(sum(flight["alone"]) for flight in flown), len(images)),
         f"{np.median(seconds):.1f}, {np.percentile(seconds, 95):.1f}",
         *steps,
         rate(sum(predicted), len(predicted)) if predicted else "–",

@@ -22,7 +22,8 @@ from semref.core.segmentation.model import SegmentationModel
 from semref.core.segmentation.photo_labels import PhotoLabels
 
 if TYPE_CHECKING:
-    from benchmarks.accuracy import Row
+    from benchmarks.accuracy import MapRow
+    from semref.core.simulation.views import View
 
 SHIPPED = ROOT / "models" / "sample_area.onnx"
 SAMPLE_SEED = 1671
@@ -70,13 +71,15 @@ class Photos:
 
     def crop(self, rng: np.random.Generator) -> tuple[Image, np.ndarray]:
         """Draw a crop; return its true labels and its photo, (H, W, 3) uint8."""
-        if self.columns != (0, 0):
-            self._stay_inside()
+        self.stay_inside()
         image = self.ground.draw(self.wanted, rng)
-        view, center = image.view, self.ground.frame.to_pixels(image.view.position)
-        scale = view.pixel_size / self.ground.frame.pixel_size
+        return image, self.taken(image.view)
+
+    def taken(self, view: View) -> np.ndarray:
+        """Return the photo of a view, (H, W, 3) uint8."""
+        center, scale = self.ground.frame.to_pixels(view.position), view.pixel_size / self.ground.frame.pixel_size
         picture = turned(self.picture, center, view.heading_deg, scale, view.shape_hw[::-1])
-        return image, np.ascontiguousarray(picture[:, ::-1]) if view.is_mirrored else picture
+        return np.ascontiguousarray(picture[:, ::-1]) if view.is_mirrored else picture
 
     def labeled(self, photo_hw3: np.ndarray, is_thorough: bool = False) -> SeenLabels:
         """Label a photo in the same way as *Localize images*, which looks again without a position."""
@@ -94,8 +97,10 @@ class Photos:
         values = np.array([BUILDING, OTHER], np.uint8)
         return SeenLabels(labels, ClassShares(values, np.concatenate([buildings, FULL - buildings], axis=2)))
 
-    def _stay_inside(self) -> None:
+    def stay_inside(self) -> None:
         """Keep the centers so far inside the allowed part of the photo that all of an image shows it."""
+        if self.columns == (0, 0):
+            return
         pixel = self.ground.frame.pixel_size
         reach = max(self.wanted.sizes_px) * self.wanted.scales[1] * np.sqrt(0.5) * pixel
         left, _, _, top = self.ground.frame.extent
@@ -105,7 +110,7 @@ class Photos:
         self.ground.extent = (left + first + reach, top - height + reach, left + last - reach, top - reach)
 
 
-def of(world: World, row: Row) -> Photos:
+def of(world: World, row: MapRow) -> Photos:
     """Return the photos of a row.
 
     Raises:
@@ -126,7 +131,7 @@ def of(world: World, row: Row) -> Photos:
     return _of_place(world, row, wanted)
 
 
-def _of_place(world: World, row: Row, wanted: Wanted) -> Photos:
+def _of_place(world: World, row: MapRow, wanted: Wanted) -> Photos:
     name, _, number = row.photos.partition(".")
     photo = place(name).photos[int(number or 0)]
     if not (world.data / photo.image).exists():
@@ -163,7 +168,7 @@ def side_by_side(left: np.ndarray, right: np.ndarray) -> np.ndarray:
     return both
 
 
-def _model(world: World, row: Row) -> SegmentationModel | None:
+def _model(world: World, row: MapRow) -> SegmentationModel | None:
     if row.labels == "true":
         return None
     if not row.network:

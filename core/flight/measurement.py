@@ -13,6 +13,8 @@ from ..correlation.places import edge_m, finest_pose, image_evidence, missing_in
 from ..correlation.refine import ScoredPose, score_at
 from ..geometry.error_settings import SharedErrors
 from ..geometry.pose import PoseCovariance
+from ..geometry.radius import CIRCLE_95
+from ..geometry.shared_errors import CLASSES, MAP
 from ..localization import Localization, Prior
 from ..localizer.localizer import Localizer
 from .model import FlightImage
@@ -46,10 +48,20 @@ class Measurement:
     Attributes:
         state: (4,) meters east and north of the map's corner, heading in radians clockwise, ln pixel size.
         covariance: (4, 4) of it, including the part shared with its neighbors.
+        shared_m2: Variance along an axis by the errors of the map and of the classes, which it shares with its
+            neighbors, m².
     """
 
     state: np.ndarray
     covariance: np.ndarray
+    shared_m2: float = 0.0
+
+    @classmethod
+    def of(cls, state: np.ndarray, known: PoseCovariance, pixel_size: float) -> Measurement | None:
+        """Return the measurement of a pose; None if its covariance is not known."""
+        full = full_covariance(known, pixel_size)
+        shared_m2 = sum((known.part(cause) / CIRCLE_95) ** 2 for cause in (MAP, CLASSES))
+        return None if full is None else cls(state, full, shared_m2)
 
 
 def full_covariance(known: PoseCovariance, pixel_size: float) -> np.ndarray | None:
@@ -65,8 +77,7 @@ def own_measurement(own: Localization | None, pyramid: MapPyramid) -> Measuremen
     """Return the fix of an image by itself as a measurement; None without a fix."""
     if own is None or own.fix is None or own.covariance is None or own.fix.heading_deg is None:
         return None
-    full = full_covariance(own.covariance, own.fix.oriented[1])
-    return None if full is None else Measurement(state_of(own.fix, pyramid.frame.origin), full)
+    return Measurement.of(state_of(own.fix, pyramid.frame.origin), own.covariance, own.fix.oriented[1])
 
 
 def measure_by_areas(
@@ -112,11 +123,8 @@ def _measure_at(
         return None
     ground_m = edge_m(image, pose.pixel_size_m)
     known = full_pose_covariance(pose, spread, ground_m, pyramid.frame.pixel_size, errors)
-    full = full_covariance(known, pose.pixel_size_m)
-    if full is None:
-        return None
     moved = np.array([pose.x, -pose.y, np.radians(pose.heading_deg), np.log(pose.pixel_size_m)])
-    return Measurement(moved, full)
+    return Measurement.of(moved, known, pose.pixel_size_m)
 
 
 def mixture(found: Sequence[tuple[Measurement, float]]) -> Measurement:
@@ -191,8 +199,9 @@ def measure_near(
 
 def shared_variance(measured: list[Measurement], settings: FlightSettings) -> float:
     """Return the variance of the displacement that neighboring measurements share, along an axis, m²."""
-    variances = [float(np.trace(one.covariance[:2, :2])) / 2 for one in measured]
-    return settings.shared_share * float(np.percentile(variances, SHARED_PERCENTILE)) if variances else 0.0
+    share = settings.shared_share
+    shared = [max(one.shared_m2, share * float(np.trace(one.covariance[:2, :2])) / 2) for one in measured]
+    return float(np.percentile(shared, SHARED_PERCENTILE)) if shared else 0.0
 
 
 def shared_after(shared_m2: float, measured: Measurement, settings: FlightSettings) -> float:

@@ -34,7 +34,8 @@ class FlightSettings:
         start_noise: Standard deviations of a track's first place before it is measured, in the same units. A hypothesis
             is known to one pixel of the first look after any number of looks [reasoning; flights].
         map_length: Distance along the track over which errors of map and labels correlate, meters [shared errors].
-        shared_share: Share of a measurement's variance that its neighbors have in common [by hand; flights].
+        shared_share: Share of a measurement's variance that its neighbors have in common, unless map and classes have
+            more [by hand; flights].
         comparisons: Number of independent parts in an image's agreement; it separates places near each other. Most
             likely: 83 at 320 m, 215 at 640 m, flat from 80 on [flight measurements].
         least_score: An image with less agreement at its expected place is not measured there. With 0.2, 7 of 228

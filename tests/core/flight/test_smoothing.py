@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from semref.core.assessment.flights import link_between
-from semref.core.flight.measurement import Measurement
+from semref.core.flight.measurement import Measurement, shared_variance
 from semref.core.flight.motion import Link, LinkSource, as_rows
 from semref.core.flight.settings import FLIGHT
 from semref.core.flight.smoothing import (
@@ -18,6 +18,9 @@ from semref.core.flight.smoothing import (
     with_measurement,
     without_measurement,
 )
+from semref.core.geometry.pose import PoseCovariance
+from semref.core.geometry.radius import CIRCLE_95
+from semref.core.geometry.shared_errors import AREAS, CLASSES, MAP
 from semref.core.simulation.views import View
 
 STEP_M, SHARED_M2, OWN_M2 = 200.0, 4.0, 4.0
@@ -90,6 +93,14 @@ def test_many_measurements_do_not_promise_what_they_share():
     without = deviation(track(12, set(range(12)), rng, shared_m2=1e-9)[6]).max()
     assert middle > 1.2 * without
     assert middle > 0.5 * np.sqrt(SHARED_M2)
+
+
+@pytest.mark.parametrize(("map_m", "shared_m2"), [(1.2, 1.2**2 + 0.5**2), (0.1, FLIGHT.shared_share * 2.0)])
+def test_all_images_of_a_flight_share_the_errors_of_map_and_classes(map_m, shared_m2):
+    parts = tuple((cause, CIRCLE_95 * one) for cause, one in ((AREAS, 0.6), (MAP, map_m), (CLASSES, 0.5)))
+    known = PoseCovariance(((2.0, 0.0), (0.0, 2.0)), 0.1, 0.001, parts=parts)
+    measured = Measurement.of(np.zeros(4), known, 0.25)
+    assert shared_variance([measured] * 3, FLIGHT) == pytest.approx(shared_m2, rel=0.1)
 
 
 def test_later_images_improve_earlier_ones():
