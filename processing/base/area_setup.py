@@ -53,7 +53,7 @@ _VIEW_DEG = 2 * math.degrees(math.atan(0.5))
 
 _WIDTHS_READ = 2000
 
-LEAST_OF_FLIGHT, MOST_GAP_S = 3, 60.0
+LEAST_OF_FLIGHT, MOST_GAP_S = 3, 20.0
 """Photos are one flight if there are at least so many and each is taken at most so long after the one before."""
 
 
