@@ -10,6 +10,10 @@ from .pixel_motion import motion_between
 REMEMBERED = 2
 """Images that the next one is compared with: a blurred image may be between two that show the same ground."""
 
+BLURRED = 0.5
+"""A blurred image has fewer corners than this share of those of the next one. A sharp one is not skipped: where it
+matches neither neighbor, the images are not in the order of a flight."""
+
 
 class PixelLinks:
     """Links the images of a flight, one after the other.
@@ -31,6 +35,8 @@ class PixelLinks:
         self._number += 1
         is_apart = False
         for away, earlier in enumerate(before, 1):
+            if away > 1 and len(before[0].points) > BLURRED * len(features.points):
+                break
             motion = motion_between(earlier, features, (self._number - away, self._number))
             if motion.link is not None:
                 self.links.append(motion.link)
