@@ -53,8 +53,9 @@ _VIEW_DEG = 2 * math.degrees(math.atan(0.5))
 
 _WIDTHS_READ = 2000
 
-LEAST_OF_FLIGHT, MOST_GAP_S = 3, 20.0
-"""Photos are one flight if there are at least so many and each is taken at most so long after the one before."""
+LEAST_OF_FLIGHT, USUAL_GAP_S = 3, 20.0
+"""Photos are one flight if there are at least so many, and half of them are taken at most so long after the one before.
+Longer gaps, as for a change of batteries, do no harm: the flight begins again there."""
 
 
 class AreaMap:
@@ -224,7 +225,7 @@ def read_photos(
 def _is_flight(times_s: Sequence[float | None]) -> bool:
     known = sorted(time_s for time_s in times_s if time_s is not None)
     gaps = [later - earlier for earlier, later in zip(known, known[1:])]
-    return len(known) == len(times_s) >= LEAST_OF_FLIGHT and max(gaps) <= MOST_GAP_S
+    return len(known) == len(times_s) >= LEAST_OF_FLIGHT and median(gaps) <= USUAL_GAP_S
 
 
 @dataclass(frozen=True)

@@ -60,8 +60,11 @@ def test_photos_of_one_name_in_two_formats_and_folders_have_the_stated_ground_wi
     assert [camera.pixel_size(shape) for camera, shape in sizes] == pytest.approx([5, 2.5, 4, 2])
 
 
-@pytest.mark.parametrize(("seconds", "is_flight"), [((20, 0, 39), True), ((0, 10, 31), False), ((0, 10, None), False)])
-def test_photos_are_one_flight_if_all_have_times_without_a_gap(qgis_app, tmp_path, seconds, is_flight):
+@pytest.mark.parametrize(
+    ("seconds", "is_flight"),
+    [((20, 0, 39), True), ((0, 10, 20, 900), True), ((0, 21, 42), False), ((0, 10), False), ((0, 10, None), False)],
+)
+def test_photos_are_one_flight_if_all_have_times_and_most_gaps_are_short(qgis_app, tmp_path, seconds, is_flight):
     times = [None if one is None else f"2026:05:01 10:{one // 60:02}:{one % 60:02}" for one in seconds]
     tags = [{} if time is None else {"DateTimeOriginal": time} for time in times]
     photos = [write_photo(tmp_path / f"{number}.jpg", **one) for number, one in enumerate(tags)]
