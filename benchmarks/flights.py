@@ -6,7 +6,7 @@ import sys
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, cast
 
 import cv2
 import numpy as np
@@ -100,7 +100,7 @@ def one_flight(
 ) -> dict[str, list]:
     """Return the poses of the whole flight, the poses known at each image, and the seconds per image."""
     rng = np.random.default_rng([1616, len(row.name), number])
-    images, links, views = draw(ground, row, rng, source)
+    images, links, views, alone = draw(ground, row, rng, source)
     if row.foreign == "mirrored" and source is None:
         images = [replace(i, labels_hw=np.ascontiguousarray(i.labels_hw[:, ::-1])) for i in images]
         links = [link.mirrored() for link in links]
@@ -119,9 +119,10 @@ def one_flight(
     ways = {"whole": solver.poses, "causal": solver.causal}
     placed = {name: [_placed(pose, view) for pose, view in zip(poses, views)] for name, poses in ways.items()}
     left = [(pose, view) for pose, view in zip(solver.causal, views) if not pose.is_fix and pose.place is not None]
-    found = [(image.own.fix, view) for image, view in zip(images, views) if image.own is not None]
-    alone = [fix is not None and _off(fix, view) <= WRONG_SHARE * view.footprint for fix, view in found]
-    return {**placed, "seconds": seconds, "predicted": [_in_ellipse(*one) for one in left], "alone": alone}
+    fixes = [found.fix for found in alone or (cast(Localization, image.own) for image in images)]
+    right = [fix and _off(fix, view) <= WRONG_SHARE * view.footprint for fix, view in zip(fixes, views)]
+    predicted = [_in_ellipse(*one) for one in left]
+    return {**placed, "seconds": seconds, "predicted": predicted, "alone": [bool(one) for one in right]}
 
 
 def _found_within_reach(images: Sequence[FlightImage], known: Ground, reach_m: float) -> list[FlightImage]:
@@ -155,8 +156,8 @@ def _in_ellipse(pose: Any, view: View) -> bool:
 
 def draw(
     ground: Ground, row: Row, rng: np.random.Generator, source: photos.Photos | None = None
-) -> tuple[list[FlightImage], list[Link], list[View]]:
-    """Draw a flight over the extent of a ground. All of its images show the map.
+) -> tuple[list[FlightImage], list[Link], list[View], list[Localization]]:
+    """Draw a flight over the extent of a ground, and localize its photos alone. All of its images show the map.
 
     Args:
         source: Photos of the ground and their network; None for noise instead.
@@ -180,8 +181,10 @@ def draw(
             continue
         seen = [cut(ground.labels_hw, ground.frame, view) for view in views]
         if min((labels > 0).mean() for labels in seen) >= 0.7:
-            flown = _fly(ground, row, views, seen, rng) if source is None else _photograph(source, row, views, rng)
-            return *flown, views
+            if source is None:
+                return *_fly(ground, row, views, seen, rng), views, []
+            images, links, alone = _photograph(source, row, views, rng)
+            return images, links, views, alone
     raise ValueError(f"{LARGEST_TRIES} flights left the map.")
 
 
@@ -236,19 +239,24 @@ def _fly(
 
 def _photograph(
     source: photos.Photos, row: Row, views: list[View], rng: np.random.Generator
-) -> tuple[list[FlightImage], list[Link]]:
-    """Take the photos of a flight with another exposure, blur and noise each; label, link and localize them."""
-    images, pixels = [], PixelLinks()
+) -> tuple[list[FlightImage], list[Link], list[Localization]]:
+    """Take the photos of a flight with another exposure, blur and noise each; label, link and localize them.
+
+    Alone, a photo without a position is labeled again, as by *Localize images*; *Localize flight* labels it once.
+    """
+    images, pixels, alone = [], PixelLinks(), []
     for number, view in enumerate(views):
         photo = source.taken(replace(view, is_mirrored=row.foreign == "mirrored")) * rng.uniform(0.85, 1.15)
         photo = cv2.GaussianBlur(photo, (0, 0), rng.uniform(0.3, 0.8)) + rng.normal(0, 3, photo.shape)
         photo = np.clip(photo, 0, 255).astype(np.uint8)
         prior, seen = Prior(pixel_size_range=source.searched), source.labeled(photo)
-        own = localize_with(source.ground.localizer, Search(Method.AUTOMATIC), seen, prior, None).localization
+        known = source.ground.localizer, Search(Method.AUTOMATIC)
+        own = localize_with(*known, replace(seen, look_again=None), prior, None).localization
+        alone.append(own if own.is_fix else localize_with(*known, seen, prior, None).localization)
         is_apart = pixels.add(photo_features(photo))
         image = FlightImage(f"{number:03d}", seen.labels_hw, own, float(number), prior, seen.biases, is_apart=is_apart)
         images.append(image)
-    return images, pixels.links
+    return images, pixels.links, alone
 
 
 def cells(row: Row, flown: Sequence[dict[str, list]]) -> list[str]:

@@ -188,7 +188,7 @@ class SetUpArea(SemRefAlgorithm):
     def read_layers(self, values: Values) -> None:
         from ...storage.training_ground import frame_of
         from ...storage.training_tiles import ImageBands
-        from ..base.area_setup import AreaMap
+        from ..base.area_map import AreaMap
         from ..layers.rendering import drawable, needs_drawing
         from ..layers.training_ground import require_common_ground
 

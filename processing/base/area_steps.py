@@ -18,7 +18,8 @@ from ..translation import tr
 from .chain import Step
 
 if TYPE_CHECKING:
-    from .area_setup import AreaMap, AreaSetup
+    from .area_map import AreaMap
+    from .area_setup import AreaSetup
 
 RULES_FILE, CAMERAS_FILE = "rules.csv", "cameras.csv"
 LAND_COVER_FILE, LABEL_MAP_FILE = "land_cover.gpkg", "label_map.tif"
