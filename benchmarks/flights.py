@@ -254,8 +254,8 @@ def _photograph(
         own = localize_with(*known, replace(seen, look_again=None), prior, None).localization
         alone.append(own if own.is_fix else localize_with(*known, seen, prior, None).localization)
         is_apart = pixels.add(photo_features(photo))
-        image = FlightImage(f"{number:03d}", seen.labels_hw, own, float(number), prior, seen.biases, is_apart=is_apart)
-        images.append(image)
+        known = own, float(number), prior, seen.biases
+        images.append(FlightImage(f"{number:03d}", seen.labels_hw, *known, is_apart=is_apart, shares=seen.shares))
     return images, pixels.links, alone
 
 

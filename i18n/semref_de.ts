@@ -5476,6 +5476,10 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Spuren</translation>
   </message>
   <message>
+   <source>Tracks: {tracks}.</source>
+   <translation>Spuren: {tracks}.</translation>
+  </message>
+  <message>
    <source>Train a model with an orthophoto and polygons…</source>
    <translation>Modell mit einem Orthofoto und Polygonen trainieren…</translation>
   </message>
@@ -7098,10 +7102,6 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>{photos} photos.</source>
    <translation>{photos} Fotos.</translation>
-  </message>
-  <message>
-   <source>{placed} of {images} images have a position. Tracks: {tracks}.</source>
-   <translation>{placed} von {images} Bildern haben eine Position. Spuren: {tracks}.</translation>
   </message>
   <message>
    <source>{place}, validation ground</source>

@@ -5476,6 +5476,10 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>Trayectorias</translation>
   </message>
   <message>
+   <source>Tracks: {tracks}.</source>
+   <translation>Trayectorias: {tracks}.</translation>
+  </message>
+  <message>
    <source>Train a model with an orthophoto and polygons…</source>
    <translation>Entrenar un modelo con una ortofoto y polígonos…</translation>
   </message>
@@ -7098,10 +7102,6 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>{photos} photos.</source>
    <translation>{photos} fotos.</translation>
-  </message>
-  <message>
-   <source>{placed} of {images} images have a position. Tracks: {tracks}.</source>
-   <translation>{placed} de {images} imágenes tienen posición. Trayectorias: {tracks}.</translation>
   </message>
   <message>
    <source>{place}, validation ground</source>

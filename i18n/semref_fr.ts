@@ -5476,6 +5476,10 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>Traces</translation>
   </message>
   <message>
+   <source>Tracks: {tracks}.</source>
+   <translation>Traces : {tracks}.</translation>
+  </message>
+  <message>
    <source>Train a model with an orthophoto and polygons…</source>
    <translation>Entraîner un modèle avec une orthophoto et des polygones…</translation>
   </message>
@@ -7098,10 +7102,6 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>{photos} photos.</source>
    <translation>{photos} photos.</translation>
-  </message>
-  <message>
-   <source>{placed} of {images} images have a position. Tracks: {tracks}.</source>
-   <translation>{placed} images sur {images} ont une position. Traces : {tracks}.</translation>
   </message>
   <message>
    <source>{place}, validation ground</source>

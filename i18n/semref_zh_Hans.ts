@@ -5476,6 +5476,10 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>航迹</translation>
   </message>
   <message>
+   <source>Tracks: {tracks}.</source>
+   <translation>航迹数：{tracks}。</translation>
+  </message>
+  <message>
    <source>Train a model with an orthophoto and polygons…</source>
    <translation>用正射影像和多边形训练模型…</translation>
   </message>
@@ -7098,10 +7102,6 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>{photos} photos.</source>
    <translation>{photos} 张照片。</translation>
-  </message>
-  <message>
-   <source>{placed} of {images} images have a position. Tracks: {tracks}.</source>
-   <translation>{images} 幅影像中有 {placed} 幅有位置。航迹数：{tracks}。</translation>
   </message>
   <message>
    <source>{place}, validation ground</source>

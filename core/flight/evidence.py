@@ -17,6 +17,7 @@ from ..correlation.places import distinct, first_peaks, image_evidence, missing_
 from ..correlation.refine import ScoredPose
 from ..correlation.refine_many import refine_many
 from ..localization import Localization, Prior, log_odds_of
+from .model import FlightImage
 from .settings import FlightSettings
 from .states import state_of
 
@@ -50,23 +51,20 @@ class SeenImage:
     own_odds: float = 0.0
 
 
-def prepare_image(
-    labels_hw: np.ndarray, pyramid: MapPyramid, prior: Prior, own: Localization | None, settings: FlightSettings
-) -> SeenImage:
+def prepare_image(image: FlightImage, pyramid: MapPyramid, prior: Prior, settings: FlightSettings) -> SeenImage:
     """Return an image prepared for hypotheses.
 
     Args:
-        labels_hw: (H, W) uint8 labels of the map's class table, 0 = unknown.
-        prior: With a range of pixel sizes.
-        own: Localization of the image by itself.
+        image: Its labels of the map's class table, or their shares, and its localization by itself.
+        prior: Of the image, with a range of pixel sizes.
     """
-    edge_px = float(np.sqrt(labels_hw.size))
+    edge_px = float(np.sqrt(image.labels_hw.size))
     evidence = None
     if pyramid.space.channels:
-        fine = image_evidence(np.ascontiguousarray(labels_hw), pyramid)
+        fine = image_evidence(np.ascontiguousarray(image.labels_hw), pyramid, image.shares)
         evidence = reduce_image(fine, pyramid.settings.coarse_edge)
         evidence = None if missing_information(evidence, pyramid) else evidence
-    seen = SeenImage(evidence, edge_px, (0.0, 1.0), prior, *_own(own, pyramid.frame.origin))
+    seen = SeenImage(evidence, edge_px, (0.0, 1.0), prior, *_own(image.own, pyramid.frame.origin))
     if evidence is None:
         return seen
     scores = np.array([pose.score for pose in score_poses(seen, pyramid, random_poses(pyramid, prior, settings.nulls))])

@@ -5,18 +5,20 @@ See docs/explanation/method.md#flights.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import groupby
 
 import numpy as np
 
+from ..localization import LIKELY_RISK
 from ..localizer.localizer import Localizer
 from .evidence import prepare_image
 from .measurement import GATE, Measurement, distance, measure_near, shared_variance
 from .model import FlightImage, FlightPose
 from .motion import Link, links_by_image
 from .pool import Pool, move_states, predict, update
-from .reported_pose import report_pose
+from .reported_pose import likely, report_pose
 from .settings import FLIGHT, FlightSettings
 from .smoothing import (
     Estimate,
@@ -119,7 +121,26 @@ class FlightSolver:
             for _ in self._smooth_track(images, track, poses):
                 yield len(images), len(images)
             earliest = track.last + 1
+        if self.settings.allowed_risk < LIKELY_RISK:
+            for _ in self._look_for_likely(images, known, poses):
+                yield len(images), len(images)
         self.poses = tuple(poses)
+
+    def _look_for_likely(
+        self, images: Sequence[FlightImage], known: Mapping[int, Link], poses: list[FlightPose]
+    ) -> Iterator[tuple[int, int]]:
+        """Store likely positions in ``poses``: of images in a row that only a larger error probability places."""
+        settings = replace(self.settings, allowed_risk=LIKELY_RISK)
+        runs = groupby(range(len(images)), lambda n: poses[n].place is None)
+        for numbers in [list(run) for is_open, run in runs if is_open]:
+            links = [
+                replace(known[n], first=n - 1 - numbers[0], second=n - numbers[0]) for n in numbers[1:] if n in known
+            ]
+            solver = FlightSolver(self.localizer, settings)
+            yield from solver.steps([images[n] for n in numbers], links)
+            for n, pose in zip(numbers, solver.poses):
+                if pose.is_fix and pose.risk is not None and pose.risk <= LIKELY_RISK:
+                    poses[n] = likely(pose, self.settings.allowed_risk)
 
     def _carry_back(self, images: Sequence[FlightImage], track: _Track, earliest: int) -> None:
         """Follow a track back from the image that started it, and measure the images on the way."""
@@ -137,7 +158,7 @@ class FlightSolver:
             pool = replace(predict(pool, link), states=back)
             size, ratio = float(np.exp(pool.states[0, 3])), SIZE_RANGE
             prior = replace(images[number].prior, pixel_size_range=(size / ratio, size * ratio))
-            seen = prepare_image(images[number].labels_hw, pyramid, prior, images[number].own, settings)
+            seen = prepare_image(images[number], pyramid, prior, settings)
             pool = update(pool, seen, pyramid, 1.0, settings)
             if pool.evidence[0, -settings.recent :].sum() < settings.lost_evidence:
                 break

@@ -94,7 +94,7 @@ def measure_by_areas(
     pyramid = localizer.pyramid
     if not pyramid.space.channels:
         return None
-    evidence = image_evidence(np.ascontiguousarray(image.labels_hw), pyramid)
+    evidence = image_evidence(np.ascontiguousarray(image.labels_hw), pyramid, image.shares)
     if missing_information(reduce_image(evidence, pyramid.settings.coarse_edge), pyramid):
         return None
     likely = places_near(evidence, pyramid, state, covariance, settings)

@@ -13,6 +13,7 @@ from ..geometry.error_settings import UNBIASED, KnownBiases
 from ..geometry.footprint import image_corners
 from ..geometry.leveling import Leveling
 from ..geometry.pose import PoseCovariance
+from ..labels.class_shares import ClassShares
 from ..localization import Localization, Method, Place, Prior, Status
 from ..sentences import Sentence
 
@@ -46,6 +47,8 @@ class FlightImage:
         leveling: How the labels were leveled; None for labels as taken.
         is_apart: Its pixels do not show the ground of the image before, so that motion between overlapping images did
             not continue.
+        shares: Probable shares of classes of a photo, which replace the labels where class areas are compared; None
+            without them.
     """
 
     name: str
@@ -56,12 +59,14 @@ class FlightImage:
     biases: KnownBiases = UNBIASED
     leveling: Leveling | None = field(default=None, compare=False, repr=False)
     is_apart: bool = False
+    shares: ClassShares | None = field(default=None, compare=False, repr=False)
 
     @classmethod
     def of(cls, name: str, result: ImageResult, time_s: float | None) -> FlightImage:
         """Return an image of a flight from its result by itself."""
         seen = result.seen
-        return cls(name, seen.labels_hw, result.level, time_s, result.prior, seen.biases, result.leveling)
+        known = result.level, time_s, result.prior, seen.biases, result.leveling
+        return cls(name, seen.labels_hw, *known, shares=seen.shares)
 
     def __post_init__(self) -> None:
         """Check the labels. Raises ParameterError: the array is not a label image."""
@@ -76,12 +81,14 @@ class FlightImage:
 
 @dataclass(frozen=True)
 class FlightPose:
-    """The pose that a flight gives one image. A pose without a fix has no track, and a place only if it is predicted.
+    """The pose that a flight gives one image. Without a fix it has no track, and a place if that is likely or predicted.
 
     Attributes:
-        status: ``FIX`` if the flight places the image.
+        status: ``FIX`` if the flight places the image, ``LIKELY`` if only the error probability of the track is too
+            large for that.
         reason: Why the image has no fix; None for a fix.
-        place: Position, heading and pixel size of the image; of a fix, or where the motion since the last fix leads.
+        place: Position, heading and pixel size of the image; of a fix or likely position, or where the motion since the
+            last fix leads.
         covariance: Of the pose, with 95 % ellipse and radius.
         risk: Error probability; None if the flight was not compared with the map.
         source: Whether the image has a fix of its own that agrees with the flight, or its place is only predicted.
@@ -108,9 +115,14 @@ class FlightPose:
         return self.status is Status.FIX
 
     @property
+    def is_shown(self) -> bool:
+        """Whether the image has a fix or a likely position."""
+        return self.is_fix or self.status is Status.LIKELY
+
+    @property
     def confidence(self) -> float | None:
-        """Probability that the place is right; None without a fix."""
-        return None if self.risk is None or not self.is_fix else 1 - self.risk
+        """Probability that the place is right; None without a fix or likely position."""
+        return None if self.risk is None or not self.is_shown else 1 - self.risk
 
     @property
     def error_95_m(self) -> float | None:
@@ -120,7 +132,7 @@ class FlightPose:
     def localization(self) -> Localization:
         """Return the pose as a localization, for rows, JSON, NMEA and the dock."""
         own = self.own or Localization(self.status, Method.AUTOMATIC)
-        if not self.is_fix or self.place is None:
+        if not self.is_shown or self.place is None:
             own = replace(own, status=self.status, reason=self.reason, confidence=None, alternatives=(), footprint=None)
             if self.place is None:
                 return own

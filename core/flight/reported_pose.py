@@ -68,6 +68,22 @@ def unplaced(image: FlightImage, reason: Sentence, status: Status = Status.AMBIG
     return FlightPose(status, reason, own=image.own, size_wh=image.size_wh)
 
 
+def likely(pose: FlightPose, allowed: float) -> FlightPose:
+    """Return a fix at a larger error probability than allowed as a likely position.
+
+    Args:
+        pose: With a fix.
+        allowed: Maximum error probability of a fix.
+    """
+    risk = max(pose.risk or 0.0, allowed)
+    reason = Sentence(
+        "This position is only likely: its error probability is {risk:.2g}; at most {allowed:.2g} is allowed.",
+        risk=risk,
+        allowed=allowed,
+    )
+    return replace(pose, status=Status.LIKELY, reason=reason, risk=risk, track=0)
+
+
 def predicted(
     image: FlightImage, localizer: Localizer, estimate: Estimate, reason: Sentence | None = None
 ) -> FlightPose:

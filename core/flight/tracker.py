@@ -108,7 +108,7 @@ class FlightTracker:
         """
         self._number += 1
         prior = self._prior(image)
-        seen = prepare_image(image.labels_hw, self.localizer.pyramid, prior, image.own, self.settings)
+        seen = prepare_image(image, self.localizer.pyramid, prior, self.settings)
         if self._latest is not None:
             link = link or self._assumed_link(image)
         if link is None or self._latest is None:

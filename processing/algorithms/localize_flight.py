@@ -18,14 +18,14 @@ from ...core.errors import ParameterError
 from ...core.localization import Method
 from ..base import parameters, priors
 from ..base.algorithm import Declared, cancelable, check_canceled, follow, interruptible
-from ..base.image_results import LabelImages, log_result, with_far_photos, with_jumps
+from ..base.image_results import LabelImages, count_sentence, log_result, with_far_photos, with_jumps
 from ..base.localizing import LocalizeAlgorithm, require_images
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.photo_labels import pace_results
 from ..base.values import Values
 from ..compat import SOURCE_LINE, SOURCE_POINT
-from ..layers.localized_image import LocalizedImage
+from ..layers.localized_image import ERROR, LocalizedImage
 from ..messages.sentences import worded
 from ..translation import tr
 
@@ -159,8 +159,8 @@ class LocalizeFlight(LocalizeAlgorithm):
                 outputs.text(self.REPORT, self._report(values, database, flown, reader.motion_sentences(links)))
         placed = sum(item.is_placed for item in flown)
         tracks = len(tracks_of(flown))
-        text = tr("{placed} of {images} images have a position. Tracks: {tracks}.")
-        feedback.pushInfo(text.format(placed=placed, images=len(flown), tracks=tracks))
+        statuses = [ERROR if item.result is None else item.result.status for item in flown]
+        feedback.pushInfo(f"{count_sentence(statuses)} {tr('Tracks: {tracks}.').format(tracks=tracks)}")
         return {self.FIX_COUNT: placed, self.TRACK_COUNT: tracks, **read_labels.log_pace()}
 
     def _odometry(self, values: Values, paths: Sequence[str]) -> tuple:

@@ -69,8 +69,8 @@ class LocalizedImage:
 
     @property
     def source(self) -> str | None:
-        """Key of the source of its position in the flight; None without one."""
-        return str(self.pose.source) if self.is_placed else None
+        """Key of the source of its position or likely position in the flight; None without one."""
+        return str(self.pose.source) if self.pose is not None and self.pose.is_shown else None
 
     @property
     def is_outvoted(self) -> bool:

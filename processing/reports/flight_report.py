@@ -125,7 +125,7 @@ def _image_row(number: int, item: LocalizedImage) -> list[str]:
     time = moment(item.time_s)
     text = "" if time is None else time.toString("yyyy-MM-dd hh:mm:ss")
     measures = [page.NOTHING] * 6
-    if item.is_placed:
+    if item.position is not None:
         result = item.result
         measures = [
             str(item.pose.track) if item.pose.track else page.NOTHING,
@@ -139,7 +139,7 @@ def _image_row(number: int, item: LocalizedImage) -> list[str]:
 
 def _source_text(item: LocalizedImage) -> str:
     if not item.is_placed:
-        return page.Marked(tr("no position"), False)
+        return page.Marked(tr("no position") if item.position is None else tr("likely position"), False)
     if item.is_outvoted:
         return page.Marked(tr("flight; own position outvoted"), False)
     return page.Marked(tr("own position"), True) if item.source == "own" else tr("flight")

@@ -9,7 +9,9 @@ from semref.core.correlation.class_pyramid import MapPyramid
 from semref.core.correlation.refine import ScoredPose
 from semref.core.correlation.settings import CORRELATION
 from semref.core.flight.evidence import best_poses, log_ratios, prepare_image, random_poses, score_poses
+from semref.core.flight.model import FlightImage
 from semref.core.flight.tracker import APART
+from semref.core.labels.class_shares import FULL, ClassShares
 from semref.core.localization import Prior
 from semref.core.simulation.views import View, cut
 
@@ -17,7 +19,7 @@ from semref.core.simulation.views import View, cut
 @pytest.fixture(scope="module")
 def seen(flown, localizer):
     image = flown.images[2]
-    return prepare_image(image.labels_hw, localizer.pyramid, image.prior, None, FEW)
+    return prepare_image(image, localizer.pyramid, image.prior, FEW)
 
 
 @pytest.fixture(scope="module")
@@ -79,7 +81,7 @@ def test_on_a_map_of_few_buildings_an_image_of_a_town_is_no_evidence_for_another
     for number in range(8):
         here = FRAME.to_map(np.array([[90.0, 90.0]]))[0]
         image = cut(towns(np.random.default_rng(10 + number)), FRAME, View(*here, 0.0, 4.0, 80, 80))
-        seen = prepare_image(image, pyramid, prior, None, FEW)
+        seen = prepare_image(FlightImage("a", image), pyramid, prior, FEW)
         elsewhere = [ScoredPose(*(4 * rng.uniform([360, 300], [420, 360])), 0.0, 4.0) for _ in range(20)]
         ratios += list(log_ratios(np.array([p.score for p in score_poses(seen, pyramid, elsewhere)]), seen, FEW))
     # A likelihood ratio is 1 on average where its place is wrong.
@@ -87,6 +89,20 @@ def test_on_a_map_of_few_buildings_an_image_of_a_town_is_no_evidence_for_another
 
 
 def test_an_image_of_one_class_is_no_evidence(localizer, flown):
-    flat = prepare_image(np.full((96, 96), 2, np.uint8), localizer.pyramid, flown.images[0].prior, None, FEW)
+    image = FlightImage("a", np.full((96, 96), 2, np.uint8))
+    flat = prepare_image(image, localizer.pyramid, flown.images[0].prior, FEW)
     assert flat.evidence is None
     assert best_poses(flat, localizer.pyramid, 20, APART) == []
+
+
+def test_shares_of_classes_are_compared_instead_of_the_labels(flown, localizer, truth):
+    labels = flown.images[2].labels_hw
+    values = np.arange(1, 6, dtype=np.uint8)
+    shares = ClassShares(values, ((labels[..., None] == values) * FULL).astype(np.uint8))
+    wrong = FlightImage("a", np.roll(labels, 48, 1), shares=shares)
+    prior = flown.images[2].prior
+    scores = []
+    for image in (wrong, replace(wrong, shares=None)):
+        seen = prepare_image(image, localizer.pyramid, prior, FEW)
+        scores.append(score_poses(seen, localizer.pyramid, [truth])[0].score)
+    assert scores[0] > 0.4 > scores[1] + 0.2

@@ -12,7 +12,7 @@ from semref.core.flight.flight import FlightSolver, localize_flight
 from semref.core.flight.memory import NOWHERE, Past
 from semref.core.flight.model import PoseSource
 from semref.core.flight.tracker import STATE_VERSION, FlightTracker
-from semref.core.localization import Prior, Status
+from semref.core.localization import LIKELY_RISK, Prior, Status
 from semref.core.simulation.views import cut
 
 
@@ -191,7 +191,18 @@ def test_headings_and_pixel_sizes_are_those_of_the_images_and_radii_contain_most
 @pytest.mark.slow
 def test_a_mirrored_flight_is_nowhere(flown, localizer):
     other = flown.mirrored()
-    assert not any(pose.is_fix for pose in localize_flight(other.images, other.links, localizer, FEW))
+    assert not any(pose.is_shown for pose in localize_flight(other.images, other.links, localizer, FEW))
+
+
+def test_a_track_that_is_not_certain_enough_gives_likely_positions(flown, localizer):
+    strict = replace(FEW, allowed_risk=0.0)
+    poses = localize_flight(flown.images, flown.links, localizer, strict)
+    found = [pose.localization() for pose in poses]
+    assert [pose.status for pose in poses] == [Status.LIKELY] * len(poses)
+    assert all(strict.allowed_risk < one.risk <= LIKELY_RISK and one.fix is None and one.reason for one in found)
+    assert all(pose.track == 0 and pose.error_95_m > 0 for pose in poses)
+    offs = [np.hypot(*np.subtract(one.position, view.position)) for one, view in zip(found, flown.views)]
+    assert max(offs) < 20
 
 
 @pytest.mark.slow
