@@ -81,7 +81,7 @@ class FlightImage:
 
 @dataclass(frozen=True)
 class FlightPose:
-    """The pose that a flight gives one image. Without a fix it has no track, and a place if that is likely or predicted.
+    """The pose that a flight gives one image. Without a fix it has no track, and a place if likely or predicted.
 
     Attributes:
         status: ``FIX`` if the flight places the image, ``LIKELY`` if only the error probability of the track is too
