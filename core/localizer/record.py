@@ -87,19 +87,18 @@ def _reason(result: Localization, wording: Callable[[Sentence], str]) -> str:
     return " ".join(wording(part) for part in (result.reason, parts) if part is not None)
 
 
+DEVIATIONS = (
+    *("error_95_minor", "error_95_direction", "heading_deviation", "pixel_size_deviation"),
+    *("sigma_east", "sigma_north", "correlation", "sigma_heading", "sigma_scale"),
+)
+"""Columns of the uncertainty of a position, in addition to ``error_95``, its 95 % radius."""
+
+
 def _deviations(result: Localization) -> dict[str, Any]:
-    """Return the uncertainty of a position in addition to ``error_95``, its 95 % radius."""
     known = result.covariance
     if result.place is None or known is None or known.ellipse_95 is None:
-        return {}
-    return {
-        "error_95_minor": known.ellipse_95.semi_minor,
-        "error_95_direction": known.ellipse_95.orientation_deg,
-        "heading_deviation": known.heading_deviation_deg,
-        "pixel_size_deviation": known.pixel_size_deviation,
-        "sigma_east": known.deviations[0],
-        "sigma_north": known.deviations[1],
-        "correlation": known.correlation,
-        "sigma_heading": known.heading_deviation_deg,
-        "sigma_scale": known.pixel_size_deviation / result.pixel_size_m if result.pixel_size_m else None,
-    }
+        return dict.fromkeys(DEVIATIONS)
+    ellipse, heading, size = known.ellipse_95, known.heading_deviation_deg, known.pixel_size_deviation
+    scale = size / result.pixel_size_m if result.pixel_size_m else None
+    of_ellipse = ellipse.semi_minor, ellipse.orientation_deg, heading, size
+    return dict(zip(DEVIATIONS, (*of_ellipse, *known.deviations, known.correlation, heading, scale)))

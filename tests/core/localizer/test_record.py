@@ -5,7 +5,7 @@ import pytest
 from semref.core.geometry.pose import Ellipse, PoseCovariance
 from semref.core.localization import Localization, Method, Place, Status
 from semref.core.localizer.network_reason import name_network
-from semref.core.localizer.record import error_probability, record
+from semref.core.localizer.record import DEVIATIONS, error_probability, record
 from semref.core.sentences import Sentence
 
 PLACE = Place((600250.0, 5199600.0), heading_deg=90.0, pixel_size_m=0.5, log_odds=12.5, inliers=7)
@@ -28,7 +28,7 @@ def test_without_a_fix_there_is_evidence_but_no_place_or_accuracy():
     found = record(unsure, lambda said: said.template)
     assert [found[name] for name in ("x", "y", "heading", "pixel_size", "error_95")] == [None] * 5
     assert (found["inliers"], found["log_odds"], found["reason"]) == (7, 12.5, "The image has no pixels.")
-    assert not {"error_95_minor", "error_95_direction", "heading_deviation", "pixel_size_deviation"} & set(found)
+    assert set(found) == set(record(FIX)) and [found[name] for name in DEVIATIONS] == [None] * len(DEVIATIONS)
 
 
 @pytest.mark.parametrize(
