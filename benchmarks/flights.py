@@ -49,6 +49,7 @@ COLUMNS = (
     "s an image: median, p95",
     *(f"image {n}" for n in AT),
     "only predicted, in the 95 % ellipse",
+    "likely, wrong of these",
 )
 
 
@@ -122,6 +123,8 @@ def one_flight(
     fixes = [found.fix for found in alone or (cast(Localization, image.own) for image in images)]
     right = [fix and _off(fix, view) <= WRONG_SHARE * view.footprint for fix, view in zip(fixes, views)]
     predicted = [_in_ellipse(*one) for one in left]
+    likely = [(pose, view) for pose, view in zip(solver.poses, views) if pose.is_shown and not pose.is_fix]
+    placed["likely"] = [(_off(pose.place, view), view.footprint) for pose, view in likely]
     return {**placed, "seconds": seconds, "predicted": predicted, "alone": [bool(one) for one in right]}
 
 
@@ -264,6 +267,8 @@ def cells(row: Row, flown: Sequence[dict[str, list]]) -> list[str]:
     images = [one for flight in flown for one in flight["whole"]]
     placed = [one for one in images if one]
     wrong = [one for one in placed if row.foreign or one[0] > WRONG_SHARE * one[1]]
+    likely = [one for flight in flown for one in flight["likely"]]
+    wrong_likely = [one for one in likely if row.foreign or one[0] > WRONG_SHARE * one[1]]
     errors = [] if row.foreign else [one[0] for one in placed]
     seconds = np.concatenate([flight["seconds"] for flight in flown])
     predicted = [one for flight in flown for one in flight["predicted"]]
@@ -282,4 +287,5 @@ def cells(row: Row, flown: Sequence[dict[str, list]]) -> list[str]:
         f"{np.median(seconds):.1f}, {np.percentile(seconds, 95):.1f}",
         *steps,
         rate(sum(predicted), len(predicted)) if predicted else "–",
+        f"{len(likely)}, {len(wrong_likely)}",
     ]
