@@ -1,6 +1,7 @@
 import threading
 import time
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 from made_inputs import NAMES, NORTH, WEST, read_rows, scattered_objects, write_raster, write_text
 from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsVectorLayer
 
+from semref.core.flight import settings
 from semref.core.geometry.frame import MapFrame
 from semref.core.simulation.views import View, cut
 
@@ -107,6 +109,21 @@ def test_the_report_lists_images_times_and_reasons(found):
     page = Path(found[1]["REPORT"]).read_text(encoding="utf-8")
     assert "Localization of a flight" in page and page.count("<ellipse") >= found[1]["FIX_COUNT"]
     assert "image10.png" in page and "from the odometry table" in page and "2025-05-09 10:00:10" in page
+
+
+def test_a_flight_that_is_not_certain_enough_has_likely_positions_and_no_track(localize, feedback, monkeypatch):
+    forgetful = replace(settings.FLIGHT, window=1, evidence_curve=(-2.0, 1.2, -2.0, 2.0))
+    monkeypatch.setattr(settings, "FLIGHT", forgetful)
+    rows, results = localize(feedback, RISK=1e-12)
+    likely = [(row, view) for row, view in zip(rows, VIEWS) if row["status"] == "likely"]
+    assert len(likely) >= COUNT - 3 and results["FIX_COUNT"] == results["TRACK_COUNT"] == 0
+    for row, view in likely:
+        assert np.hypot(row["x"] - view.x, row["y"] - view.y) < max(3 * row["error_95"], 2)
+        assert (row["track"], row["source"]) in ((None, "own"), (None, "flight"))
+        assert 0.8 <= row["confidence"] < 1 - 1e-12 and "only likely" in row["reason"]
+    assert f"Likely positions: {len(likely)}. Tracks: 0." in feedback.textLog()
+    page = Path(results["REPORT"]).read_text(encoding="utf-8")
+    assert page.count("likely position<") == len(likely)
 
 
 @pytest.mark.slow
