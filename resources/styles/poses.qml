@@ -2,9 +2,10 @@
  <temporal enabled="1" accumulate="1" mode="1" startField="time"/>
  <renderer-v2 type="RuleRenderer">
   <rules>
-   <rule symbol="0" filter="&quot;source&quot; = 'own'" label="Own position"/>
-   <rule symbol="1" filter="&quot;source&quot; = 'flight' AND NOT coalesce(&quot;outvoted&quot;, false)" label="Position from the flight"/>
-   <rule symbol="2" filter="&quot;source&quot; = 'flight' AND &quot;outvoted&quot;" label="Own position outvoted"/>
+   <rule symbol="0" filter="coalesce(&quot;status&quot;, '') &lt;> 'likely' AND &quot;source&quot; = 'own'" label="Own position"/>
+   <rule symbol="1" filter="coalesce(&quot;status&quot;, '') &lt;> 'likely' AND &quot;source&quot; = 'flight' AND NOT coalesce(&quot;outvoted&quot;, false)" label="Position from the flight"/>
+   <rule symbol="2" filter="coalesce(&quot;status&quot;, '') &lt;> 'likely' AND &quot;source&quot; = 'flight' AND &quot;outvoted&quot;" label="Own position outvoted"/>
+   <rule symbol="3" filter="&quot;status&quot; = 'likely'" label="Likely position"/>
   </rules>
   <symbols>
    <symbol name="0" type="marker">
@@ -213,6 +214,80 @@
       <Option name="outline_color" value="179,38,30,255" type="QString"/>
       <Option name="outline_width" value="0.6" type="QString"/>
       <Option name="size" value="2.6" type="QString"/>
+     </Option>
+     <data_defined_properties>
+      <Option type="Map">
+       <Option name="properties" type="Map">
+        <Option name="angle" type="Map">
+         <Option name="active" value="true" type="bool"/>
+         <Option name="expression" value="coalesce(&quot;heading&quot;, 0)" type="QString"/>
+         <Option name="type" value="3" type="int"/>
+        </Option>
+       </Option>
+      </Option>
+     </data_defined_properties>
+    </layer>
+   </symbol>
+   <symbol name="3" type="marker">
+    <layer class="EllipseMarker">
+     <Option type="Map">
+      <Option name="color" value="224,138,0,45" type="QString"/>
+      <Option name="outline_color" value="224,138,0,255" type="QString"/>
+      <Option name="outline_width" value="0.3" type="QString"/>
+      <Option name="symbol_height_unit" value="MapUnit" type="QString"/>
+      <Option name="symbol_width" value="4" type="QString"/>
+      <Option name="symbol_width_unit" value="MapUnit" type="QString"/>
+     </Option>
+     <data_defined_properties>
+      <Option type="Map">
+       <Option name="properties" type="Map">
+        <Option name="angle" type="Map">
+         <Option name="active" value="true" type="bool"/>
+         <Option name="expression" value="coalesce(&quot;error_95_direction&quot;, 0)" type="QString"/>
+         <Option name="type" value="3" type="int"/>
+        </Option>
+        <Option name="height" type="Map">
+         <Option name="active" value="true" type="bool"/>
+         <Option name="expression" value="coalesce(2 * &quot;error_95&quot;, 0)" type="QString"/>
+         <Option name="type" value="3" type="int"/>
+        </Option>
+        <Option name="width" type="Map">
+         <Option name="active" value="true" type="bool"/>
+         <Option name="expression" value="coalesce(2 * coalesce(&quot;error_95_minor&quot;, &quot;error_95&quot;), 0)" type="QString"/>
+         <Option name="type" value="3" type="int"/>
+        </Option>
+       </Option>
+      </Option>
+     </data_defined_properties>
+    </layer>
+    <layer class="EllipseMarker">
+     <Option type="Map">
+      <Option name="outline_color" value="255,255,255,255" type="QString"/>
+      <Option name="outline_width" value="1.4" type="QString"/>
+      <Option name="symbol_height" value="5" type="QString"/>
+      <Option name="symbol_name" value="triangle" type="QString"/>
+      <Option name="symbol_width" value="3.2" type="QString"/>
+     </Option>
+     <data_defined_properties>
+      <Option type="Map">
+       <Option name="properties" type="Map">
+        <Option name="angle" type="Map">
+         <Option name="active" value="true" type="bool"/>
+         <Option name="expression" value="coalesce(&quot;heading&quot;, 0)" type="QString"/>
+         <Option name="type" value="3" type="int"/>
+        </Option>
+       </Option>
+      </Option>
+     </data_defined_properties>
+    </layer>
+    <layer class="EllipseMarker">
+     <Option type="Map">
+      <Option name="color" value="224,138,0,255" type="QString"/>
+      <Option name="outline_color" value="224,138,0,255" type="QString"/>
+      <Option name="outline_width" value="0.6" type="QString"/>
+      <Option name="symbol_height" value="5" type="QString"/>
+      <Option name="symbol_name" value="triangle" type="QString"/>
+      <Option name="symbol_width" value="3.2" type="QString"/>
      </Option>
      <data_defined_properties>
       <Option type="Map">

@@ -198,6 +198,7 @@ def test_the_form_of_positions_shows_each_column_on_one_page(qgis_app, style):
         ("poses", {"source": "flight", "outvoted": False}, "Position from the flight"),
         ("poses", {"source": "flight"}, "Position from the flight"),
         ("poses", {"source": "flight", "outvoted": True}, "Own position outvoted"),
+        *(("poses", {"source": one, "status": "likely"}, "Likely position") for one in ("own", "flight")),
     ],
 )
 def test_every_kind_of_position_is_drawn_by_one_rule(qgis_app, style, values, rule):
@@ -211,10 +212,12 @@ def test_every_kind_of_position_is_drawn_by_one_rule(qgis_app, style, values, ru
 
 
 def test_a_likely_position_has_one_color_in_all_layers_and_lists(qgis_app):
-    *by_rules, places = (styles.style_renderer(style) for style in ("positions", "footprints", "trials", "places"))
+    *by_rules, places = (
+        styles.style_renderer(style) for style in ("positions", "poses", "footprints", "trials", "places")
+    )
     rules = [rule for renderer in by_rules for rule in renderer.rootRule().children()]
     likely = [rule.symbol() for rule in rules if rule.label().lower() == "likely position"]
-    assert [symbol.color().name() for symbol in (*likely, places.symbol())] == 4 * [palette.WARNING]
+    assert [symbol.color().name() for symbol in (*likely, places.symbol())] == 5 * [palette.WARNING]
     sign = STYLES.parent / "severity" / "likely.svg"
     assert f'fill="{palette.WARNING}"' in sign.read_text(encoding="utf-8")
 
