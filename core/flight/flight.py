@@ -69,10 +69,11 @@ def localize_flight(
 
 @dataclass
 class _Track:
-    """A track of the causal pass: number, error probability, first and last image, and the image that started it."""
+    """A track of the causal pass: its error probability at start and end; first, last and starting image."""
 
     number: int
     risk: float
+    doubt: float
     first: int
     last: int
     found: int
@@ -91,6 +92,7 @@ class FlightSolver:
         self.poses: tuple[FlightPose, ...] = ()
         self.causal: tuple[FlightPose, ...] = ()
         self._looked: list[Looked] = []
+        self._doubts: dict[int, float] = {}
 
     def steps(self, images: Sequence[FlightImage], links: Sequence[Link]) -> Iterator[tuple[int, int]]:
         """Yield (images done, all images) after each image.
@@ -110,12 +112,12 @@ class FlightSolver:
             poses.append(tracker.add(image, known.get(number)))
             self._looked.append(tracker.looked)
             if tracker.looked.is_new:
-                tracks.append(_Track(tracker.track, tracker.risk, number, number, number))
+                tracks.append(_Track(tracker.track, tracker.risk, tracker.doubt, number, number, number))
             elif tracker.looked.estimate is not None:
-                tracks[-1].last = number
+                tracks[-1].last, tracks[-1].doubt = number, tracker.doubt
             self.causal = tuple(poses)
             yield number + 1, len(images)
-        earliest = 0
+        self._doubts, earliest = {track.number: track.doubt for track in tracks}, 0
         for track in tracks:
             self._carry_back(images, track, earliest)
             for _ in self._smooth_track(images, track, poses):
@@ -139,8 +141,8 @@ class FlightSolver:
             solver = FlightSolver(self.localizer, settings)
             yield from solver.steps([images[n] for n in numbers], links)
             for n, pose in zip(numbers, solver.poses):
-                if pose.is_fix and pose.risk is not None and pose.risk <= LIKELY_RISK:
-                    poses[n] = likely(pose, self.settings.allowed_risk)
+                if pose.is_fix:
+                    poses[n] = likely(pose, solver._doubts[pose.track], self.settings.allowed_risk) or poses[n]
 
     def _carry_back(self, images: Sequence[FlightImage], track: _Track, earliest: int) -> None:
         """Follow a track back from the image that started it, and measure the images on the way."""

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..geometry.shared_errors import covariance_of
-from ..localization import LEAST_RISK, Status
+from ..localization import LEAST_RISK, LIKELY_RISK, Status
 from ..localizer.localizer import Localizer
 from ..sentences import Sentence
 from .measurement import distance, own_measurement
@@ -68,14 +68,17 @@ def unplaced(image: FlightImage, reason: Sentence, status: Status = Status.AMBIG
     return FlightPose(status, reason, own=image.own, size_wh=image.size_wh)
 
 
-def likely(pose: FlightPose, allowed: float) -> FlightPose:
-    """Return a fix at a larger error probability than allowed as a likely position.
+def likely(pose: FlightPose, doubt: float, allowed: float) -> FlightPose | None:
+    """Return a fix at a larger error probability than allowed as a likely position; None if it is not likely.
 
     Args:
         pose: With a fix.
+        doubt: Error probability of its track at the end.
         allowed: Maximum error probability of a fix.
     """
-    risk = max(pose.risk or 0.0, allowed)
+    risk = max(pose.risk or 0.0, doubt, allowed)
+    if risk > LIKELY_RISK:
+        return None
     reason = Sentence(
         "This position is only likely: its error probability is {risk:.2g}; at most {allowed:.2g} is allowed.",
         risk=risk,

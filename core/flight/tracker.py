@@ -83,7 +83,8 @@ class FlightTracker:
     Attributes:
         looked: Result for the latest image.
         track: Number of the latest track, from 1; 0 before the first.
-        risk: Error probability of the latest track as a whole; 1 before the first.
+        risk: Error probability of the latest track as a whole, from the images that began it; 1 before the first.
+        doubt: The same from the last images, while it is followed.
     """
 
     def __init__(self, localizer: Localizer, settings: FlightSettings = FLIGHT) -> None:
@@ -96,7 +97,7 @@ class FlightTracker:
         self._latest: Past | None = None
         self._held: Estimate | None = None
         self._lost: Estimate | None = None
-        self.risk = 1.0
+        self.risk = self.doubt = 1.0
         self._shared_m2 = 0.0
 
     def add(self, image: FlightImage, link: Link | None = None) -> FlightPose:
@@ -280,6 +281,8 @@ class FlightTracker:
                 found = replace(self._start(image, seen), link=link)
                 self._held, self._lost = found.estimate, None
         self.looked = found
+        if self._held is not None:
+            self.doubt = self._doubt(self._here(seen, self._held))
 
     def _look_for_lost(self, image: FlightImage, seen: SeenImage, link: Link) -> Looked:
         """Carry a lost track on by the motion, and continue it if images agree there again."""
@@ -345,6 +348,13 @@ class FlightTracker:
         """Return the hypotheses at an estimate of the track, best first."""
         reach = APART * self._edge_m(seen) + 3 * float(np.sqrt(held.covariance[:2, :2].trace()))
         return np.flatnonzero(same_place(self._pool.states, held.state, reach))
+
+    def _doubt(self, here: np.ndarray) -> float:
+        """Return the error probability of the hypotheses at the track against all others."""
+        if not len(here):
+            return 1.0
+        totals, (offset, slope) = self._pool.totals, self.settings.risk_curve
+        return risk_of(offset + slope * float(totals[here[0]] - max(0.0, *np.delete(totals, here)[:1])))
 
     def _is_lost(self, seen: SeenImage, link: Link, held: Estimate) -> bool:
         """Return whether the last images contradict the track, or all images of the window support another place.
