@@ -42,6 +42,15 @@ def log_odds_of(risk: float) -> float:
     return math.log1p(-risk) - math.log(risk) if 0 < risk < 1 else math.copysign(math.inf, 0.5 - risk)
 
 
+def only_likely(risk: float, allowed: float) -> Sentence:
+    """Return the reason of a likely position."""
+    return Sentence(
+        "This position is only likely: its error probability is {risk:.2g}; at most {allowed:.2g} is allowed.",
+        risk=risk,
+        allowed=allowed,
+    )
+
+
 class _Keyed(str, Enum):
     """Members that equal their keys.
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..geometry.shared_errors import covariance_of
-from ..localization import LEAST_RISK, LIKELY_RISK, Status
+from ..localization import LEAST_RISK, LIKELY_RISK, Status, only_likely
 from ..localizer.localizer import Localizer
 from ..sentences import Sentence
 from .measurement import distance, own_measurement
@@ -79,12 +79,7 @@ def likely(pose: FlightPose, doubt: float, allowed: float) -> FlightPose | None:
     risk = max(pose.risk or 0.0, doubt, allowed)
     if risk > LIKELY_RISK:
         return None
-    reason = Sentence(
-        "This position is only likely: its error probability is {risk:.2g}; at most {allowed:.2g} is allowed.",
-        risk=risk,
-        allowed=allowed,
-    )
-    return replace(pose, status=Status.LIKELY, reason=reason, risk=risk, track=0)
+    return replace(pose, status=Status.LIKELY, reason=only_likely(risk, allowed), risk=risk, track=0)
 
 
 def predicted(

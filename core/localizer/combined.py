@@ -13,7 +13,17 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..localization import LIKELY_RISK, MORE_LIKELY_WRONG, Localization, Place, Prior, Status, log_odds_of, risk_of
+from ..localization import (
+    LIKELY_RISK,
+    MORE_LIKELY_WRONG,
+    Localization,
+    Place,
+    Prior,
+    Status,
+    log_odds_of,
+    only_likely,
+    risk_of,
+)
 from ..sentences import Sentence
 from .settings import LOCALIZER, LocalizerSettings
 
@@ -287,11 +297,7 @@ def show_likely(found: Localization, settings: LocalizerSettings = LOCALIZER) ->
     """Return a candidate as a likely position if only its error probability, at most LIKELY_RISK, prevents a fix."""
     if not found.is_doubted or found.risk is None or found.risk > LIKELY_RISK:
         return found
-    reason = Sentence(
-        "This position is only likely: its error probability is {risk:.2g}; at most {allowed:.2g} is allowed.",
-        risk=found.risk,
-        allowed=settings.allowed_risk,
-    )
+    reason = only_likely(found.risk, settings.allowed_risk)
     return replace(found, status=Status.LIKELY, reason=reason, confidence=1 - found.risk, alternatives=())
 
 
