@@ -354,7 +354,8 @@ class FlightTracker:
         if not len(here):
             return 1.0
         totals, (offset, slope) = self._pool.totals, self.settings.risk_curve
-        return risk_of(offset + slope * float(totals[here[0]] - max(0.0, *np.delete(totals, here)[:1])))
+        opponents = [0.0, *np.delete(totals, here)[:1]]
+        return risk_of(offset + slope * (float(totals[here[0]]) - max(opponents)))
 
     def _is_lost(self, seen: SeenImage, link: Link, held: Estimate) -> bool:
         """Return whether the last images contradict the track, or all images of the window support another place.
