@@ -212,6 +212,12 @@ def test_a_missing_link_is_bridged(flown, localizer):
     assert errors_m(poses, flown.views).max() < 20
 
 
+def test_a_track_without_any_other_hypothesis_is_followed(flown, localizer):
+    lonely = replace(FEW, hypotheses=1)
+    poses = localize_flight(flown.images[:4], flown.links[:3], localizer, lonely)
+    assert [pose.status for pose in poses] == [Status.FIX] * 4
+
+
 def test_a_link_of_a_missing_image_is_refused(flown, localizer):
     with pytest.raises(ParameterError, match="9"):
         localize_flight(flown.images[:2], [link_between(8, *flown.views[:2])], localizer)
