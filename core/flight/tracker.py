@@ -324,9 +324,12 @@ class FlightTracker:
         if not len(self._pool):
             return 1.0
         totals = self._pool.totals
-        opponents = [0.0, *totals[1:2], *self._mirror.totals[:1]]
+        return self._risk_of(float(totals[0]) - max([0.0, *totals[1:2], *self._mirror.totals[:1]]))
+
+    def _risk_of(self, lead: float) -> float:
+        """Return the error probability of a hypothesis from its lead over the strongest opponent."""
         offset, slope = self.settings.risk_curve
-        return risk_of(offset + slope * (float(totals[0]) - max(opponents)))
+        return risk_of(offset + slope * lead)
 
     def _start(self, image: FlightImage, seen: SeenImage) -> Looked:
         """Return the first estimate of a track, at the best hypothesis."""
@@ -353,9 +356,8 @@ class FlightTracker:
         """Return the error probability of the hypotheses at the track against all others."""
         if not len(here):
             return 1.0
-        totals, (offset, slope) = self._pool.totals, self.settings.risk_curve
-        opponents = [0.0, *np.delete(totals, here)[:1]]
-        return risk_of(offset + slope * (float(totals[here[0]]) - max(opponents)))
+        totals = self._pool.totals
+        return self._risk_of(float(totals[here[0]]) - max([0.0, *np.delete(totals, here)[:1]]))
 
     def _is_lost(self, seen: SeenImage, link: Link, held: Estimate) -> bool:
         """Return whether the last images contradict the track, or all images of the window support another place.
@@ -369,11 +371,8 @@ class FlightTracker:
         least = self.settings.lost_evidence * min(1.0, 3 * self._weight(seen, link))
         if evidence[-self.settings.recent :].sum() < least:
             return True
-        offset, slope = self.settings.risk_curve
         others = np.delete(self._pool.totals, here)
-        return len(others) > 0 and risk_of(offset + slope * float(others[0] - evidence.sum())) <= (
-            self.settings.allowed_risk
-        )
+        return len(others) > 0 and self._risk_of(float(others[0] - evidence.sum())) <= self.settings.allowed_risk
 
     def _is_still_best(self, seen: SeenImage, link: Link, held: Estimate) -> bool:
         """Return whether a track would begin at once again at the same place, so that it only passes a bad stretch."""
