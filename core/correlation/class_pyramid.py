@@ -14,6 +14,7 @@ directions of largest variance (principal components). The time is therefore the
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -30,7 +31,10 @@ MAXIMUM_CHANNELS = 4
 """Evidence channels; OpenCV's samplers process four at once."""
 
 STORED_REDUCTION = 4
-"""Evidence is stored from this reduction of the overview on; finer levels are computed from crops when needed."""
+"""Evidence is stored from this reduction of the overview on; finer levels are computed when needed."""
+
+KEPT_PIXELS = 2_000_000
+"""Largest overview of which finer levels are computed whole and kept, up to 25 bytes per pixel, instead of crops."""
 
 
 @dataclass(frozen=True)
@@ -135,13 +139,14 @@ def evidence_of(fractions: np.ndarray, space: ClassSpace) -> tuple[np.ndarray, n
     Returns:
         Evidence (h, w, C) float32 and labeled share (h, w) float32.
     """
-    # projection · (f − usual · Σf) is linear in f.
-    matrix = space.projection - (space.projection @ space.usual)[:, None]
+    # projection · (f − usual · Σf) is linear in f; the last row gives the labeled share.
+    matrix = np.vstack([space.projection - (space.projection @ space.usual)[:, None], np.ones(len(space.values))])
     height, width, count = fractions.shape
     pixels = fractions.reshape(height * width, count).astype(np.float32)
-    evidence = pixels @ np.ascontiguousarray(matrix.T / FULL, np.float32)
-    known = pixels @ np.full(count, 1 / FULL, np.float32)
-    return evidence.reshape(height, width, space.channels), known.reshape(height, width)
+    # OpenCV's product: that of BLAS would start threads that keep spinning.
+    both = cv2.gemm(pixels, np.ascontiguousarray(matrix.T / FULL, np.float32), 1, None, 0)
+    both = both.reshape(height, width, space.channels + 1)
+    return np.ascontiguousarray(both[..., :-1]), np.ascontiguousarray(both[..., -1])
 
 
 def evidence_level(labels_hw: np.ndarray, space: ClassSpace, size_wh: tuple[int, int]) -> EvidenceLevel:
@@ -223,7 +228,7 @@ class MapPyramid:
     """A map's evidence at pixels of 1, 2, 4, … overview pixels, prepared once for all queries.
 
     Levels from STORED_REDUCTION on are computed beforehand (C·4 bytes per pixel, a quarter of the pixels each) and
-    stored in memory or mapped from a file (``stored``). Finer levels are computed for the requested crop.
+    stored in memory or mapped from a file. Finer levels are computed when needed, of a large map only the crop.
     """
 
     def __init__(
@@ -247,10 +252,13 @@ class MapPyramid:
         parts = pyramid_parts(self.labels, settings.rarity_exponent) if parts is None else parts
         self.space = ClassSpace(parts["values"], parts["usual"], parts["projection"])
         self.energy = float(parts["energy"][0])
-        self._stored: list[EvidenceLevel] = []
-        while (evidence := parts.get(f"evidence_{len(self._stored)}")) is not None:
-            pixel = self.frame.pixel_size * STORED_REDUCTION * 2 ** len(self._stored)
-            self._stored.append(EvidenceLevel(evidence, parts[f"known_{len(self._stored)}"], (pixel, pixel)))
+        self._levels: dict[int, EvidenceLevel] = {}
+        finest = self._count = int(np.log2(STORED_REDUCTION))
+        while (evidence := parts.get(f"evidence_{self._count - finest}")) is not None:
+            pixel = self.frame.pixel_size * 2**self._count
+            known = parts[f"known_{self._count - finest}"]
+            self._levels[self._count] = EvidenceLevel(evidence, known, (pixel, pixel))
+            self._count += 1
 
     @property
     def quiet(self) -> float:
@@ -269,12 +277,15 @@ class MapPyramid:
     def levels_of(self, pixels_m: np.ndarray) -> np.ndarray:
         """Return (N,) int levels of N pixel sizes, see ``level_of``."""
         levels = np.round(np.log2(pixels_m / self.frame.pixel_size)).astype(int)
-        return np.clip(levels, 0, int(np.log2(STORED_REDUCTION)) + len(self._stored) - 1)
+        return np.clip(levels, 0, self._count - 1)
 
-    def stored(self, level: int) -> EvidenceLevel | None:
-        """Return the whole map at a stored level; None for finer ones."""
-        number = level - int(np.log2(STORED_REDUCTION))
-        return self._stored[number] if number >= 0 else None
+    def whole(self, level: int) -> EvidenceLevel | None:
+        """Return the whole map at a level; None if only crops of it are computed."""
+        found = self._levels.get(level)
+        if found is None and self.labels.size <= KEPT_PIXELS:
+            height, width = self._size_hw(level)
+            found = self._levels[level] = self._computed(level, 0, 0, width, height)
+        return found
 
     def crop(self, pixel_m: float, box_m: tuple[float, float, float, float]) -> tuple[EvidenceLevel, float, float]:
         """Return the level with the nearest pixel size (×0.71 to ×1.41), cut to a box.
@@ -288,28 +299,35 @@ class MapPyramid:
             one unknown pixel.
         """
         level = self.level_of(pixel_m)
-        stored = int(np.log2(STORED_REDUCTION))
-        reduction = 2**level
-        pixel = self.frame.pixel_size * reduction
-        height, width = (-(-edge // reduction) for edge in self.labels.shape)
-        left, right = np.clip((np.floor(box_m[0] / pixel), np.ceil(box_m[2] / pixel)), 0, width).astype(int)
-        top, bottom = np.clip((np.floor(box_m[1] / pixel), np.ceil(box_m[3] / pixel)), 0, height).astype(int)
+        pixel = self.frame.pixel_size * 2**level
+        height, width = self._size_hw(level)
+        left, top = (max(math.floor(edge / pixel), 0) for edge in box_m[:2])
+        right, bottom = (min(math.ceil(edge / pixel), size) for edge, size in zip(box_m[2:], (width, height)))
         if left >= right or top >= bottom:
             nothing = np.zeros((1, 1), np.float32)
             return EvidenceLevel(np.zeros((1, 1, self.space.channels), np.float32), nothing, (pixel, pixel)), 0.0, 0.0
-        if level >= stored:
-            whole = self._stored[level - stored]
+        whole = self.whole(level)
+        if whole is None:
+            part = self._computed(level, left, top, right, bottom)
+        else:
             cut = np.s_[top:bottom, left:right]
             part = EvidenceLevel(whole.evidence[cut], whole.known[cut], whole.pixel)
-        else:
-            labels = self.labels[top * reduction : bottom * reduction, left * reduction : right * reduction]
-            labels = cv2.copyMakeBorder(
-                labels, 0, -labels.shape[0] % reduction, 0, -labels.shape[1] % reduction, cv2.BORDER_CONSTANT, value=0
-            )
-            size = labels.shape[1] // reduction, labels.shape[0] // reduction
-            evidence, known = evidence_of(class_fractions(labels, self.space.values, size), self.space)
-            part = EvidenceLevel(evidence, known, (pixel, pixel))
         return part, left * pixel, top * pixel
+
+    def _size_hw(self, level: int) -> tuple[int, int]:
+        height, width = self.labels.shape
+        return -(-height // 2**level), -(-width // 2**level)
+
+    def _computed(self, level: int, left: int, top: int, right: int, bottom: int) -> EvidenceLevel:
+        """Return a part of a level in its pixels; beyond the map is unlabeled."""
+        reduction = 2**level
+        labels = self.labels[top * reduction : bottom * reduction, left * reduction : right * reduction]
+        labels = cv2.copyMakeBorder(
+            labels, 0, -labels.shape[0] % reduction, 0, -labels.shape[1] % reduction, cv2.BORDER_CONSTANT, value=0
+        )
+        fractions = class_fractions(labels, self.space.values, (right - left, bottom - top))
+        pixel = self.frame.pixel_size * reduction
+        return EvidenceLevel(*evidence_of(fractions, self.space), (pixel, pixel))
 
 
 def _halve(fractions: np.ndarray) -> np.ndarray:

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 import cv2
 import numpy as np
 
+from ..geometry.small_matrices import eigen
 from .class_pyramid import EvidenceLevel, MapPyramid, centered
 
 LEAST_KNOWN = 0.5
@@ -182,8 +183,9 @@ def inverse_without_noise(normal: np.ndarray, noise: np.ndarray, least_trusted: 
         least_trusted: Least share of the information in each direction that is not taken for noise.
     """
     damped = normal + DAMPING * max(float(np.trace(normal)), 1e-30) * np.eye(len(normal))
-    half = np.linalg.inv(np.linalg.cholesky(damped))
-    shares, directions = np.linalg.eigh(half @ noise @ half.T)
+    strengths, axes_of_both = eigen(damped)
+    half = (axes_of_both / np.sqrt(strengths)).T
+    shares, directions = eigen(half @ noise @ half.T)
     found = half.T @ directions
     return found / np.maximum(1 - shares, least_trusted) @ found.T
 
@@ -286,8 +288,8 @@ def fit_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: f
         return None
     pull = _pull(image, fit)
     normal = _normal(pull.slopes)
-    strengths = np.linalg.eigvalsh(normal)
-    return None if strengths[0] <= DAMPING * strengths.sum() else (pull, normal)
+    strengths, _ = eigen(normal)
+    return None if strengths[-1] <= DAMPING * strengths.sum() else (pull, normal)
 
 
 def _normal(slopes: np.ndarray) -> np.ndarray:

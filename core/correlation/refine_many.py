@@ -59,7 +59,7 @@ def _maps_under(image: EvidenceLevel, pyramid: MapPyramid, at: np.ndarray) -> tu
     levels = pyramid.levels_of(at[:, 3] * pixel)
     for number in np.unique(levels):
         chosen = np.flatnonzero(levels == number)
-        level = pyramid.stored(int(number))
+        level = pyramid.whole(int(number))
         if level is None or max(level.known.shape) > limits.WARPED_EDGE_PX:
             for n in chosen:
                 patches[n], known[n] = map_under(image, pyramid, ScoredPose(*at[n]))

@@ -14,6 +14,7 @@ import numpy as np
 
 from ..geometry.error_settings import SharedErrors
 from ..geometry.pose import SLOPE_DEVIATION, STRETCH_DEVIATION
+from ..geometry.small_matrices import eigen, inverse_of
 from .class_pyramid import EvidenceLevel, MapPyramid
 from .refine import (
     DAMPING,
@@ -90,8 +91,8 @@ def view_effect(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, err
             break
         best = max(best, found.score)
         measured = found
-        information = np.linalg.inv(found.covariance)
-        known = np.linalg.solve(information + loosest, information @ found.mean)
+        information = inverse_of(found.covariance)
+        known = inverse_of(information + loosest) @ (information @ found.mean)
     if measured is None:
         return None
     shift, spread = _mixture(measured, deviations, np.array([view[2] for view in views]))
@@ -117,7 +118,7 @@ def _mixture(measured: _SystemFit, deviations: np.ndarray, shares: np.ndarray) -
     spreads: list[np.ndarray] = []
     likely: list[float] = []
     for deviation, share in zip(deviations, shares):
-        both = np.linalg.inv(own + np.diag(deviation**2))
+        both = inverse_of(own + np.diag(deviation**2))
         # Posterior of the measured effects and their covariance; the pose follows them.
         left = deviation**2 * (both @ seen)
         spread = np.diag(deviation**2) - np.diag(deviation**2) @ both @ np.diag(deviation**2)
@@ -195,15 +196,15 @@ class _System:
         units = 1 / np.sqrt(np.maximum((slopes.astype(np.float64) ** 2).sum(axis=1), 1e-30))
         both = np.outer(units, units)
         normal, of_noise = (cv2.mulTransposed(one, False, dtype=cv2.CV_64F) * both for one in (slopes, noise))
-        if np.linalg.eigvalsh(normal)[0] <= DAMPING:
+        if eigen(normal)[0][-1] <= DAMPING:
             return None
-        inverse, trusted = np.linalg.inv(normal) * both, inverse_without_noise(normal, of_noise) * both
+        inverse, trusted = inverse_of(normal) * both, inverse_without_noise(normal, of_noise) * both
         descent = np.einsum("ik,k->i", slopes, residual.ravel()).astype(np.float64)
         height, width = share.shape
         pulls = clustered_covariance(slopes * residual.ravel(), (height, width), self._pyramid.settings.blocks)
         covariance = trusted @ pulls @ trusted + of_map + LEAST**2 * np.eye(COUNT)
         score = product / np.sqrt(norm * (energy + self._pyramid.quiet * share.size))
-        of_pose = np.linalg.inv(normal[:POSE, :POSE]) * units[:POSE, None]
+        of_pose = inverse_of(normal[:POSE, :POSE]) * units[:POSE, None]
         to_pose = -of_pose @ (normal[:POSE, POSE:] / units[POSE:])
         return _SystemFit(score, assumed - inverse @ descent, covariance, to_pose)
 
@@ -219,7 +220,7 @@ class _System:
     def _patch(self, known: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the map as the image would show it: evidence (h, w, C) and labeled share (h, w), float32."""
         pose, image = self._pose, self._image
-        seen = (self._points + np.tensordot(known, self._moves, 1)) * self.half
+        seen = (self._points + np.einsum("k,kij->ij", known, self._moves)) * self.half
         to_map = axes(pose)
         x = to_map[0, 0] * seen.real + to_map[0, 1] * seen.imag
         y = to_map[1, 0] * seen.real + to_map[1, 1] * seen.imag

@@ -87,7 +87,7 @@ def random_poses(pyramid: MapPyramid, prior: Prior, count: int) -> list[ScoredPo
     agree with any other town far better than with the empty ground that covers most of the map.
     """
     rng = np.random.default_rng(SEED)
-    level = pyramid.stored(pyramid.level_of(8 * pyramid.frame.pixel_size))
+    level = pyramid.whole(pyramid.level_of(8 * pyramid.frame.pixel_size))
     if level is None or prior.pixel_size_range is None:
         return []
     energy = np.where(level.known > 0.5, (level.evidence**2).sum(axis=2), 0.0).astype(np.float64)

@@ -194,21 +194,31 @@ class ScoreShares:
         if rows.percents_chw is None:
             raise ValueError("The rows have no percents of each channel.")
         has_data = rows.percents_chw[0] != NO_DATA
-        first, weights = self._row_weights(rows.first, len(rows.labels_hw))
+        first, count, parts = self._row_shares(rows.first, len(rows.labels_hw))
         for number, value in enumerate(self._values):
             plane = rows.percents_chw[self._channels == value].sum(axis=0, dtype=np.float32) * has_data
             narrow = cv2.resize(plane, (self._size_wh[0], len(plane)), interpolation=cv2.INTER_AREA)
-            self._sums[number, first : first + len(weights)] += weights @ narrow
+            for places, shares in parts:
+                self._sums[number, first : first + count] += shares * narrow[places]
 
-    def _row_weights(self, first: int, count: int) -> tuple[int, np.ndarray]:
-        """Return the first grid row that overlaps rows of the image, and (n, count) share of each row in the grid's."""
+    def _row_shares(self, first: int, count: int) -> tuple[int, int, list[tuple[np.ndarray, np.ndarray]]]:
+        """Return first and number n of the grid rows that overlap rows of the image, and these rows.
+
+        The list has, for the first, second, … image row in each grid row, its (n,) number among the ``count`` rows and
+        (n, 1) share of the grid row. A matrix of all shares would have almost only zeros.
+        """
         step = self._shape_hw[0] / self._size_wh[1]
         begin = int(first / step)
         end = min(int(np.ceil((first + count) / step)), self._size_wh[1])
         edges = np.arange(begin, end + 1) * step
-        rows = np.arange(first, first + count)
-        inside = np.minimum(edges[1:, None], rows + 1) - np.maximum(edges[:-1, None], rows)
-        return begin, (np.maximum(inside, 0) / step).astype(np.float32)
+        parts = []
+        for offset in range(int(np.ceil(step)) + 1):
+            rows = np.floor(edges[:-1]).astype(int) + offset
+            inside = np.minimum(edges[1:], rows + 1) - np.maximum(edges[:-1], rows)
+            inside[(rows < first) | (rows >= first + count)] = 0
+            places = np.clip(rows - first, 0, count - 1)
+            parts.append((places, (np.maximum(inside, 0) / step).astype(np.float32)[:, None]))
+        return begin, end - begin, parts
 
     def found(self) -> ClassShares:
         """Return the shares, once all rows are added."""

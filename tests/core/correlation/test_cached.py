@@ -42,7 +42,7 @@ def assert_same(pyramid, expected):
         np.testing.assert_array_equal(getattr(pyramid.space, name), getattr(expected.space, name))
     assert pyramid.level_of(1e9) == expected.level_of(1e9)
     for number in range(expected.level_of(1e9) + 1):
-        level, wanted = pyramid.stored(number), expected.stored(number)
+        level, wanted = pyramid.whole(number), expected.whole(number)
         assert (level is None) == (wanted is None)
         if level is not None:
             assert level.pixel == wanted.pixel
@@ -56,7 +56,7 @@ def test_a_pyramid_is_made_once_and_then_loaded_to_the_last_bit(monkeypatch):
     never_made(monkeypatch)
     pyramid = loaded(labels)
     assert_same(pyramid, MapPyramid(labels, FRAME))
-    assert not pyramid.stored(3).evidence.flags.writeable
+    assert not pyramid.whole(3).evidence.flags.writeable
 
 
 @pytest.mark.parametrize(("columns", "is_kept"), [(2500, True), (2400, False)])
