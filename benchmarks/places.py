@@ -79,10 +79,7 @@ def class_table(names: tuple[str, ...]) -> str:
 
 
 def prepared(photo: Photo, data: Path, pixel_m: float, folder: Path) -> tuple[Path, Path]:
-    """Return a photo at a pixel size and its labels on the same pixels; use existing files.
-
-    A photo without a georeference keeps its own pixels.
-    """
+    """Return a photo at a pixel size, its own without a georeference, and its labels; use existing files."""
     from osgeo import gdal, ogr
 
     gdal.UseExceptions()

@@ -8,18 +8,21 @@ import sys
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import cv2
 import numpy as np
 
-from benchmarks import plain_build
-from benchmarks.accuracy import GOAL
+from benchmarks import photos, plain_build
+from benchmarks.accuracy import GOAL, MapRow
 from benchmarks.child import run_in_child
 from benchmarks.ground import Ground, Wanted, chosen
 from benchmarks.maps import World, build_parameters, read, run_algorithm, settings
 from benchmarks.photos import SHIPPED
+from benchmarks.places import place as place_of
+from benchmarks.places import prepared
 from benchmarks.results import ROOT, Table, rate, size
 from benchmarks.tile_by_tile import TileByTile
 from benchmarks.turns import on_processor, ratios, spread, take_turns
@@ -103,8 +106,7 @@ def correlation(world: World, scenario: dict[str, Any]) -> list[Table]:
 def build(world: World, scenario: dict[str, Any]) -> list[Table]:
     """Compare building in this process, and the whole command, with the plain loop."""
     name, rows = scenario["map"], []
-    labels, one = world.label_map(name), settings(name)
-    database = world.work / "timed.gpkg"
+    labels, one, database = world.label_map(name), settings(name), world.work / "timed.gpkg"
     for stride in scenario["strides"]:
         sampled = scenario["windows"] if stride < one["stride"] else None
         candidates = {
@@ -312,10 +314,7 @@ def write_network(path: Path) -> None:
 
 
 def plugin_load(world: World, scenario: dict[str, Any]) -> list[Table]:
-    """Measure the processor seconds of the plugin's start, in new processes of QGIS.
-
-    The first start of a new version compiles the plugin's files; Python keeps the result for the others.
-    """
+    """Measure the processor seconds of the plugin's start, in new processes of QGIS; the first compiles its files."""
     import shutil
     import subprocess
 
@@ -344,32 +343,44 @@ def plugin_load(world: World, scenario: dict[str, Any]) -> list[Table]:
 
 
 def many_images(world: World, scenario: dict[str, Any]) -> list[Table]:
-    """Compare *Localize images* of many label images in QGIS and with local workers, and measure peak memory."""
+    """Compare *Localize images* on all cores with one, for label images and for photos of a place; measure memory."""
+    from osgeo import gdal
+
+    from semref.storage.label_map_file import CLASS_TABLE_ITEM
     from semref.storage.pictures import write_png
 
-    ground, folder = world.ground(scenario["map"]), world.work / "many"
-    folder.mkdir(exist_ok=True)
-    count, rng = world.count or scenario["count"], np.random.default_rng(SEED)
-    for number in range(count):
-        path = folder / f"{number:03d}.png"
-        if not path.exists():
-            write_png(path, ground.spoiled(ground.draw(Wanted(), rng), GOAL, rng).labels_hw[None])
-    given = {"DATABASE": str(world.database(scenario["map"])), "IMAGES": str(folder), "OUTPUT": "memory:"}
-    ways = {"QGIS": {}, "workers": {"SCHEDULER": f"local:{os.cpu_count()}"}}
+    ground, place = world.ground(scenario["map"]), photos.of(world, MapRow(**scenario["photos"]))
+    rng, database, cores = np.random.default_rng(SEED), str(world.work / "many_photos.gpkg"), os.sched_getaffinity(0)
+    count, rows = world.count or scenario["count"], []
+    labels = prepared(place_of(scenario["photos"]["photos"]).photos[0], world.data, photos.PLACE_PIXEL_M, world.work)[1]
+    gdal.Open(str(labels), gdal.GA_Update).SetMetadataItem(CLASS_TABLE_ITEM, photos.BUILDINGS_ONLY)
+    sizes = {"WINDOW_SIZE": 64, "STRIDE": 16, "MINIMUM_AREA": 3.75}
+    run_algorithm("builddatabase", {"LABELS": str(labels), **sizes, "DATABASE": database})
+    draw = {
+        "label images": lambda: ground.spoiled(ground.draw(Wanted(), rng), GOAL, rng).labels_hw[None],
+        "photos": lambda: np.moveaxis(place.crop(rng)[1], 2, 0),
+    }
+    given = {
+        "label images": {"DATABASE": str(world.database(scenario["map"]))},
+        "photos": {"DATABASE": database, "MODEL": str(ROOT / "models" / "buildings.onnx")},
+    }
+    for kind, folder in ((kind, world.work / "many" / kind) for kind in draw):
+        folder.mkdir(parents=True, exist_ok=True)
+        for number in range(count):
+            write_png(folder / f"{number:03d}.png", draw[kind]())
+        wanted = {**given[kind], "IMAGES": str(folder), "OUTPUT": str(world.work / "many.gpkg")}
 
-    def localized(more: dict[str, str]) -> None:
-        run_algorithm("localizeimages", {**given, **more})
+        def localized(used: set[int], wanted: dict[str, str] = wanted) -> None:
+            os.sched_setaffinity(0, used)
+            run_algorithm("localizeimages", wanted)
 
-    seconds = take_turns({who: lambda more=more: localized(more) for who, more in ways.items()}, scenario["turns"])
-    peak = run_in_child("localizeimages", {**given, "OUTPUT": str(world.work / "many.gpkg")})["peak_bytes"]
-    row = [
-        f"{count} images",
-        ratios(seconds["QGIS"], seconds["workers"]),
-        f"{np.median(seconds['QGIS']) / count:.3f}",
-        size(peak),
-    ]
-    columns = ["what", f"× faster with {os.cpu_count()} workers, elapsed", "s an image in QGIS", "peak memory (RSS)"]
-    return [{"columns": columns, "rows": [row]}]
+        ways = {"all": partial(localized, cores), "one": partial(localized, {min(cores)})}
+        seconds = take_turns(ways, scenario["turns"])
+        os.sched_setaffinity(0, cores)
+        peak, each = run_in_child("localizeimages", wanted)["peak_bytes"], np.median(seconds["all"]) / count
+        rows.append([f"{count} {kind}", ratios(seconds["one"], seconds["all"]), f"{each:.3f}", size(peak)])
+    columns = ["what", f"× faster with {len(cores)} cores than with one", "s an image", "peak memory (RSS)"]
+    return [{"columns": columns, "rows": rows}]
 
 
 def on_board(world: World, scenario: dict[str, Any]) -> list[Table]:
@@ -442,8 +453,7 @@ def update(world: World, scenario: dict[str, Any]) -> list[Table]:
             "QGIS started and stopped": lambda: run_in_child()["whole"],
         },
     }
-    # The first run imports modules.
-    run_algorithm("updatedatabase", stated)
+    run_algorithm("updatedatabase", stated)  # imports modules
     seconds = take_turns({who: one for group in compared.values() for who, one in group.items()}, scenario["turns"])
     rows = [
         [who, spread(seconds[who]), f"{ratios(seconds[who], seconds[other])} of “{other}”"]

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import copy
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from threading import Lock
 
 import numpy as np
 
@@ -100,10 +101,16 @@ def describe_image(
 
 @dataclass
 class _Indexes:
-    """Indexes of a database, once they are needed; copies of a localizer share them."""
+    """Indexes of a database, once they are needed; copies of a localizer share them.
+
+    Attributes:
+        turn: Held while an image is localized. Python's own lock makes two threads together slower than one after the
+            other.
+    """
 
     constellation: ConstellationIndex | None = None
     pyramid: MapPyramid | None = None
+    turn: Lock = field(default_factory=Lock)
 
 
 class Localizer:
@@ -389,7 +396,7 @@ class Localizer:
         biases: KnownBiases = UNBIASED,
         earlier: Localization | None = None,
     ) -> Localization:
-        """Localize an image.
+        """Localize an image; threads take turns.
 
         Args:
             labels_hw: (H, W) uint8 labels of the database's class table.
@@ -406,6 +413,19 @@ class Localizer:
             DatabaseError: The database can't support the method.
             LabelMapError: The image has no pixels.
         """
+        with self._indexes.turn:
+            return self._localize(labels_hw, method, prior or Prior(), with_matches, shares, biases, earlier)
+
+    def _localize(  # noqa: PLR0913 - as ``localize``
+        self,
+        labels_hw: np.ndarray,
+        method: Method,
+        prior: Prior,
+        with_matches: bool,
+        shares: ClassShares | None,
+        biases: KnownBiases,
+        earlier: Localization | None,
+    ) -> Localization:
         if method == Method.TOPOLOGY_VECTOR:
             return self.localize_by_topology_vector(labels_hw)
         if method == Method.MAP_CORRELATION:
@@ -416,11 +436,11 @@ class Localizer:
             found = self.localize_by_constellation(labels_hw, prior, biases)
         if earlier is not None:
             found = confirm_by_earlier(found, earlier, min(_shape(labels_hw)), self.settings)
-        on_map = share_on_map(prior or Prior(), self._database.parameters.extent)
+        on_map = share_on_map(prior, self._database.parameters.extent)
         found = show_likely(doubt_outside(found, on_map, self.settings), self.settings)
         place = found.place
         if place is None:
-            return self._with_search_range(found, method, _shape(labels_hw), prior or Prior())
+            return self._with_search_range(found, method, _shape(labels_hw), prior)
         height, width = labels_hw.shape
         heading_deg, pixel_size = place.oriented
         ground = image_corners(place.position, heading_deg, pixel_size, width, height)

@@ -17,7 +17,7 @@ from qgis.core import (
 from ...core.errors import ParameterError
 from ...core.localization import Method
 from ..base import parameters, priors
-from ..base.algorithm import Declared, cancelable, check_canceled, follow, interruptible
+from ..base.algorithm import Declared, ahead, cancelable, check_canceled, follow, interruptible
 from ..base.image_results import LabelImages, count_sentence, log_result, with_far_photos, with_jumps
 from ..base.localizing import LocalizeAlgorithm, require_images
 from ..base.outputs import Outputs
@@ -134,11 +134,10 @@ class LocalizeFlight(LocalizeAlgorithm):
         with outputs.folder(self.LABELS) as folder:
             keep = LabelImages(folder, paths, database.class_table, read_labels.stated_biases)
             reader = FlightReader(Pipeline(localizer, search, read_labels, looks_again=False), keep)
-            for n, (path, camera) in enumerate(zip(paths, cameras)):
-                check_canceled(feedback)
-                feedback.setProgressText(os.path.basename(path))
-                cancelable(reader.take, path, camera, feedback=feedback)
-                feedback.setProgress(READ_PERCENT * (n + 1) / len(paths))
+            for read in ahead(lambda one: reader.read(*one), zip(paths, cameras), feedback):
+                cancelable(reader.take, *read, feedback=feedback)
+                feedback.setProgressText(os.path.basename(read[0].path))
+                feedback.setProgress(READ_PERCENT * len(reader.taken) / len(paths))
             speed = values.optional_number(self.MAXIMUM_SPEED)
             if speed is not None:
                 reader.search_within_reach(speed, feedback)

@@ -19,7 +19,7 @@ from qgis.core import (
 from ...core.errors import ParameterError
 from ...core.localization import Localization, Status
 from ..base import parameters, priors
-from ..base.algorithm import Declared, cancelable, check_canceled
+from ..base.algorithm import Declared, ahead, check_canceled
 from ..base.image_results import LabelImages, count_sentence, log_result, with_far_photos, with_jumps
 from ..base.localizing import LocalizeAlgorithm, found_within_reach, localize_image, localize_scheduled, require_images
 from ..base.outputs import Outputs
@@ -178,13 +178,15 @@ def _one_by_one(
     keep: LabelImages,
     feedback: QgsProcessingFeedback,
 ) -> list[LocalizedImage]:
-    localized = []
-    for n, path in enumerate(paths):
-        check_canceled(feedback)
-        feedback.setProgressText(os.path.basename(path))
-        localized.append(cancelable(localize_image, path, pipeline, cameras[n], keep, feedback=feedback))
-        log_result(localized[-1], feedback)
-        feedback.setProgress(95 * (n + 1) / len(paths))
+    localized: list[LocalizedImage] = []
+    feedback.setProgressText(os.path.basename(paths[0]))
+    for item, labels_hw in ahead(lambda one: localize_image(one[0], pipeline, one[1]), zip(paths, cameras), feedback):
+        if labels_hw is not None:
+            keep(item.path, labels_hw)
+        log_result(item, feedback)
+        localized.append(item)
+        feedback.setProgress(95 * len(localized) / len(paths))
+        feedback.setProgressText(os.path.basename(paths[min(len(localized), len(paths) - 1)]))
     return localized
 
 
@@ -204,7 +206,8 @@ def _within_reach(
             return None
         localizer = pipeline.localizer.with_risk(reach.allowed_risk)
         narrowed = Pipeline(localizer, replace(pipeline.search, known=prior), pipeline.read)
-        return localize_image(localized[n].path, narrowed, cameras[n], lambda *_: None).result
+        item, _ = localize_image(localized[n].path, narrowed, cameras[n])
+        return item.result
 
     paths, results = [item.path for item in localized], [item.result for item in localized]
     limits = speed, pipeline.localizer.settings.allowed_risk

@@ -15,7 +15,7 @@ from ...core.flight.cameras import complete_camera
 from ...core.flight.model import FlightImage, FlightPose
 from ...core.flight.motion import Link
 from ...core.flight.odometry import OdometryRow, odometry_links
-from ...core.flight.pixel_features import features_of
+from ...core.flight.pixel_features import Features, features_of
 from ...core.flight.pixel_links import PixelLinks
 from ...core.flight.telemetry import Telemetry, log_cameras, log_links
 from ...core.geometry.camera import Camera
@@ -93,7 +93,7 @@ def with_log(
 
 
 class FlightReader:
-    """Reads the images of a flight one by one and measures the motion between neighbors.
+    """Reads the images of a flight and measures the motion between neighbors.
 
     Attributes:
         taken: Images that were read, in order.
@@ -109,22 +109,25 @@ class FlightReader:
         """Images that could be read, in order; links count these."""
         return [one.flown for one in self.taken if one.flown is not None]
 
-    def take(self, path: str, camera: Camera) -> None:
-        """Read an image, localize it alone and link it to the previous one; an error of one image does not stop the
-        flight."""
+    def read(self, path: str, camera: Camera) -> tuple[TakenImage, Features | None]:
+        """Read an image and localize it alone; an error of one image does not stop the flight."""
         try:
             result = self._pipeline.run(path, camera, with_pixels=True)
             seen = result.seen
             flown = FlightImage.of(os.path.basename(path), result, camera.time_s)
             features = features_of(seen.labels_hw, seen.pixels, result.leveling)
         except SemRefError as error:
-            self.taken.append(TakenImage(path, camera, error=worded(error)))
-            return
-        self._keep(path, result.labels_hw)
+            return TakenImage(path, camera, error=worded(error)), None
         # All photos of a flight together would fill the memory.
         result = replace(result, seen=replace(seen, pixels=None))
-        flown = replace(flown, is_apart=self._pixels.add(features))
-        self.taken.append(TakenImage(path, camera, result, flown, camera_remark(camera, result.shape_hw)))
+        return TakenImage(path, camera, result, flown, camera_remark(camera, result.shape_hw)), features
+
+    def take(self, taken: TakenImage, features: Features | None) -> None:
+        """Add what ``read`` returned, in the order of the flight, and link it to the previous image."""
+        if taken.result is not None and taken.flown is not None and features is not None:
+            self._keep(taken.path, taken.result.labels_hw)
+            taken = replace(taken, flown=replace(taken.flown, is_apart=self._pixels.add(features)))
+        self.taken.append(taken)
 
     def search_within_reach(self, speed: float, feedback: QgsProcessingFeedback) -> None:
         """Search the images that have no position by themselves within reach of the others; see ``Reach``."""

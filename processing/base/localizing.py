@@ -238,20 +238,16 @@ def with_overview(
         return database
 
 
-def localize_image(
-    path: str, pipeline: Pipeline, camera: Camera, keep: Callable[[str, np.ndarray], None]
-) -> LocalizedImage:
-    """Localize an image and call ``keep`` with its path and labels.
+def localize_image(path: str, pipeline: Pipeline, camera: Camera) -> tuple[LocalizedImage, np.ndarray | None]:
+    """Localize an image; return its row and (H, W) labels, None for an image that can't be read.
 
     An error of one image must not stop the others: it becomes the reason of its row.
     """
     try:
         result = pipeline.run(path, camera)
-        item = _localized(path, result.localization, camera, result.shape_hw)
+        return _localized(path, result.localization, camera, result.shape_hw), result.labels_hw
     except SemRefError as error:
-        return LocalizedImage(path, error=worded(error), time_s=camera.time_s)
-    keep(path, result.labels_hw)
-    return item
+        return LocalizedImage(path, error=worded(error), time_s=camera.time_s), None
 
 
 def found_within_reach(

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import os
 import time
-from contextlib import closing
+from collections.abc import Iterator
+from contextlib import closing, contextmanager
+from threading import Lock
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import QgsProcessingFeedback, QgsProcessingOutputNumber, QgsProcessingOutputString
@@ -73,7 +75,7 @@ class PhotoLabelReader:
         self._read = PhotoReader(self._model, table, open_photo_file, self._follow)
         self._feedback = feedback
         self._is_described = False
-        self._seconds = 0.0
+        self._seconds, self._begun, self._working, self._counting = 0.0, 0.0, 0, Lock()
 
     @property
     def resolution_m(self) -> float | None:
@@ -92,21 +94,33 @@ class PhotoLabelReader:
 
     def _follow(self, path: str, photo: GdalImage, labels: PhotoLabels) -> SeenLabels:
         """Label a photo. Raises Canceled."""
-        if not self._is_described:
+        with self._counting:
+            is_first, self._is_described = not self._is_described, True
+        if is_first:
             describe(self._model, photo, self._feedback)
-            self._is_described = True
             self._log_pixel_size(path, labels)
         if labels.is_thorough:
             text = tr("{image}: no position. The network segments it again, turned and mirrored.")
             self._feedback.pushInfo(text.format(image=os.path.basename(path)))
-        begun = time.perf_counter()
-        with closing(labels.steps()) as steps:
+        with self._timed(), closing(labels.steps()) as steps:
             share, found = advance(steps)
             while share is not None:
                 check_canceled(self._feedback)
                 share, found = advance(steps)
-        self._seconds += time.perf_counter() - begun
         return found
+
+    @contextmanager
+    def _timed(self) -> Iterator[None]:
+        """Add to the seconds in which at least one thread labels a photo."""
+        with self._counting:
+            self._begun = self._begun if self._working else time.perf_counter()
+            self._working += 1
+        try:
+            yield
+        finally:
+            with self._counting:
+                self._working -= 1
+                self._seconds += 0.0 if self._working else time.perf_counter() - self._begun
 
     def _log_pixel_size(self, path: str, labels: PhotoLabels) -> None:
         """Log the pixel size of the first photo only, because the others are of the same flight."""
