@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from threading import Semaphore
 
 import cv2
 import numpy as np
@@ -36,7 +37,7 @@ class OnnxNetwork:
         settings: From its metadata.
         tile_hw: (height, width) of the images it accepts.
         tiles_at_once: Best number of images for one call.
-        runs_at_once: Number of threads that may call ``run`` at a time with gain.
+        runs_at_once: Number of runs at a time; more threads wait, also those of other images.
         fallbacks: Why other devices that were requested or tried do not.
         notes: Sentences on metadata that were overruled.
         texts: Its metadata by key.
@@ -70,7 +71,9 @@ class OnnxNetwork:
     def run(self, images: Sequence[np.ndarray]) -> np.ndarray:
         """Return the output for N (H, W, 3) uint8 images, red first, H × W = ``tile_hw``. Raises ModelError."""
         try:
-            found = self._session.run(None, {self._name: self._planes(images)})[0]
+            planes = self._planes(images)
+            with self._free:
+                found = self._session.run(None, {self._name: planes})[0]
         except failures_of_a_run() as error:
             height, width = self.tile_hw
             raise ModelError(
@@ -125,6 +128,7 @@ class OnnxNetwork:
         self.device = device
         self.notes: list[Sentence] = []
         self.runs_at_once = min(RUNS_AT_ONCE, threads) if device is CPU else 1
+        self._free = Semaphore(self.runs_at_once)
         self._session = open_session(self.path, -(-threads // self.runs_at_once), device.provider)
         try:
             texts = self._session.get_modelmeta().custom_metadata_map

@@ -94,6 +94,7 @@ class PhotoLabelReader:
 
     def _follow(self, path: str, photo: GdalImage, labels: PhotoLabels) -> SeenLabels:
         """Label a photo. Raises Canceled."""
+        check_canceled(self._feedback)
         with self._counting:
             is_first, self._is_described = not self._is_described, True
         if is_first:

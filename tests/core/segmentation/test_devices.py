@@ -1,3 +1,6 @@
+import time
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 import pytest
 from made_models import painted, write_model
@@ -91,6 +94,24 @@ def test_on_a_card_the_network_gets_several_tiles_and_one_run(load, monkeypatch)
     on_card, on_cpu = load("cuda", batch="batch"), load("cpu", batch="batch")
     assert (on_card.tiles_at_once, on_card.runs_at_once) == (TILES_AT_ONCE, 1)
     assert (on_cpu.tiles_at_once, on_cpu.runs_at_once) == (1, 2)
+
+
+def test_images_that_are_labeled_at_a_time_share_the_runs_of_a_network(load, monkeypatch):
+    FakeOnnxruntime(monkeypatch, EVERY)
+    model, runs, most = load("cuda"), [], []
+
+    class Slow:
+        def run(self, _, given):
+            runs.append(1)
+            most.append(len(runs))
+            time.sleep(0.01)
+            runs.pop()
+            return [np.zeros((1, 2, *model.tile_hw), np.float32)]
+
+    model._session = Slow()
+    with ThreadPoolExecutor(4) as pool:
+        list(pool.map(lambda _: model.run([np.zeros((*model.tile_hw, 3), np.uint8)]), range(8)))
+    assert most == [1] * 8
 
 
 @pytest.mark.parametrize(
