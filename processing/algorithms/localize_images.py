@@ -186,7 +186,7 @@ def _one_by_one(
         log_result(item, feedback)
         localized.append(item)
         feedback.setProgress(95 * len(localized) / len(paths))
-        feedback.setProgressText(os.path.basename(paths[min(len(localized), len(paths) - 1)]))
+        feedback.setProgressText(item.name)
     return localized
 
 
