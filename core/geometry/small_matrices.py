@@ -5,16 +5,16 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
+LEAST = 1e-15
+"""Least eigenvalue, as a share of the largest, of a matrix with a diagonal of 1: smaller ones are rounding errors."""
+
 
 def inverse_of(matrix: np.ndarray) -> np.ndarray:
-    """Return the inverse of a positive definite (n, n) matrix. Raises LinAlgError for another one."""
-    # OpenCV's limit for pivots is absolute, so the diagonal must be 1.
+    """Return the inverse of a positive definite (n, n) matrix; of an almost singular one, a large finite inverse."""
     units = 1 / np.sqrt(np.diagonal(matrix))
     both = units[:, None] * units
-    is_definite, found = cv2.invert(matrix * both, flags=cv2.DECOMP_CHOLESKY)
-    if not is_definite:
-        raise np.linalg.LinAlgError
-    return found * both
+    values, vectors = eigen(matrix * both)
+    return (vectors / np.maximum(values, LEAST * values[0])) @ vectors.T * both
 
 
 def eigen(matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

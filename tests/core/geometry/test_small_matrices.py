@@ -24,9 +24,10 @@ def test_tiny_matrices_have_an_inverse():
     np.testing.assert_allclose(inverse_of(1e-30 * definite(4)) * 1e-30, np.linalg.inv(definite(4)), rtol=1e-9)
 
 
-def test_a_matrix_that_is_not_definite_has_no_inverse():
-    with pytest.raises(np.linalg.LinAlgError):
-        inverse_of(np.ones((4, 4)))
+def test_an_almost_singular_matrix_has_a_large_finite_inverse():
+    matrix = 1e8 * definite(9, 1e-20)
+    found = inverse_of(matrix)
+    assert np.isfinite(found).all() and np.linalg.eigvalsh(found).max() > 1e3
 
 
 @pytest.mark.parametrize("size", [4, 9])
