@@ -34,7 +34,7 @@ STORED_REDUCTION = 4
 """Evidence is stored from this reduction of the overview on; finer levels are computed when needed."""
 
 KEPT_PIXELS = 2_000_000
-"""Largest overview of which finer levels are computed whole and kept, up to 25 bytes per pixel, instead of crops."""
+"""Of an overview with at most so many pixels, finer levels are kept in memory, up to 25 bytes per pixel."""
 
 
 @dataclass(frozen=True)

@@ -183,8 +183,8 @@ def inverse_without_noise(normal: np.ndarray, noise: np.ndarray, least_trusted: 
         least_trusted: Least share of the information in each direction that is not taken for noise.
     """
     damped = normal + DAMPING * max(float(np.trace(normal)), 1e-30) * np.eye(len(normal))
-    strengths, axes_of_both = eigen(damped)
-    half = (axes_of_both / np.sqrt(strengths)).T
+    strengths, vectors = eigen(damped)
+    half = (vectors / np.sqrt(strengths)).T
     shares, directions = eigen(half @ noise @ half.T)
     found = half.T @ directions
     return found / np.maximum(1 - shares, least_trusted) @ found.T

@@ -104,8 +104,8 @@ class _Indexes:
     """Indexes of a database, once they are needed; copies of a localizer share them.
 
     Attributes:
-        turn: Held while an image is localized. Python's own lock makes two threads together slower than one after the
-            other.
+        turn: Held while an image is localized. Python lets only one thread compute, so two at once would be slower than
+            one after the other.
     """
 
     constellation: ConstellationIndex | None = None

@@ -152,7 +152,7 @@ class LocalizeImages(LocalizeAlgorithm):
                     log_result(item, feedback)
             else:
                 keep = LabelImages(folder, paths, database.class_table, read_labels.stated_biases)
-                localized = _one_by_one(paths, cameras, pipeline, keep, feedback)
+                localized = _in_order(paths, cameras, pipeline, keep, feedback)
             speed = values.optional_number(self.MAXIMUM_SPEED)
             if speed is not None:
                 localized = _within_reach(localized, cameras, pipeline, speed, feedback)
@@ -171,7 +171,7 @@ class LocalizeImages(LocalizeAlgorithm):
         return {self.FIX_COUNT: fixes, **({} if is_scheduled else read_labels.log_pace())}
 
 
-def _one_by_one(
+def _in_order(
     paths: Sequence[str],
     cameras: Sequence[Camera],
     pipeline: Pipeline,

@@ -57,7 +57,7 @@ CANCEL_EVERY_S = 0.2
 """Seconds between checks for a cancel during work that cannot be interrupted."""
 
 AT_ONCE = 4
-"""Images that are processed at a time: while one is localized, a network labels the next ones. More gain nothing."""
+"""Images that are processed at a time: a network labels the next ones while one is localized. More are not faster."""
 
 CHECK_EVERY = 256
 """Features between two checks for a cancel."""

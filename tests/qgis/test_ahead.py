@@ -33,7 +33,9 @@ def test_the_next_items_are_processed_meanwhile_and_no_more():
 
     results = ahead(work, range(20), QgsProcessingFeedback())
     assert next(results) == 0
-    time.sleep(0.2)
+    end = time.monotonic() + 10
+    while len(begun) <= AT_ONCE and time.monotonic() < end:
+        time.sleep(0.01)
     assert sorted(begun) == list(range(AT_ONCE + 1))
     go_on.set()
     assert list(results) == list(range(1, 20))
