@@ -89,11 +89,12 @@ def _run(chosen: dict[str, dict], options: argparse.Namespace) -> None:
     from qgis_session import qgis_session
 
     with qgis_session():
-        from benchmarks import accuracy, flights, timing
+        from benchmarks import accuracy, assessment, flights, timing
         from benchmarks.maps import World
 
         world = World(options.data, options.work, options.models, options.count)
-        runners = {"accuracy": accuracy.run, "flights": flights.run, "timing": timing.run}
+        modules = accuracy, assessment, flights, timing
+        runners = {module.__name__.rpartition(".")[2]: module.run for module in modules}
         only = [part for part in options.only.split(";") if part]
         for name, scenario in chosen.items():
             tables = runners[scenario["runner"]](world, name, scenario, only)

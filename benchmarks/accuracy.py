@@ -73,6 +73,7 @@ class MapRow:
         photos: ``sample``, ``tileN``, or a place and the number of its photo (``kenya.1``); empty for labels.
         network: Part of the name of the network in --models; empty for the shipped network.
         labels: Labels of photos, ``network`` or ``true``.
+        maps_other: Whether the map of a photo's place has the class “other”, besides buildings.
         other_km2: Area of buildings of another country that the map of a photo's place also has.
         wanted: Kind of views, as ``ground.Wanted``.
     """
@@ -89,6 +90,7 @@ class MapRow:
     photos: str = ""
     network: str = ""
     labels: str = "network"
+    maps_other: bool = True
     other_km2: float = 0.0
     wanted: dict[str, Any] = field(default_factory=dict)
 
@@ -309,6 +311,7 @@ def told_of(trial: Trial, row: Row) -> dict[str, Any]:
     within = row.right_m or RIGHT_SHARE * query.view.footprint
     record = {
         "status": str(trial.status.key),
+        "place": query.view.position,
         "by": str(found.method.key),
         "right": trial.is_right,
         "wrong": trial.is_wrong,

@@ -47,7 +47,7 @@ class Photos:
         wanted: Kind of crops.
         searched: Pixel sizes to search; None for the default of the method.
         columns: First and last column of the photo for crops.
-        only_buildings: Whether all other classes of the network count as “other”.
+        other: Value of all other classes of the network than buildings; None to keep them.
     """
 
     ground: Ground
@@ -56,7 +56,7 @@ class Photos:
     wanted: Wanted
     searched: tuple[float, float] | None
     columns: tuple[int, int] = (0, 0)
-    only_buildings: bool = False
+    other: int | None = None
 
     def __post_init__(self) -> None:
         table = self.ground.database.class_table
@@ -88,10 +88,10 @@ class Photos:
 
     def _seen(self, photo_hw3: np.ndarray, is_thorough: bool) -> SeenLabels:
         found = PhotoLabels(self.model, ArrayImage(photo_hw3), self._values, is_thorough=is_thorough).seen()
-        if not self.only_buildings:
+        if self.other is None:
             return found
-        labels = np.where(found.labels_hw == BUILDING, BUILDING, OTHER).astype(np.uint8)
-        if found.shares is None:
+        labels = np.where(found.labels_hw == BUILDING, BUILDING, self.other).astype(np.uint8)
+        if found.shares is None or not self.other:
             return SeenLabels(labels)
         buildings = found.shares.of(np.array([BUILDING]))
         values = np.array([BUILDING, OTHER], np.uint8)
@@ -138,7 +138,8 @@ def _of_place(world: World, row: MapRow, wanted: Wanted) -> Photos:
         raise NoDataError(f"{photo.image} is not here.")
     image, labels = prepared(replace(photo, part=(0.0, 1.0)), world.data, PLACE_PIXEL_M, world.work / "places")
     picture = read_photo(image)
-    truth = np.where(read(labels) == BUILDING, BUILDING, OTHER)
+    other = OTHER if row.maps_other else 0
+    truth = np.where(read(labels) == BUILDING, BUILDING, other)
     truth[~picture.any(axis=2)] = 0
     labels = truth.astype(np.uint8)
     if row.other_km2:
@@ -146,7 +147,7 @@ def _of_place(world: World, row: MapRow, wanted: Wanted) -> Photos:
     ground = memory_ground(labels, BUILDINGS_ONLY, (64, 32 if row.other_km2 else 16, 3.75), PLACE_PIXEL_M)
     searched = tuple(PLACE_PIXEL_M * scale for scale in SEARCHED)
     columns = tuple(round(share * picture.shape[1]) for share in photo.part)
-    return Photos(ground, picture, _model(world, row), wanted, searched, columns, True)
+    return Photos(ground, picture, _model(world, row), wanted, searched, columns, other)
 
 
 def other_buildings(world: World, area_km2: float) -> np.ndarray:

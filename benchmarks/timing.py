@@ -418,6 +418,23 @@ def on_board(world: World, scenario: dict[str, Any]) -> list[Table]:
     return [{"columns": ["processor s an image, median", "p95", "fixes"], "rows": [row]}]
 
 
+def onboard_file(world: World, scenario: dict[str, Any]) -> list[Table]:
+    """Measure the size of onboard files without an overview, and the part of it that landmarks take."""
+    import zipfile
+
+    rows, path = [], world.work / "onboard.npz"
+    for name in scenario["maps"]:
+        given = {"DATABASE": str(world.database(name)), "OVERVIEW": False, "OUTPUT": str(path)}
+        run_algorithm("exportonboard", given)
+        with zipfile.ZipFile(path) as archive:
+            members = {one.filename: one.compress_size for one in archive.infolist()}
+            with archive.open("references_areas.npy") as file:
+                landmarks = len(np.load(file))
+        each = sum(bytes_ for member, bytes_ in members.items() if member.startswith("references_")) / landmarks
+        rows.append([name, f"{landmarks:,}", f"{path.stat().st_size:,}", f"{each:.1f}"])
+    return [{"columns": ["map", "landmarks", "bytes", "bytes per landmark"], "rows": rows}]
+
+
 def update(world: World, scenario: dict[str, Any]) -> list[Table]:
     """Compare the update of a database after the edit of one rectangle with building it again, and with QGIS alone."""
     import processing
@@ -472,5 +489,6 @@ MEASUREMENTS = {
     "plugin load": plugin_load,
     "many images": many_images,
     "on board": on_board,
+    "onboard file": onboard_file,
     "update": update,
 }

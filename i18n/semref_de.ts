@@ -2508,8 +2508,8 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
    <translation>Höchste Anzahl der Durchläufe durch die Trainingskacheln. Die Zeitgrenze kann das Training früher beenden.</translation>
   </message>
   <message>
-   <source>Maximum rounding error of the x and y of a landmark. If not set, 0.01 pixels of the label map.</source>
-   <translation>Höchster Rundungsfehler von x und y einer Landmarke. Ohne Angabe 0,01 Pixel der Klassenkarte.</translation>
+   <source>Maximum rounding error of the x and y of a landmark. If not set, 0.05 pixels of the label map.</source>
+   <translation>Höchster Rundungsfehler von x und y einer Landmarke. Ohne Angabe 0,05 Pixel der Klassenkarte.</translation>
   </message>
   <message>
    <source>Maximum scale</source>

@@ -2508,8 +2508,8 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
    <translation>Número máximo de pasadas por las teselas de entrenamiento. El límite de tiempo puede terminar antes el entrenamiento.</translation>
   </message>
   <message>
-   <source>Maximum rounding error of the x and y of a landmark. If not set, 0.01 pixels of the label map.</source>
-   <translation>Error máximo de redondeo de las coordenadas x e y de un hito. Si no se indica, 0.01 píxeles del mapa de etiquetas.</translation>
+   <source>Maximum rounding error of the x and y of a landmark. If not set, 0.05 pixels of the label map.</source>
+   <translation>Error máximo de redondeo de las coordenadas x e y de un hito. Si no se indica, 0.05 píxeles del mapa de etiquetas.</translation>
   </message>
   <message>
    <source>Maximum scale</source>

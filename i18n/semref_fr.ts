@@ -2508,8 +2508,8 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
    <translation>Nombre maximal de passages sur les tuiles d’entraînement. La limite de temps peut terminer l’entraînement plus tôt.</translation>
   </message>
   <message>
-   <source>Maximum rounding error of the x and y of a landmark. If not set, 0.01 pixels of the label map.</source>
-   <translation>Erreur d’arrondi maximale des coordonnées x et y d’un repère visuel. Par défaut, 0,01 pixel de la carte d’étiquettes.</translation>
+   <source>Maximum rounding error of the x and y of a landmark. If not set, 0.05 pixels of the label map.</source>
+   <translation>Erreur d’arrondi maximale des coordonnées x et y d’un repère visuel. Par défaut, 0,05 pixel de la carte d’étiquettes.</translation>
   </message>
   <message>
    <source>Maximum scale</source>

@@ -2508,8 +2508,8 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation>遍历训练图块的最大次数。时间限制可能使训练提前结束。</translation>
   </message>
   <message>
-   <source>Maximum rounding error of the x and y of a landmark. If not set, 0.01 pixels of the label map.</source>
-   <translation>地标 x 和 y 的最大舍入误差。如果未设置，则为标签图的 0.01 个像元。</translation>
+   <source>Maximum rounding error of the x and y of a landmark. If not set, 0.05 pixels of the label map.</source>
+   <translation>地标 x 和 y 的最大舍入误差。如果未设置，则为标签图的 0.05 个像元。</translation>
   </message>
   <message>
    <source>Maximum scale</source>

@@ -22,10 +22,12 @@ from ..values import checked
 FORMAT = "semref onboard"
 ONBOARD_VERSION = 1
 
-PRECISION_PX = 0.01
+PRECISION_PX = 0.05
 """Default of the largest rounding error of a landmark's x and y, in pixels of the label map."""
 
-AREA_STEPS = 65_535
+AREA_STEPS = 400
+"""Steps of the logarithm of areas, from the smallest to the largest landmark; an area is rounded by at most about 1.5 %."""
+
 VECTOR_STEPS = 255
 
 HEADER, HASH, SIGNATURE = "header", "content_hash", "signature"

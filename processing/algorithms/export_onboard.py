@@ -72,7 +72,7 @@ class ExportOnboard(SemRefAlgorithm):
             ),
             with_help(
                 QgsProcessingParameterNumber(self.PRECISION, "Precision (m)", DOUBLE, optional=True, minValue=1e-6),
-                "Maximum rounding error of the x and y of a landmark. If not set, 0.01 pixels of the label map.",
+                "Maximum rounding error of the x and y of a landmark. If not set, 0.05 pixels of the label map.",
                 advanced=True,
             ),
             with_help(

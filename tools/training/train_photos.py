@@ -1,12 +1,13 @@
 """Train a network for real photos: buildings, and with Dubai's mosaics also roads, vegetation, water and land.
 
     .venv/bin/python tools/training/train_photos.py OUTPUT_FOLDER --python PYTHON_WITH_TORCH [--without-dubai]
-        [--leave-out PLACE …] [--minutes 10] [--seed 1671] [--encoder NAME --encoder-weights FILE]
+        [--leave-out PLACE … | --only PLACE --base MODEL] [--minutes 10] [--seed 1671]
+        [--encoder NAME --encoder-weights FILE]
 
 The script reads banepa, oam_buildings and dubai_aerial ($SEMREF_DATA or ../shared/data). It writes
 OUTPUT_FOLDER/photos.onnx (buildings.onnx with --without-dubai) with the model's card, also as .json.
 --leave-out trains without a place and tests on it: NAME_without_PLACE.onnx. The card of the network of all places has
-the results. buildings.onnx has 16-bit weights and is models/buildings.onnx of SemRef. Confirm the licenses of Dubai's
+the results. --only trains MODEL further on one place, as *Train model* does: NAME_of_PLACE.onnx. buildings.onnx has 16-bit weights and is models/buildings.onnx of SemRef. Confirm the licenses of Dubai's
 mosaics before you share photos.onnx (docs/reference/networks.md).
 """
 
@@ -47,6 +48,8 @@ def main() -> None:
     parser.add_argument("--without-dubai", action="store_true", help="buildings only; no unconfirmed license")
     names = [one.name for one in PLACES]
     parser.add_argument("--leave-out", nargs="+", default=[], choices=names, help="tested without training on it")
+    parser.add_argument("--only", nargs="+", default=names, choices=names, help="train on no other place")
+    parser.add_argument("--base", default="", help="network to train further")
     parser.add_argument("--minutes", type=float, default=10.0, help="minutes of processor time; default %(default)s")
     parser.add_argument("--seed", type=int, default=1671)
     parser.add_argument("--encoder", default=LITE0, help="its name in segmentation_models_pytorch")
@@ -55,8 +58,9 @@ def main() -> None:
     folder = prepare(parser, options, "oam_buildings")
     name = BUILDINGS_ONLY if options.without_dubai else PHOTOS
     not_wanted = {*options.leave_out, *(["dubai"] if options.without_dubai else [])}
-    trained_on = [one for one in PLACES if one.name not in not_wanted]
-    stem = f"{name}_without_{'_and_'.join(options.leave_out)}" if options.leave_out else name
+    trained_on = [one for one in PLACES if one.name in options.only and one.name not in not_wanted]
+    part = f"_without_{'_and_'.join(options.leave_out)}" if options.leave_out else ""
+    stem = name + (f"_of_{'_and_'.join(options.only)}" if options.base else part)
     tiles = {str(path): one for one in trained_on for path in tiles_of(one, name, folder)}
     train(options, name, folder / f"{stem}.onnx", tiles)
     for place in options.leave_out:
@@ -91,6 +95,7 @@ def train(options: argparse.Namespace, name: str, model: Path, tiles: dict[str, 
         tuple(tiles),
         str(model),
         str(model.with_suffix(".training")),
+        options.base,
         encoder=options.encoder,
         encoder_weights=options.encoder_weights,
         learn_unlabeled=name == BUILDINGS_ONLY,
