@@ -306,7 +306,7 @@ def attitude_of(view: View, errors_deg: np.ndarray) -> Attitude:
 def told_of(trial: Trial, row: Row) -> dict[str, Any]:
     """Return the record of one image, with values for JSON only."""
     found, query = trial.result, trial.query
-    best, covariance = found.best, found.covariance
+    best = found.best
     off = math.inf if best is None else math.dist(best.position, query.view.position)
     within = row.right_m or RIGHT_SHARE * query.view.footprint
     record = {
@@ -324,18 +324,11 @@ def told_of(trial: Trial, row: Row) -> dict[str, Any]:
         "radius": found.error_95_m,
         "heading": trial.heading_error_deg,
         "scale": trial.scale_error,
-        "landmarks": trial.landmarks,
-        "found": found.references,
-        "seconds": trial.seconds,
         "log_odds": None if best is None else best.log_odds,
         "rival": max(found.mirror_log_odds or 0.0, found.runner_up_log_odds or -math.inf),
         "lead": None if found.peaks is None else lead(found.peaks),
         "detail": None if found.peaks is None else found.peaks.detail,
     }
-    if trial.is_right and covariance is not None and trial.heading_error_deg is not None:
-        size_off = (trial.scale_error or 0.0) * query.view.pixel_size
-        record["heading_held"] = trial.heading_error_deg <= 1.96 * covariance.heading_deviation_deg
-        record["scale_held"] = size_off <= 1.96 * covariance.pixel_size_deviation
     return {key: _plain(value) for key, value in record.items()}
 
 
@@ -384,25 +377,9 @@ def _radius(some: Sequence[dict]) -> str:
     return f"{np.median([one['radius'] for one in right]):.2f} m, {np.median([one['error'] for one in right]):.2f} m"
 
 
-def _milliseconds(some: Sequence[dict]) -> str:
-    taken = [one["seconds"] for one in some if one["seconds"] is not None]
-    return "{:.0f}, {:.0f}".format(*(1000 * np.percentile(taken, [50, 95]))) if taken else "–"
-
-
-def _landmarks(some: Sequence[dict]) -> str:
-    seen, found = (np.median([one[name] or 0 for one in some]) for name in ("landmarks", "found"))
-    return f"{seen:.0f} → {found:.0f}"
-
-
 def _ways(some: Sequence[dict]) -> str:
     counts = Counter(one["by"] for one in some if one["right"])
     return ", ".join(str(counts[one.key]) for one in (Method.CONSTELLATION, Method.MAP_CORRELATION))
-
-
-def _turned(some: Sequence[dict]) -> str:
-    held = [one for one in some if "heading_held" in one]
-    shares = (np.mean([one[name] for one in held]) for name in ("heading_held", "scale_held"))
-    return ", ".join(f"{share:.0%}" for share in shares) if held else "–"
 
 
 COLUMNS = {
@@ -412,15 +389,12 @@ COLUMNS = {
     "likely": lambda some: rate(sum(one["status"] == "likely" for one in some), len(some)),
     "best place right, fix or not": lambda some: rate(sum(one["best_right"] for one in some), len(some)),
     "right by constellation, by map correlation": _ways,
-    "landmarks in view → found (medians)": _landmarks,
     "median error, heading, scale": _errors,
     "in the 50 % ellipse": _held(0.5),
     "95 %": _held(0.95),
     "99 %": _held(0.99),
     "median 95 % radius, error": _radius,
-    "heading, scale 95 %": _turned,
     "smallest risk": lambda some: f"{min((one['risk'] for one in some if one['risk'] is not None), default=1.0):.2g}",
-    "ms median, p95": _milliseconds,
 }
 """Return the cell of a column for the records of a row. The first column is the row's name."""
 

@@ -32,7 +32,8 @@ def run(world: World, name: str, scenario: dict[str, Any], only: Sequence[str]) 
 def compared(world: World, name: str, row: Row, assumed: dict[str, float]) -> tuple[list[str], tuple[np.ndarray, ...]]:
     """Return the cells of a row; and the expected success of each image and whether its position is right, (N,)."""
     squares, some = assessed(world, row.database, assumed), records(world, name, row)
-    expected = np.array([squares[nearest(squares, one["place"])][2] for one in some])
+    # A place is in the square with the nearest center.
+    expected = np.array([squares[np.abs(squares[:, :2] - one["place"]).max(axis=1).argmin(), 2] for one in some])
     right = np.array([one["right"] for one in some])
     scores = [f"{((guess - right) ** 2).mean():.3f}" for guess in (expected, right.mean())]
     wrong = sum(one["wrong"] for one in some)
@@ -50,11 +51,6 @@ def assessed(world: World, name: str, assumed: dict[str, float]) -> np.ndarray:
         center = feature.GetGeometryRef().Centroid()
         rows.append((center.GetX(), center.GetY(), feature.GetField("success")))
     return np.array(rows)
-
-
-def nearest(squares: np.ndarray, place: Sequence[float]) -> int:
-    """Return the number of the square that contains a place, or else of the nearest one."""
-    return int(np.abs(squares[:, :2] - place).max(axis=1).argmin())
 
 
 def curve(expected: np.ndarray, right: np.ndarray) -> list[list[str]]:

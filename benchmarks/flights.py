@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-import time
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, cast
@@ -46,7 +45,6 @@ COLUMNS = (
     "median, 95th percentile of error",
     "in the 95 % ellipse",
     "right alone",
-    "s an image: median, p95",
     *(f"image {n}" for n in AT),
     "only predicted, in the 95 % ellipse",
     "likely, wrong of these",
@@ -99,7 +97,7 @@ def run(world: World, name: str, scenario: dict[str, Any], only: Sequence[str]) 
 def one_flight(
     ground: Ground, known: Ground, row: Row, number: int, source: photos.Photos | None = None
 ) -> dict[str, list]:
-    """Return the poses of the whole flight, the poses known at each image, and the seconds per image."""
+    """Return the poses of the whole flight, and the poses known at each image."""
     rng = np.random.default_rng([1616, len(row.name), number])
     images, links, views, alone = draw(ground, row, rng, source)
     if row.foreign == "mirrored" and source is None:
@@ -110,13 +108,9 @@ def one_flight(
         images = [replace(i, own=known.localizer.localize(i.labels_hw, Method.AUTOMATIC, i.prior)) for i in images]
     if row.reach_m:
         images, links = _found_within_reach(images, known, row.reach_m), []
-    solver, seconds = FlightSolver(known.localizer), []
-    started = time.process_time()
-    for done, _ in solver.steps(images, links):
-        # The time for looking back at images counts for the last image.
-        seconds += [0.0] * (done - len(seconds))
-        seconds[-1] += time.process_time() - started
-        started = time.process_time()
+    solver = FlightSolver(known.localizer)
+    for _ in solver.steps(images, links):
+        pass
     ways = {"whole": solver.poses, "causal": solver.causal}
     placed = {name: [_placed(pose, view) for pose, view in zip(poses, views)] for name, poses in ways.items()}
     left = [(pose, view) for pose, view in zip(solver.causal, views) if not pose.is_fix and pose.place is not None]
@@ -125,7 +119,7 @@ def one_flight(
     predicted = [_in_ellipse(*one) for one in left]
     likely = [(pose, view) for pose, view in zip(solver.poses, views) if pose.is_shown and not pose.is_fix]
     placed["likely"] = [(_off(pose.place, view), view.footprint) for pose, view in likely]
-    return {**placed, "seconds": seconds, "predicted": predicted, "alone": [bool(one) for one in right]}
+    return {**placed, "predicted": predicted, "alone": [bool(one) for one in right]}
 
 
 def _found_within_reach(images: Sequence[FlightImage], known: Ground, reach_m: float) -> list[FlightImage]:
@@ -270,7 +264,6 @@ def cells(row: Row, flown: Sequence[dict[str, list]]) -> list[str]:
     likely = [one for flight in flown for one in flight["likely"]]
     wrong_likely = [one for one in likely if row.foreign or one[0] > WRONG_SHARE * one[1]]
     errors = [] if row.foreign else [one[0] for one in placed]
-    seconds = np.concatenate([flight["seconds"] for flight in flown])
     predicted = [one for flight in flown for one in flight["predicted"]]
     steps = []
     for number in AT:
@@ -284,7 +277,6 @@ def cells(row: Row, flown: Sequence[dict[str, list]]) -> list[str]:
         f"{np.median(errors):.1f} m, {np.percentile(errors, 95):.1f} m" if errors else "–",
         rate(sum(one[2] for one in placed), len(placed)) if errors else "–",
         rate(sum(sum(flight["alone"]) for flight in flown), len(images)),
-        f"{np.median(seconds):.1f}, {np.percentile(seconds, 95):.1f}",
         *steps,
         rate(sum(predicted), len(predicted)) if predicted else "–",
         f"{len(likely)}, {len(wrong_likely)}",

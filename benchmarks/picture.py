@@ -42,14 +42,8 @@ def figures(bars: Sequence[dict[str, Any]]) -> list[tuple[str, Count | None, Cou
     """Return (images, right, wrong) of each bar with figures."""
     found = []
     for bar in bars:
-        name, row, right_in, wrong_in, *table = bar["of"]
-        cell = results.cell(name, row, right_in, *table) if right_in else ""
-        right = count_in(cell)
-        if wrong_in:
-            wrong = count_in(results.cell(name, row, wrong_in, *table))
-        else:
-            both = re.search(r"; (\d+)(?: wrong)?$", cell)
-            wrong = Count(int(both[1]), right.of, 0, 0) if both and right else None
+        name, row, right_in, wrong_in = bar["of"]
+        right, wrong = (count_in(results.cell(name, row, column)) for column in (right_in, wrong_in))
         if right_in.startswith("placed") and right and wrong:
             share = 100 * (right.count - wrong.count) / right.of
             right = Count(right.count - wrong.count, right.of, share, share)

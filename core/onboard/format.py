@@ -26,7 +26,7 @@ PRECISION_PX = 0.05
 """Default of the largest rounding error of a landmark's x and y, in pixels of the label map."""
 
 AREA_STEPS = 400
-"""Steps of the logarithm of areas, from the smallest to the largest landmark; an area is rounded by at most about 1.5 %."""
+"""Steps of the logarithm of areas, from the smallest to the largest landmark. An area is rounded by at most 1.5 %."""
 
 VECTOR_STEPS = 255
 

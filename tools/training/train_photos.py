@@ -7,8 +7,9 @@
 The script reads banepa, oam_buildings and dubai_aerial ($SEMREF_DATA or ../shared/data). It writes
 OUTPUT_FOLDER/photos.onnx (buildings.onnx with --without-dubai) with the model's card, also as .json.
 --leave-out trains without a place and tests on it: NAME_without_PLACE.onnx. The card of the network of all places has
-the results. --only trains MODEL further on one place, as *Train model* does: NAME_of_PLACE.onnx. buildings.onnx has 16-bit weights and is models/buildings.onnx of SemRef. Confirm the licenses of Dubai's
-mosaics before you share photos.onnx (docs/reference/networks.md).
+the results. --only trains MODEL further on one place, as *Train model* does: NAME_of_PLACE.onnx.
+buildings.onnx has 16-bit weights and is models/buildings.onnx of SemRef. Confirm the licenses of Dubai's mosaics before
+you share photos.onnx (docs/reference/networks.md).
 """
 
 import argparse
