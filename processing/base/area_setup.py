@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import math
+import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from statistics import median
@@ -324,5 +325,6 @@ def camera_table(photos: AreaPhotos) -> str:
     """Return a camera table (CSV) that gives photos without camera data the ground width of a typical photo."""
     # A field of view, because photos of one name in several folders or formats share a row, but not their pixels.
     lens = f"{photos.size_m[0]:.6g},{_VIEW_DEG:.8g}"
-    names = sorted({stem_of(path).replace('"', '""') for path in photos.unknown})
-    return "\n".join(["image,height,field_of_view", *(f'"{name}",{lens}' for name in names), ""])
+    # One row for each stem. The suffix stays: without it, reading would take the end of “a.b” for one.
+    files = {stem_of(path): os.path.basename(path).replace('"', '""') for path in photos.unknown}
+    return "\n".join(["image,height,field_of_view", *(f'"{files[stem]}",{lens}' for stem in sorted(files)), ""])

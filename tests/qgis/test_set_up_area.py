@@ -51,7 +51,7 @@ def true_places(sample: Path) -> dict[str, np.ndarray]:
 
 def test_photos_of_one_name_in_two_formats_and_folders_have_the_stated_ground_width(qgis_app, tmp_path):
     (tmp_path / "day 2").mkdir()
-    shapes = {"one.jpg": (32, 24), "day 2/one.jpg": (64, 48), 'a "b".jpg': (40, 30)}
+    shapes = {"one.jpg": (32, 24), "day 2/one.jpg": (64, 48), 'a "b" 10.20.jpg': (40, 30)}
     photos = [write_photo(tmp_path / name, size_wh) for name, size_wh in shapes.items()]
     photos.append(str(write_raster(tmp_path / "one.tif", np.zeros((20, 80), np.uint8), transform=None)))
     read = read_photos(photos, 160.0, None, QgsVectorLayer().extent(), QgsProcessingFeedback())
