@@ -1,4 +1,4 @@
-"""Reasons that name the network first, because it is the most likely cause of a missing position."""
+"""Reasons that name the network, because it is the most likely cause of a missing position."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ..sentences import Sentence
 
 
 def name_network(found: Localization, trained_on: Sequence[str] | None, classes: Sequence[str]) -> Localization:
-    """Return the result with a reason that starts with what the network found and was trained on.
+    """Return the result with a reason that states what the network found and, at its end, was trained on.
 
     Args:
         trained_on: Places; None for label images, empty if the network does not state them.
@@ -21,9 +21,7 @@ def name_network(found: Localization, trained_on: Sequence[str] | None, classes:
     reason = _counted_by_network(found.reason, tuple(classes))
     if trained_on:
         ground = Sentence("The network was trained on: {places}.", places=tuple(trained_on))
-        counts = reason != found.reason
-        first, second = (reason, ground) if counts else (ground, reason)
-        reason = Sentence("{first} {second}", first=first, second=second)
+        reason = Sentence("{first} {second}", first=reason, second=ground)
     return replace(found, reason=reason)
 
 
