@@ -81,10 +81,6 @@ class SetUpAreaDialog(QDialog):
         self.imagery = QgsProcessingMapLayerComboBox(self._definition(SetUpArea.IMAGERY))
         # QGIS selects the first layer, also of an optional parameter.
         self.lines.setValue(None, QgsProcessingContext())
-        self.imagery.setLayer(photo_layer(QgsProject.instance()))
-        annotation = annotation_at_hand(QgsProject.instance()).get("INPUT")
-        if annotation is not None:
-            self.map.setLayer(QgsProject.instance().mapLayer(annotation))
         self.minutes = _number(tr("0, use the model as it is"), tr(" min"), 0, 5)
         self.model = _files(QgsFileWidget.StorageMode.GetFile)
         self.model.setFilter(tr("ONNX models (*.onnx)"))
@@ -100,7 +96,7 @@ class SetUpAreaDialog(QDialog):
         self._feedback, self._context = QgsProcessingFeedback(False), QgsProcessingContext()
         self._used: dict = {}
         self._seen: Sequence[str] = ()
-        self._is_other_project = False
+        self._is_other_project = True
         self._lay_out()
         self.resize(self.sizeHint().expandedTo(QSize(_WIDTH_PX, 0)))
         self._connect()
@@ -168,6 +164,16 @@ class SetUpAreaDialog(QDialog):
         self._feedback.cancel()
         shut_down(self)
         self.deleteLater()
+
+    def choose_layers(self) -> None:
+        """Choose map and imagery of a project in which the dialog is new."""
+        if self._run.running or not self._is_other_project:
+            return
+        self._is_other_project = False
+        self.imagery.setLayer(photo_layer(QgsProject.instance()))
+        annotation = annotation_at_hand(QgsProject.instance()).get("INPUT")
+        if annotation is not None:
+            self.map.setLayer(QgsProject.instance().mapLayer(annotation))
 
     def parameters(self) -> dict:
         photos = QgsFileWidget.splitFilePaths(self.photos.filePath().strip())

@@ -67,14 +67,18 @@ def test_a_long_summary_cuts_off_no_field_on_a_small_screen(dialog):
     assert dialog.height() < 650 and dialog.map.height() >= dialog.map.sizeHint().height()
 
 
-def test_the_only_map_and_orthophoto_of_the_project_are_chosen(project_map, dock, sample):
+def test_the_only_map_and_orthophoto_of_each_project_are_chosen(dock, sample):
     project = QgsProject.instance()
-    project.addMapLayer(QgsVectorLayer("Polygon?crs=EPSG:32632", "a sketch", "memory"))
-    project.addMapLayer(QgsRasterLayer(str(sample / "orthophoto.tif"), "orthophoto"))
-    dock.set_up_area()
-    given = dock.setting_up.parameters()
-    names = [project.mapLayer(given[key]).name() for key in ("ANNOTATION", "IMAGERY")]
-    assert names == ["land cover", "orthophoto"] and given["LINES"] is None
+    for _ in range(2):
+        project.clear()
+        project.addMapLayer(QgsVectorLayer("Polygon?crs=EPSG:32632", "a sketch", "memory"))
+        project.addMapLayer(QgsVectorLayer(str(sample / "landcover.shp"), "land cover", "ogr"))
+        project.addMapLayer(QgsRasterLayer(str(sample / "orthophoto.tif"), "orthophoto"))
+        dock.set_up_area()
+        given = dock.setting_up.parameters()
+        names = [project.mapLayer(given[key]).name() for key in ("ANNOTATION", "IMAGERY")]
+        assert names == ["land cover", "orthophoto"] and given["LINES"] is None
+        dock.setting_up.hide()
 
 
 def test_only_the_selected_polygons_are_read_if_the_user_wants_that(project_map, dialog, repository):

@@ -129,6 +129,7 @@ class SemRefDock(QgsDockWidget):
 
             self.setting_up = SetUpAreaDialog(self.content.localize.images.model_path(), self.window())
             self.setting_up.finished_with.connect(self._show_area)
+        self.setting_up.choose_layers()
         self.setting_up.show()
         self.setting_up.raise_()
 
