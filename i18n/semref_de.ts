@@ -156,10 +156,6 @@
    <translation>Eine Spur wird angenommen, wenn ihre Irrtumswahrscheinlichkeit höchstens diesen Wert hat, zum Beispiel 0,0001 (1 zu 10.000). Ein kleinerer Wert erfordert mehr Bilder.</translation>
   </message>
   <message>
-   <source>A typical photo shows about {count} landmarks. With fewer than {least}, many photos get no position. Fly higher, or use a map with more buildings.</source>
-   <translation>Ein typisches Foto zeigt etwa {count} Landmarken. Bei weniger als {least} bekommen viele Fotos keine Position. Fliegen Sie höher oder verwenden Sie eine Karte mit mehr Gebäuden.</translation>
-  </message>
-  <message>
    <source>A typical photo shows {width:.0f} m of ground, more than the map. Check the ground width of a photo.</source>
    <translation>Ein typisches Foto zeigt {width:.0f} m Boden, mehr als die Karte. Prüfen Sie die Bodenbreite eines Fotos.</translation>
   </message>
@@ -688,8 +684,8 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
    <translation>Segmentierungsmodell wählen</translation>
   </message>
   <message>
-   <source>Choose the corrected land-cover layer</source>
-   <translation>Korrigierten Landbedeckungslayer wählen</translation>
+   <source>Choose the corrected layer</source>
+   <translation>Korrigierten Layer wählen</translation>
   </message>
   <message>
    <source>Choose the folder of your models</source>
@@ -2134,6 +2130,10 @@ Bilder ohne Position werden weggelassen, ebenso wahrscheinliche Positionen und P
   <message>
    <source>Landmarks agree with the map on one side of the image only; the image may show two places.</source>
    <translation>Landmarken stimmen nur auf einer Seite des Bildes mit der Karte überein; das Bild zeigt möglicherweise zwei Orte.</translation>
+  </message>
+  <message>
+   <source>Landmarks in a typical photo: about {count}. With fewer than {least}, many photos get no position. Fly higher, or use a map with more buildings.</source>
+   <translation>Landmarken in einem typischen Foto: etwa {count}. Bei weniger als {least} bekommen viele Fotos keine Position. Fliegen Sie höher oder verwenden Sie eine Karte mit mehr Gebäuden.</translation>
   </message>
   <message>
    <source>Landmarks in both maps</source>
@@ -4688,8 +4688,8 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Den Ordner {folder} von --state {path} gibt es nicht. Legen Sie ihn an oder wählen Sie einen anderen.</translation>
   </message>
   <message>
-   <source>The folder {path} contains no image ({endings}).</source>
-   <translation>Der Ordner {path} enthält kein Bild ({endings}).</translation>
+   <source>The folder {path} contains no image ({endings}). Choose another folder; its subfolders are not read.</source>
+   <translation>Der Ordner {path} enthält kein Bild ({endings}). Wählen Sie einen anderen Ordner; Unterordner werden nicht gelesen.</translation>
   </message>
   <message>
    <source>The folder {path} holds other files, which are left alone; choose a new or empty one.</source>
@@ -5044,8 +5044,8 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Die Übersicht ist die verkleinerte Klassenkarte, die die Kartenkorrelation durchsucht. Ohne sie ist die Datei um ein Mehrfaches kleiner.</translation>
   </message>
   <message>
-   <source>The package index cannot be reached ({reason}). Check network, proxy and certificates under Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
-   <translation>Der Paketindex ist nicht erreichbar ({reason}). Prüfen Sie Netzwerk, Proxy und Zertifikate unter Einstellungen ▸ Optionen ▸ Netzwerk oder installieren Sie aus einem Ordner mit Wheels.</translation>
+   <source>The package index cannot be reached. Check network, proxy and certificates under Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
+   <translation>Der Paketindex ist nicht erreichbar. Prüfen Sie Netzwerk, Proxy und Zertifikate unter Einstellungen ▸ Optionen ▸ Netzwerk oder installieren Sie aus einem Ordner mit Wheels.</translation>
   </message>
   <message>
    <source>The package index contains no {package} for Python {python} on this system.</source>
@@ -5720,8 +5720,8 @@ Alle Einstellungen kommen aus der Datenbank. Unveränderte Zeilen behalten ihre 
    <translation>Fenstergröße und Schrittweite wurden auf ganze Pixel gerundet: Fenstergröße {size:g} m, Schrittweite {stride:g} m.</translation>
   </message>
   <message>
-   <source>Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² ({classes}), about {per_photo} in a typical photo. {training}, database about {size:.2g} MB.</source>
-   <translation>Fenster {window:g} m, Pixel von {pixel:g} m, {landmarks} Polygone mit mindestens {area:g} m² ({classes}), etwa {per_photo} in einem typischen Foto. {training}, Datenbank etwa {size:.2g} MB.</translation>
+   <source>Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² ({classes}), about {per_photo} in a typical photo. {training}, database about {size:g} MB.</source>
+   <translation>Fenster {window:g} m, Pixel von {pixel:g} m, {landmarks} Polygone mit mindestens {area:g} m² ({classes}), etwa {per_photo} in einem typischen Foto. {training}, Datenbank etwa {size:g} MB.</translation>
   </message>
   <message>
    <source>Windows</source>
@@ -5868,6 +5868,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>nicht lesbar</translation>
   </message>
   <message>
+   <source>center {x:.0f} {y:.0f}, landmarks: {count}</source>
+   <translation>Mitte {x:.0f} {y:.0f}, Landmarken: {count}</translation>
+  </message>
+  <message>
    <source>class areas</source>
    <translation>Flächen der Klassen</translation>
   </message>
@@ -5980,6 +5984,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
    <translation>Bild der Karte</translation>
   </message>
   <message>
+   <source>in agreement with the map: {value}</source>
+   <translation>in Übereinstimmung mit der Karte: {value}</translation>
+  </message>
+  <message>
    <source>input layers, extent, mask or resolution</source>
    <translation>Eingabelayer, Ausdehnung, Maske oder Auflösung</translation>
   </message>
@@ -6006,6 +6014,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>landmarks</source>
    <translation>Landmarken</translation>
+  </message>
+  <message>
+   <source>landmarks in the image: {value}</source>
+   <translation>Landmarken im Bild: {value}</translation>
   </message>
   <message>
    <source>lat, lon</source>
@@ -6354,10 +6366,6 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>{count} landmarks in the centered square of {size} pixels.</source>
    <translation>{count} Landmarken im mittigen Quadrat von {size} Pixeln.</translation>
-  </message>
-  <message>
-   <source>{count} landmarks, center {x:.0f} {y:.0f}</source>
-   <translation>{count} Landmarken, Mitte {x:.0f} {y:.0f}</translation>
   </message>
   <message>
    <source>{count} of {all} photos have a position, too few to train on. Select imagery, or set the training to 0 minutes.</source>
@@ -7290,14 +7298,6 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   <message>
    <source>{training} training tiles, {validation} validation tiles</source>
    <translation>{training} Trainingskacheln, {validation} Validierungskacheln</translation>
-  </message>
-  <message>
-   <source>{value} agree with the map</source>
-   <translation>{value} stimmen mit der Karte überein</translation>
-  </message>
-  <message>
-   <source>{value} landmarks in the image</source>
-   <translation>{value} Landmarken im Bild</translation>
   </message>
   <message>
    <source>{where} can't be written: {reason}. Choose another output.</source>

@@ -156,10 +156,6 @@
    <translation>Una trayectoria se acepta si la probabilidad de que sea errónea no supera este valor, por ejemplo 0.0001 (1 de cada 10 000). Un valor menor requiere más imágenes.</translation>
   </message>
   <message>
-   <source>A typical photo shows about {count} landmarks. With fewer than {least}, many photos get no position. Fly higher, or use a map with more buildings.</source>
-   <translation>Una foto típica muestra unos {count} hitos. Con menos de {least}, muchas fotos no obtienen posición. Vuele más alto o use un mapa con más edificios.</translation>
-  </message>
-  <message>
    <source>A typical photo shows {width:.0f} m of ground, more than the map. Check the ground width of a photo.</source>
    <translation>Una foto típica muestra {width:.0f} m de terreno, más que el mapa. Compruebe el ancho de terreno de una foto.</translation>
   </message>
@@ -688,8 +684,8 @@ El GeoPackage contiene ventanas, hitos, un mapa reducido (vista general), clases
    <translation>Elegir un modelo de segmentación</translation>
   </message>
   <message>
-   <source>Choose the corrected land-cover layer</source>
-   <translation>Elegir la capa de cobertura del suelo corregida</translation>
+   <source>Choose the corrected layer</source>
+   <translation>Elegir la capa corregida</translation>
   </message>
   <message>
    <source>Choose the folder of your models</source>
@@ -2134,6 +2130,10 @@ Se omiten las imágenes sin posición, y también las posiciones probables y las
   <message>
    <source>Landmarks agree with the map on one side of the image only; the image may show two places.</source>
    <translation>Los hitos coinciden con el mapa solo en un lado de la imagen; la imagen puede mostrar dos lugares.</translation>
+  </message>
+  <message>
+   <source>Landmarks in a typical photo: about {count}. With fewer than {least}, many photos get no position. Fly higher, or use a map with more buildings.</source>
+   <translation>Hitos en una foto típica: unos {count}. Con menos de {least}, muchas fotos no obtienen posición. Vuele más alto o use un mapa con más edificios.</translation>
   </message>
   <message>
    <source>Landmarks in both maps</source>
@@ -4688,8 +4688,8 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>La carpeta {folder} de --state {path} no existe. Créela o elija otra.</translation>
   </message>
   <message>
-   <source>The folder {path} contains no image ({endings}).</source>
-   <translation>La carpeta {path} no contiene ninguna imagen ({endings}).</translation>
+   <source>The folder {path} contains no image ({endings}). Choose another folder; its subfolders are not read.</source>
+   <translation>La carpeta {path} no contiene ninguna imagen ({endings}). Elija otra carpeta; sus subcarpetas no se leen.</translation>
   </message>
   <message>
    <source>The folder {path} holds other files, which are left alone; choose a new or empty one.</source>
@@ -5044,8 +5044,8 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>La vista general es el mapa de etiquetas reducido en el que busca la correlación de mapas. Sin ella el archivo es varias veces más pequeño.</translation>
   </message>
   <message>
-   <source>The package index cannot be reached ({reason}). Check network, proxy and certificates under Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
-   <translation>No se puede acceder al índice de paquetes ({reason}). Compruebe la red, el proxy y los certificados en Configuración ▸ Opciones ▸ Red, o instale desde una carpeta de wheels.</translation>
+   <source>The package index cannot be reached. Check network, proxy and certificates under Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
+   <translation>No se puede acceder al índice de paquetes. Compruebe la red, el proxy y los certificados en Configuración ▸ Opciones ▸ Red, o instale desde una carpeta de wheels.</translation>
   </message>
   <message>
    <source>The package index contains no {package} for Python {python} on this system.</source>
@@ -5720,8 +5720,8 @@ Todos los parámetros provienen de la base de datos. Las filas sin cambios conse
    <translation>El tamaño de ventana y el paso se redondearon a píxeles enteros: tamaño de ventana {size:g} m, paso {stride:g} m.</translation>
   </message>
   <message>
-   <source>Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² ({classes}), about {per_photo} in a typical photo. {training}, database about {size:.2g} MB.</source>
-   <translation>Ventana de {window:g} m, píxeles de {pixel:g} m, {landmarks} polígonos de al menos {area:g} m² ({classes}), unos {per_photo} en una foto típica. {training}, base de datos de unos {size:.2g} MB.</translation>
+   <source>Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² ({classes}), about {per_photo} in a typical photo. {training}, database about {size:g} MB.</source>
+   <translation>Ventana de {window:g} m, píxeles de {pixel:g} m, {landmarks} polígonos de al menos {area:g} m² ({classes}), unos {per_photo} en una foto típica. {training}, base de datos de unos {size:g} MB.</translation>
   </message>
   <message>
    <source>Windows</source>
@@ -5868,6 +5868,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>no se puede leer</translation>
   </message>
   <message>
+   <source>center {x:.0f} {y:.0f}, landmarks: {count}</source>
+   <translation>centro {x:.0f} {y:.0f}, hitos: {count}</translation>
+  </message>
+  <message>
    <source>class areas</source>
    <translation>áreas de las clases</translation>
   </message>
@@ -5980,6 +5984,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
    <translation>imagen del mapa</translation>
   </message>
   <message>
+   <source>in agreement with the map: {value}</source>
+   <translation>en coincidencia con el mapa: {value}</translation>
+  </message>
+  <message>
    <source>input layers, extent, mask or resolution</source>
    <translation>capas de entrada, extensión, máscara o resolución</translation>
   </message>
@@ -6006,6 +6014,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>landmarks</source>
    <translation>hitos</translation>
+  </message>
+  <message>
+   <source>landmarks in the image: {value}</source>
+   <translation>hitos en la imagen: {value}</translation>
   </message>
   <message>
    <source>lat, lon</source>
@@ -6354,10 +6366,6 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>{count} landmarks in the centered square of {size} pixels.</source>
    <translation>{count} hitos en el cuadrado centrado de {size} píxeles.</translation>
-  </message>
-  <message>
-   <source>{count} landmarks, center {x:.0f} {y:.0f}</source>
-   <translation>{count} hitos, centro {x:.0f} {y:.0f}</translation>
   </message>
   <message>
    <source>{count} of {all} photos have a position, too few to train on. Select imagery, or set the training to 0 minutes.</source>
@@ -7290,14 +7298,6 @@ Las posiciones, las áreas y los vectores se redondean; el registro muestra el m
   <message>
    <source>{training} training tiles, {validation} validation tiles</source>
    <translation>{training} teselas de entrenamiento, {validation} teselas de validación</translation>
-  </message>
-  <message>
-   <source>{value} agree with the map</source>
-   <translation>{value} coinciden con el mapa</translation>
-  </message>
-  <message>
-   <source>{value} landmarks in the image</source>
-   <translation>{value} hitos en la imagen</translation>
   </message>
   <message>
    <source>{where} can't be written: {reason}. Choose another output.</source>

@@ -156,10 +156,6 @@
    <translation>Une trace est acceptée si la probabilité qu’elle soit fausse ne dépasse pas cette valeur, par exemple 0.0001 (1 sur 10 000). Une valeur plus petite demande plus d’images.</translation>
   </message>
   <message>
-   <source>A typical photo shows about {count} landmarks. With fewer than {least}, many photos get no position. Fly higher, or use a map with more buildings.</source>
-   <translation>Une photo typique montre environ {count} repères visuels. Avec moins de {least}, beaucoup de photos n’obtiennent pas de position. Volez plus haut, ou utilisez une carte avec plus de bâtiments.</translation>
-  </message>
-  <message>
    <source>A typical photo shows {width:.0f} m of ground, more than the map. Check the ground width of a photo.</source>
    <translation>Une photo typique montre {width:.0f} m de terrain, plus que la carte. Vérifiez la largeur au sol d’une photo.</translation>
   </message>
@@ -688,8 +684,8 @@ Le GeoPackage contient les fenêtres, les repères visuels, une carte réduite (
    <translation>Choisir un modèle de segmentation</translation>
   </message>
   <message>
-   <source>Choose the corrected land-cover layer</source>
-   <translation>Choisir la couche d’occupation du sol corrigée</translation>
+   <source>Choose the corrected layer</source>
+   <translation>Choisir la couche corrigée</translation>
   </message>
   <message>
    <source>Choose the folder of your models</source>
@@ -2134,6 +2130,10 @@ Les images sans position sont exclues, de même que les positions probables et l
   <message>
    <source>Landmarks agree with the map on one side of the image only; the image may show two places.</source>
    <translation>Les repères visuels ne concordent avec la carte que d’un côté de l’image ; l’image montre peut-être deux lieux.</translation>
+  </message>
+  <message>
+   <source>Landmarks in a typical photo: about {count}. With fewer than {least}, many photos get no position. Fly higher, or use a map with more buildings.</source>
+   <translation>Repères visuels dans une photo typique : environ {count}. Avec moins de {least}, beaucoup de photos n’obtiennent pas de position. Volez plus haut, ou utilisez une carte avec plus de bâtiments.</translation>
   </message>
   <message>
    <source>Landmarks in both maps</source>
@@ -4688,8 +4688,8 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>Le dossier {folder} de --state {path} n’existe pas. Créez-le ou choisissez-en un autre.</translation>
   </message>
   <message>
-   <source>The folder {path} contains no image ({endings}).</source>
-   <translation>Le dossier {path} ne contient aucune image ({endings}).</translation>
+   <source>The folder {path} contains no image ({endings}). Choose another folder; its subfolders are not read.</source>
+   <translation>Le dossier {path} ne contient aucune image ({endings}). Choisissez un autre dossier ; ses sous-dossiers ne sont pas lus.</translation>
   </message>
   <message>
    <source>The folder {path} holds other files, which are left alone; choose a new or empty one.</source>
@@ -5044,8 +5044,8 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>La vue d’ensemble est la carte d’étiquettes réduite que parcourt la corrélation de cartes. Sans elle, le fichier est plusieurs fois plus petit.</translation>
   </message>
   <message>
-   <source>The package index cannot be reached ({reason}). Check network, proxy and certificates under Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
-   <translation>L’index de paquets est inaccessible ({reason}). Vérifiez le réseau, le proxy et les certificats sous Préférences ▸ Options ▸ Réseau, ou installez depuis un dossier de wheels.</translation>
+   <source>The package index cannot be reached. Check network, proxy and certificates under Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
+   <translation>L’index de paquets est inaccessible. Vérifiez le réseau, le proxy et les certificats sous Préférences ▸ Options ▸ Réseau, ou installez depuis un dossier de wheels.</translation>
   </message>
   <message>
    <source>The package index contains no {package} for Python {python} on this system.</source>
@@ -5720,8 +5720,8 @@ Tous les paramètres viennent de la base de données. Les lignes inchangées gar
    <translation>La taille de fenêtre et le pas ont été arrondis à des pixels entiers : taille de fenêtre {size:g} m, pas {stride:g} m.</translation>
   </message>
   <message>
-   <source>Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² ({classes}), about {per_photo} in a typical photo. {training}, database about {size:.2g} MB.</source>
-   <translation>Fenêtre de {window:g} m, pixels de {pixel:g} m, {landmarks} polygones d’au moins {area:g} m² ({classes}), environ {per_photo} dans une photo typique. {training}, base de données d’environ {size:.2g} Mo.</translation>
+   <source>Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² ({classes}), about {per_photo} in a typical photo. {training}, database about {size:g} MB.</source>
+   <translation>Fenêtre de {window:g} m, pixels de {pixel:g} m, {landmarks} polygones d’au moins {area:g} m² ({classes}), environ {per_photo} dans une photo typique. {training}, base de données d’environ {size:g} Mo.</translation>
   </message>
   <message>
    <source>Windows</source>
@@ -5868,6 +5868,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>illisible</translation>
   </message>
   <message>
+   <source>center {x:.0f} {y:.0f}, landmarks: {count}</source>
+   <translation>centre {x:.0f} {y:.0f}, repères visuels : {count}</translation>
+  </message>
+  <message>
    <source>class areas</source>
    <translation>surfaces des classes</translation>
   </message>
@@ -5980,6 +5984,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
    <translation>image de la carte</translation>
   </message>
   <message>
+   <source>in agreement with the map: {value}</source>
+   <translation>en accord avec la carte : {value}</translation>
+  </message>
+  <message>
    <source>input layers, extent, mask or resolution</source>
    <translation>couches d’entrée, emprise, masque ou résolution</translation>
   </message>
@@ -6006,6 +6014,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>landmarks</source>
    <translation>repères visuels</translation>
+  </message>
+  <message>
+   <source>landmarks in the image: {value}</source>
+   <translation>repères visuels dans l’image : {value}</translation>
   </message>
   <message>
    <source>lat, lon</source>
@@ -6354,10 +6366,6 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>{count} landmarks in the centered square of {size} pixels.</source>
    <translation>{count} repères visuels dans le carré centré de {size} pixels.</translation>
-  </message>
-  <message>
-   <source>{count} landmarks, center {x:.0f} {y:.0f}</source>
-   <translation>{count} repères visuels, centre {x:.0f} {y:.0f}</translation>
   </message>
   <message>
    <source>{count} of {all} photos have a position, too few to train on. Select imagery, or set the training to 0 minutes.</source>
@@ -7290,14 +7298,6 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal indique l
   <message>
    <source>{training} training tiles, {validation} validation tiles</source>
    <translation>{training} tuiles d’entraînement, {validation} tuiles de validation</translation>
-  </message>
-  <message>
-   <source>{value} agree with the map</source>
-   <translation>{value} concordent avec la carte</translation>
-  </message>
-  <message>
-   <source>{value} landmarks in the image</source>
-   <translation>{value} repères visuels dans l’image</translation>
   </message>
   <message>
    <source>{where} can't be written: {reason}. Choose another output.</source>

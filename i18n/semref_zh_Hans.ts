@@ -156,10 +156,6 @@
    <translation>如果航迹错误的概率不大于此值，则接受该航迹，例如 0.0001（万分之一）。值越小，需要的影像越多。</translation>
   </message>
   <message>
-   <source>A typical photo shows about {count} landmarks. With fewer than {least}, many photos get no position. Fly higher, or use a map with more buildings.</source>
-   <translation>一张典型照片显示约 {count} 个地标。少于 {least} 个时，许多照片得不到位置。请提高飞行高度，或使用建筑物更多的地图。</translation>
-  </message>
-  <message>
    <source>A typical photo shows {width:.0f} m of ground, more than the map. Check the ground width of a photo.</source>
    <translation>一张典型照片显示 {width:.0f} m 的地面，超出地图范围。请检查照片的地面宽度。</translation>
   </message>
@@ -688,8 +684,8 @@ GeoPackage 包含窗口、地标、缩小的地图（概览）、类别和参数
    <translation>选择分割模型</translation>
   </message>
   <message>
-   <source>Choose the corrected land-cover layer</source>
-   <translation>选择更正后的土地覆盖图层</translation>
+   <source>Choose the corrected layer</source>
+   <translation>选择更正后的图层</translation>
   </message>
   <message>
    <source>Choose the folder of your models</source>
@@ -2134,6 +2130,10 @@ Images without a position are left out, and so are likely positions and position
   <message>
    <source>Landmarks agree with the map on one side of the image only; the image may show two places.</source>
    <translation>只有影像一侧的地标与地图一致；该影像可能显示了两个地点。</translation>
+  </message>
+  <message>
+   <source>Landmarks in a typical photo: about {count}. With fewer than {least}, many photos get no position. Fly higher, or use a map with more buildings.</source>
+   <translation>一张典型照片中的地标：约 {count} 个。少于 {least} 个时，许多照片得不到位置。请提高飞行高度，或使用建筑物更多的地图。</translation>
   </message>
   <message>
    <source>Landmarks in both maps</source>
@@ -4688,8 +4688,8 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>--state {path} 的文件夹 {folder} 不存在。请创建该文件夹，或选择其他文件夹。</translation>
   </message>
   <message>
-   <source>The folder {path} contains no image ({endings}).</source>
-   <translation>文件夹 {path} 中没有影像（{endings}）。</translation>
+   <source>The folder {path} contains no image ({endings}). Choose another folder; its subfolders are not read.</source>
+   <translation>文件夹 {path} 中没有影像（{endings}）。请选择其他文件夹；不会读取其子文件夹。</translation>
   </message>
   <message>
    <source>The folder {path} holds other files, which are left alone; choose a new or empty one.</source>
@@ -5044,8 +5044,8 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>概览是地图相关所搜索的缩小标签图。没有它，文件会小数倍。</translation>
   </message>
   <message>
-   <source>The package index cannot be reached ({reason}). Check network, proxy and certificates under Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
-   <translation>无法访问软件包索引（{reason}）。请在 设置 ▸ 选项 ▸ 网络 中检查网络、代理和证书，或从 wheel 文件夹安装。</translation>
+   <source>The package index cannot be reached. Check network, proxy and certificates under Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
+   <translation>无法访问软件包索引。请在 设置 ▸ 选项 ▸ 网络 中检查网络、代理和证书，或从 wheel 文件夹安装。</translation>
   </message>
   <message>
    <source>The package index contains no {package} for Python {python} on this system.</source>
@@ -5720,8 +5720,8 @@ All settings come from the database. Unchanged rows keep their fid. The label ma
    <translation>窗口大小和步长已取整为整像元：窗口大小 {size:g} m，步长 {stride:g} m。</translation>
   </message>
   <message>
-   <source>Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² ({classes}), about {per_photo} in a typical photo. {training}, database about {size:.2g} MB.</source>
-   <translation>窗口 {window:g} m，像元 {pixel:g} m，{landmarks} 个不小于 {area:g} m² 的多边形（{classes}），典型照片中约 {per_photo} 个。{training}，数据库约 {size:.2g} MB。</translation>
+   <source>Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² ({classes}), about {per_photo} in a typical photo. {training}, database about {size:g} MB.</source>
+   <translation>窗口 {window:g} m，像元 {pixel:g} m，{landmarks} 个不小于 {area:g} m² 的多边形（{classes}），典型照片中约 {per_photo} 个。{training}，数据库约 {size:g} MB。</translation>
   </message>
   <message>
    <source>Windows</source>
@@ -5868,6 +5868,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>无法读取</translation>
   </message>
   <message>
+   <source>center {x:.0f} {y:.0f}, landmarks: {count}</source>
+   <translation>中心 {x:.0f} {y:.0f}，地标：{count}</translation>
+  </message>
+  <message>
    <source>class areas</source>
    <translation>类别面积</translation>
   </message>
@@ -5980,6 +5984,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
    <translation>地图的影像</translation>
   </message>
   <message>
+   <source>in agreement with the map: {value}</source>
+   <translation>与地图一致：{value}</translation>
+  </message>
+  <message>
    <source>input layers, extent, mask or resolution</source>
    <translation>输入图层、范围、掩膜或分辨率</translation>
   </message>
@@ -6006,6 +6014,10 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>landmarks</source>
    <translation>地标</translation>
+  </message>
+  <message>
+   <source>landmarks in the image: {value}</source>
+   <translation>影像中的地标：{value}</translation>
   </message>
   <message>
    <source>lat, lon</source>
@@ -6354,10 +6366,6 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>{count} landmarks in the centered square of {size} pixels.</source>
    <translation>{size} 像元的居中正方形内有 {count} 个地标。</translation>
-  </message>
-  <message>
-   <source>{count} landmarks, center {x:.0f} {y:.0f}</source>
-   <translation>{count} 个地标，中心 {x:.0f} {y:.0f}</translation>
   </message>
   <message>
    <source>{count} of {all} photos have a position, too few to train on. Select imagery, or set the training to 0 minutes.</source>
@@ -7290,14 +7298,6 @@ Positions, areas and vectors are rounded; the log shows the largest error. An ex
   <message>
    <source>{training} training tiles, {validation} validation tiles</source>
    <translation>训练图块 {training} 个，验证图块 {validation} 个</translation>
-  </message>
-  <message>
-   <source>{value} agree with the map</source>
-   <translation>{value} 个与地图一致</translation>
-  </message>
-  <message>
-   <source>{value} landmarks in the image</source>
-   <translation>影像中有 {value} 个地标</translation>
   </message>
   <message>
    <source>{where} can't be written: {reason}. Choose another output.</source>

@@ -124,6 +124,8 @@ def open_raster(path: str) -> gdal.Dataset:
 
 def _unreadable(path: str, reason: str | Sentence) -> ImageError:
     if not drivers_for(path) or _driver_of(path):
+        # GDAL often starts with the path.
+        reason = reason.removeprefix(f"{path}: ") if isinstance(reason, str) else reason
         return ImageError("{path} can't be read: {reason}.", path=path, reason=reason)
     if not os.path.getsize(path):
         return ImageError("{path} is empty (0 bytes). Copy the file again.", path=path)

@@ -227,10 +227,12 @@ class SetUpAreaDialog(QDialog):
             self._seen = area.photos.files
             self.flight.setChecked(area.photos.is_flight)
         lines = [area.summary(self.minutes.value()), *area.warnings]
-        if not self.folder.filePath().strip():
-            lines.append(tr("Choose a folder for the results."))
+        can_start = bool(self.folder.filePath().strip())
+        if not can_start:
+            # First, because the end may need scrolling.
+            lines.insert(0, tr("Choose a folder for the results."))
         self.summary.setText("\n\n".join(lines))
-        self.start.setEnabled(bool(self.folder.filePath().strip()))
+        self.start.setEnabled(can_start)
 
     def _show_fault(self, sentence: str) -> None:
         self._show_running(False)

@@ -151,7 +151,11 @@ def image_files(paths: list[str], endings: tuple[str, ...] = IMAGE_EXTENSIONS) -
             raise ImageError("Image {path} can't be read: {reason}.", path=path, reason=reason_of(error)) from None
         images = [os.path.join(path, name) for name in names if is_image_name(name, endings)]
         if not images:
-            raise ImageError("The folder {path} contains no image ({endings}).", path=path, endings=endings)
+            raise ImageError(
+                "The folder {path} contains no image ({endings}). Choose another folder; its subfolders are not read.",
+                path=path,
+                endings=endings,
+            )
         found += images
     return found
 

@@ -31,6 +31,7 @@ from ...storage.rasters import image_files, open_raster
 from ..layers.guess_fields import BUILDING
 from ..layers.layer_inputs import stated_pixel_size_m
 from ..layers.reference_systems import WGS84, metric_crs, transformed_box, transformed_point
+from ..messages.numbers import LocalTemplate
 from ..translation import tr
 from .algorithm import check_canceled, each
 from .area_map import AreaMap
@@ -169,10 +170,12 @@ class AreaSetup:
         counted = tr("1 photo.") if photos == 1 else tr("{photos} photos.").format(photos=photos)
         text = tr(
             "Window {window:g} m, pixels of {pixel:g} m, {landmarks} polygons of at least {area:g} m² "
-            "({classes}), about {per_photo} in a typical photo. {training}, database about {size:.2g} MB."
+            "({classes}), about {per_photo} in a typical photo. {training}, database about {size:g} MB."
         )
-        training = tr("Training about {minutes:g} minutes").format(minutes=minutes) if minutes else tr("No training")
-        numbers = text.format(
+        training = tr("No training")
+        if minutes:
+            training = LocalTemplate(tr("Training about {minutes:g} minutes")).format(minutes=minutes)
+        numbers = LocalTemplate(text).format(
             window=plan.window_m,
             pixel=plan.pixel_size_m,
             area=plan.minimum_area_m2,
@@ -180,7 +183,8 @@ class AreaSetup:
             classes=", ".join(self.reference),
             per_photo=plan.per_photo,
             training=training,
-            size=plan.megabytes,
+            # Two digits, but never as 1.7e+02.
+            size=float(f"{plan.megabytes:.2g}"),
         )
         return f"{counted} {numbers}"
 
@@ -255,7 +259,7 @@ def _warnings(photos: AreaPhotos, plan: AreaPlan, extent: QgsRectangle) -> list[
         warnings.append(text.format(width=photos.size_m[0]))
     if plan.per_photo < FEW_LANDMARKS:
         text = tr(
-            "A typical photo shows about {count} landmarks. With fewer than {least}, many photos get no position. Fly "
+            "Landmarks in a typical photo: about {count}. With fewer than {least}, many photos get no position. Fly "
             "higher, or use a map with more buildings."
         )
         warnings.append(text.format(count=plan.per_photo, least=FEW_LANDMARKS))

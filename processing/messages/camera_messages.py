@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ..translation import tr
+from .numbers import LocalTemplate
 
 if TYPE_CHECKING:
     from ...core.geometry.camera import Camera
@@ -23,7 +24,7 @@ def camera_read(camera: Camera, shape_hw: tuple[int, int]) -> str:
         (attitude and attitude.pitch_deg, tr("pitch {value:.1f}°")),
         (shift, tr("lens distortion up to {value:.1f} % of the width corrected")),
     )
-    return ", ".join(text.format(value=_tenths(value)) for value, text in parts if value is not None)
+    return ", ".join(LocalTemplate(text).format(value=_tenths(value)) for value, text in parts if value is not None)
 
 
 def camera_remark(camera: Camera, shape_hw: tuple[int, int]) -> str:

@@ -280,9 +280,8 @@ def why_pip_failed(requirement: str, output: str, wheels: str) -> Sentence:
         return Sentence("The disk is full: {folder} needs about 500 MB. Free some space.", folder=components_folder())
     if _NETWORK_TROUBLE.search(output):
         return Sentence(
-            "The package index cannot be reached ({reason}). Check network, proxy and certificates under Settings ▸ "
-            "Options ▸ Network, or install from a folder of wheels.",
-            reason=last_error(output),
+            "The package index cannot be reached. Check network, proxy and certificates under Settings ▸ Options ▸ "
+            "Network, or install from a folder of wheels."
         )
     if "No matching distribution" in output and wheels:
         return Sentence(

@@ -63,6 +63,7 @@ def test_the_tables_fit_a_narrow_dock(dock, area):
 @pytest.mark.slow
 def test_an_image_is_compared_with_the_window_and_an_unknown_name_is_reported(dock, iface, area):
     inspect = dock.content.inspect
+    assert not inspect.compare.isEnabled()
     localize(dock, area.database, [area.image])
     wait_until(inspect.compare.isEnabled, "the image's vector")
     inspect.show_window("150_250")

@@ -249,7 +249,7 @@ def test_landmarks_that_agree_are_joined_between_the_image_and_the_map(dock, ifa
     localize(dock, area.database, [area.image])
     wait_until(lambda: tab.results.image.canvas.scene().items(), "the picture")
     pairs, marks = (tab.hit.matches.pairs, tab.results.image.canvas._landmarks.matched)
-    assert f"{len(pairs)} agree with the map" in tab.results.details.toPlainText()
+    assert f"in agreement with the map: {len(pairs)}" in tab.results.details.toPlainText()
     assert len(pairs) == len(marks) > 20
     for (seen, on_map), (_, pixel) in zip(pairs, marks):
         truth = ORIGIN[0] + CUT[0] + pixel.x(), ORIGIN[1] - CUT[1] - pixel.y()

@@ -48,7 +48,7 @@ def test_it_asks_for_what_is_missing_and_shows_sizes(project_map, dialog, sample
     dialog.add_files.click()
     assert dialog.parameters()["PHOTOS"] == chosen
     shows(dialog, "2 photos.")
-    shows(dialog, "Choose a folder for the results")
+    wait_until(lambda: dialog.summary.text().startswith("Choose a folder for the results"), "what is missing, first")
     assert not dialog.start.isEnabled()
     dialog.folder.setFilePath(str(tmp_path / "results"))
     wait_until(dialog.start.isEnabled, "the button Run")

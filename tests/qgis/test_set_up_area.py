@@ -137,7 +137,7 @@ def test_osm_tags_are_limited_to_the_classes_of_the_model(run_algorithm, small, 
     small["ANNOTATION"] = str(write_layer(tmp_path / "osm.gpkg", features, fields))
     run_algorithm(SETUP, small, feedback)
     assert "building: 9 polygons" in feedback.textLog() and "forest" not in feedback.textLog()
-    assert "A typical photo shows about" in feedback.textLog()
+    assert "Landmarks in a typical photo: about 3" in feedback.textLog()
 
 
 @pytest.fixture

@@ -43,7 +43,7 @@ class UpdateBox(FoldingBox):
         self.rasterizing: QWidget | None = None
         self.annotation = QgsMapLayerComboBox()
         self.annotation.setFilters(QgsMapLayerProxyModel.Filter.PolygonLayer)
-        self.annotation.setAllowEmptyLayer(True, tr("Choose the corrected land-cover layer"))
+        self.annotation.setAllowEmptyLayer(True, tr("Choose the corrected layer"))
         self.class_field, self.priority_field = QgsFieldComboBox(), QgsFieldComboBox()
         self.class_of_all = ClassNameBox()
         for box in (self.class_field, self.priority_field):

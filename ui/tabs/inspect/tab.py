@@ -103,6 +103,7 @@ class InspectTab(QWidget):
         )
         self.compare = QPushButton(tr("Compare with the selected image"))
         self.compare.setCheckable(True)
+        self.compare.setEnabled(False)
         self.compare.setToolTip(tr("Draw the vector of the selected image over the vector of the window"))
         layout = narrow(QVBoxLayout(self), 0)
         layout.addLayout(row_of(self.pick, (self.name, 1), self.before, self.after))
@@ -270,7 +271,7 @@ def _table(name: str, headings: Sequence[tuple[str, str]]) -> QTableWidget:
 def _title(window: InspectedWindow, compared: Comparison | None, image: str) -> str:
     """Return HTML with the data of the window and its distance from an image's vector."""
     x, y = window.center_xy
-    counted = tr("{count} landmarks, center {x:.0f} {y:.0f}").format(count=window.landmark_count, x=x, y=y)
+    counted = tr("center {x:.0f} {y:.0f}, landmarks: {count}").format(count=window.landmark_count, x=x, y=y)
     lines = [f"<b>{escape(window.name)}</b>: {counted}"]
     if window.look_alikes:
         nearest = window.look_alikes[0].distance

@@ -150,8 +150,8 @@ def _measures(finding: Finding) -> list[str]:
     lines = (
         _joined((finding.heading, tr("heading {value:.1f}°")), (finding.pixel_size, tr("pixel size {value:.3g} m"))),
         _joined(
-            (finding.references, tr("{value} landmarks in the image")),
-            (finding.inliers, tr("{value} agree with the map")),
+            (finding.references, tr("landmarks in the image: {value}")),
+            (finding.inliers, tr("in agreement with the map: {value}")),
         ),
         _joined((finding.window, tr("window {value}")), (finding.distance, tr("distance {value:.3f}"))),
     )
