@@ -167,13 +167,14 @@ def measure(rows: Sequence[MapRow], only: Sequence[str], measured: Callable[[Any
 
 
 def run(world: World, name: str, scenario: dict[str, Any], only: Sequence[str]) -> list[Table]:
-    """Measure the rows of a scenario and return its tables."""
+    """Measure the rows of a scenario and return its tables; ``total`` adds the sum of rows with this text."""
     found = measure(rows_of(scenario), only, partial(records, world, name))
     columns = scenario.get("columns", list(COLUMNS))
     tables = [{"columns": ["images", *columns], "rows": [[row, *cells(some, columns)] for row, some in found.items()]}]
     together = [one for some in found.values() for one in some]
-    if scenario.get("total") and found:
-        tables[0]["rows"].append(["all", *cells(together, columns)])
+    if "total" in scenario and found:
+        summed = [one for row, some in found.items() if scenario["total"] in row for one in some]
+        tables[0]["rows"].append(["all", *cells(summed, columns)])
     if scenario.get("reliability") and found:
         tables += [curve(together), by_risk(together), costs(found)]
     return tables

@@ -217,7 +217,7 @@ def segment(world: World, scenario: dict[str, Any]) -> list[Table]:
     image, rows = write_photo(folder / "photo.tif", scenario["edge"]), []
     network = folder / "usual.onnx"
     write_network(network)
-    for name, model in (("the network that ships", SHIPPED), ("6 G multiplications a tile", network)):
+    for name, model in (("the shipped network", SHIPPED), ("6 G multiplications a tile", network)):
         given = {"INPUT": str(image), "MODEL": str(model), "OUTPUT": str(folder / "labels.tif")}
         tiles, bare = bare_runner(model, image)
         other = TileByTile(model, image)
