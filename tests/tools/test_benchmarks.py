@@ -55,9 +55,9 @@ def test_scenarios_have_rows_that_a_runner_takes(benchmarks):
     maps = benchmarks("maps").MAPS
     for name, scenario in benchmarks("__main__").scenarios().items():
         rows = []
-        if scenario["runner"] == "accuracy":
+        if scenario["runner"] in ("accuracy", "assessment"):
             rows = accuracy.rows_of(scenario)
-            assert set(scenario["columns"]) <= set(accuracy.COLUMNS), name
+            assert set(scenario.get("columns", ())) <= set(accuracy.COLUMNS), name
             assert {row.noise for row in rows} <= set(accuracy.NOISES), name
             kinds = {"", "mirrored", "other half", *benchmarks("foreign").KINDS}
             assert {row.foreign for row in rows} <= kinds, name
