@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import json
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from datetime import date
 from pathlib import Path
 
+import cv2
 import numpy as np
 import torch
 
@@ -16,9 +17,10 @@ from ..core.errors import TrainingError
 from ..core.labels.class_table import OTHER, LandCoverClass
 from ..core.segmentation.class_bias import KEY, class_bias_text
 from ..core.segmentation.metadata import TEMPERATURE
-from . import base_weights, class_bias, examples, export, loop, metrics, network, temperature, tiles
+from . import base_weights, class_bias, export, loop, metrics, network, tiles
 from .job import CHECKPOINT, EXAMPLES, FEWEST_PIECES, MOST_PIECES, NETWORK, PACKAGED, RESULT, Job
 from .metrics import partial_labels
+from .tiles import TileReader, spread, standardized
 
 FROM_SCRATCH, FROM_WEIGHTS, FROM_BASE = 3e-3, 1e-3, 5e-4
 """Learning rates for random weights, for a pretrained encoder, and for a base model."""
@@ -252,15 +254,13 @@ def finish(
     scores_of = export.scoring(temporary, start.mean, start.deviation)
     entries |= _biases(scores_of, ground, ground.validation.spread(numbers.bias))
     report("exporting", share=trainer.total_share)
-    entries[TEMPERATURE] = round(temperature.fit_temperature(scores_of, ground.validation.spread(numbers.final)), 3)
+    entries[TEMPERATURE] = round(metrics.fit_temperature(scores_of, ground.validation.spread(numbers.final)), 3)
     report("exporting", share=trainer.total_share)
     export.add_metadata(temporary, entries)
     image = tiles.standardized(ground.training(0)[0], start.mean, start.deviation)
     half = max(ground.tile_size // 32 * 16, SMALLEST_IMAGE)
     difference = export.largest_difference(trainer.network, temporary, [image, image[..., :half, :]])
-    examples.write_examples(
-        trainer.network, ground.validation, ground.classes, start.mean, start.deviation, folder / EXAMPLES
-    )
+    write_examples(trainer.network, ground.validation, ground.classes, start.mean, start.deviation, folder / EXAMPLES)
     temporary.replace(output)
     result = {
         "classes": [{"name": c.name, "color": c.color} for c in ground.classes],
@@ -312,3 +312,26 @@ def training_facts(job: Job, trainer: loop.Trainer, ground: TileData) -> dict:
 
 def _device_name(device: torch.device) -> str:
     return torch.cuda.get_device_name(device) if device.type == "cuda" else "CPU"
+
+
+EDGE_PX, GAP_PX, MOST = 256, 8, 4
+UNKNOWN = (200, 200, 200)
+
+
+def write_examples(
+    network: torch.nn.Module, reader: TileReader, classes: Sequence[LandCoverClass], mean, deviation, folder: Path
+) -> None:
+    """Write example_N.png of some evenly spread tiles: photo, annotation and prediction side by side."""
+    folder.mkdir(exist_ok=True)
+    colors = np.full((256, 3), UNKNOWN, np.uint8)
+    colors[: len(classes)] = [c.rgb for c in classes]
+    network = network.cpu().eval()
+    for number, index in enumerate(spread(len(reader), MOST)):
+        image, labels = reader(index)
+        with torch.inference_mode():
+            found = network(torch.from_numpy(standardized(image, mean, deviation))).argmax(1)[0].numpy()
+        shown = [np.clip(image * 255 + 0.5, 0, 255).astype(np.uint8), colors[labels], colors[found]]
+        gap = np.full((EDGE_PX, GAP_PX, 3), 255, np.uint8)
+        small = [cv2.resize(one, (EDGE_PX, EDGE_PX), interpolation=cv2.INTER_AREA) for one in shown]
+        picture = np.hstack([small[0], gap, small[1], gap, small[2]])
+        cv2.imwrite(str(folder / f"example_{number}.png"), np.ascontiguousarray(picture[:, :, ::-1]))

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import os
+from collections import deque
 from typing import TYPE_CHECKING, Callable
 
-from qgis.core import QgsApplication, QgsProject, QgsSettings
+from qgis.core import Qgis, QgsApplication, QgsProject, QgsSettings
 from qgis.gui import QgisInterface, QgsCustomDropHandler, QgsOptionsWidgetFactory
-from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtCore import QObject, Qt, pyqtSlot
 from qgis.PyQt.QtGui import QIcon
 from qgis.PyQt.QtWidgets import QAction
 
@@ -17,12 +18,12 @@ from ..processing.inspection.chosen import require_database
 from ..processing.layers.database_layers import add_database_to_map
 from ..processing.packages.components import NEEDED, missing
 from ..processing.translation import tr
-from .diagnostics import Diagnostics
+from ..processing.version import tracker_url
 from .dock.dock import SemRefDock
 from .packages.component_installer import ComponentInstaller
 from .running.background import end_idle_threads, keep_threads, shut_down
 from .running.localization_run import named_results
-from .widgets.messages import open_guide
+from .widgets.messages import TAG, open_guide
 
 if TYPE_CHECKING:
     from .packages.components_page import ComponentsPage
@@ -170,3 +171,37 @@ def _did(add: Callable[[str], None], path: str) -> bool:
     except SemRefError:
         return False
     return True
+
+
+_MOST_MESSAGES = 30
+_LONGEST_MESSAGE = 4000
+"""Characters. The end of a message is kept, because the end of a traceback names the error."""
+
+
+class Diagnostics(QObject):
+    """Records log messages about SemRef until ``shut_down``."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._lines: deque[str] = deque(maxlen=_MOST_MESSAGES)
+        QgsApplication.messageLog().messageReceived.connect(self._keep)
+
+    def shut_down(self) -> None:
+        QgsApplication.messageLog().messageReceived.disconnect(self._keep)
+
+    @pyqtSlot(str, str, Qgis.MessageLevel)
+    def _keep(self, message: str, tag: str, level: Qgis.MessageLevel) -> None:
+        if tag == TAG or TAG.lower() in message.lower():
+            self._lines.append(f"{tag}: {message[-_LONGEST_MESSAGE:]}")
+
+    def copy(self) -> str:
+        """Copy the diagnostics to the clipboard. Return a sentence for the user."""
+        # Imported here because few sessions need it.
+        from ..processing.packages.diagnostics import diagnostics
+
+        QgsApplication.clipboard().setText(diagnostics(tuple(self._lines)))
+        copied = tr(
+            "Diagnostics are on the clipboard: versions, packages, devices and the last messages. Check "
+            "them, then paste them into a new issue."
+        )
+        return f"{copied} {tracker_url()}".strip()

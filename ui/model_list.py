@@ -25,8 +25,8 @@ from ..processing.reports.model_card import card_html, card_title, quality_text,
 from ..processing.translation import tr
 from ..processing.version import guide_url
 from .add_model import AddModelDialog
+from .widgets.controls import plain_tip
 from .widgets.layouts import row_of
-from .widgets.texts import plain_tip
 
 _SMALLEST_PX = 760, 460
 _LIST_SHARE, _CARD_SHARE = 5, 4

@@ -15,6 +15,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+import cv2
 import numpy as np
 
 from ..errors import LabelMapError
@@ -24,9 +25,7 @@ from ..localization import RISK, CorrelationPeaks, Localization, Method, Place, 
 from ..sentences import Sentence
 from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, mirror_level
 from .decision import decide, decide_accuracy, position_error_95, rank, risk_of_peaks
-from .detail import detail_at
-from .exactness import covariance_on_map, full_pose_covariance
-from .leaning import leaning_covariance
+from .exactness import covariance_on_map, full_pose_covariance, leaning_covariance
 from .parts import disagreeing_part
 from .places import (
     ChanceLevels,
@@ -39,7 +38,7 @@ from .places import (
     search_spaces,
     size_for,
 )
-from .refine import NOT_COMPARABLE, ScoredPose, is_held_by_edge, score_at
+from .refine import NOT_COMPARABLE, ScoredPose, is_held_by_edge, map_under, score_at
 from .search import SearchSpace
 from .view_effects import view_effect
 
@@ -229,3 +228,39 @@ def _place(pyramid: MapPyramid, pose: ScoredPose) -> Place:
     x0, y0 = pyramid.frame.origin
     position = float(x0 + pose.x), float(y0 - pose.y)
     return Place(position, float(pose.heading_deg), float(pose.pixel_size_m), score=float(pose.score))
+
+
+def detail_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> float:
+    """Return how far the detail below the first look's pixels agrees better than with the image shifted.
+
+    The best of very many places agrees well by chance at the pixels of the first look, because it was chosen for that.
+    Finer detail took no part in the choice except in the last steps. At a wrong place it agrees hardly better than with
+    the image shifted by a few pixels; at the right place clearly better (peak-to-sidelobe ratio of correlation filters,
+    Bolme et al. 2010).
+
+    Args:
+        image: Its evidence, at the decision's pixels.
+        pose: Refined at those pixels.
+
+    Returns:
+        Standard deviations of the correlation with the shifted image; 0 without such detail.
+    """
+    window = _window(image, pyramid.settings.coarse_edge)
+    seen, there = finer(image.evidence, window), finer(map_under(image, pyramid, pose)[0], window)
+    product = np.fft.rfft2(there, axes=(0, 1)) * np.conj(np.fft.rfft2(seen, axes=(0, 1)))
+    correlation = np.fft.irfft2(product.sum(axis=2), s=seen.shape[:2])
+    down, right = (np.minimum(np.arange(edge), edge - np.arange(edge)) for edge in seen.shape[:2])
+    aside = correlation[np.maximum(down[:, None], right) >= window]
+    spread = float(aside.std()) if aside.size else 0.0
+    return float(correlation[0, 0]) / spread if spread > 0 and window > 1 else 0.0
+
+
+def _window(image: EvidenceLevel, coarse_edge: int) -> int:
+    """Return the odd edge, in pixels of the image, of at least a pixel of the first look; 1 if they are the same."""
+    height, width = image.known.shape
+    return 2 * int(np.sqrt(height * width) / coarse_edge / 2) + 1
+
+
+def finer(planes: np.ndarray, window: int) -> np.ndarray:
+    """Return (H, W, C) minus the mean over ``window``² pixels around."""
+    return planes - cv2.blur(planes, (window, window), borderType=cv2.BORDER_REFLECT).reshape(planes.shape)

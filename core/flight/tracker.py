@@ -17,19 +17,22 @@ from ..localizer.localizer import Localizer, default_scales
 from ..sentences import Sentence
 from .evidence import SeenImage, best_poses, prepare_image
 from .measurement import Measurement, measure_near, shared_after, shared_variance
-from .memory import NOWHERE, Past, pack, unpack
 from .model import FlightImage, FlightPose
 from .motion import Link, LinkSource, as_rows
 from .pool import (
+    NOWHERE,
     OWN_MOST,
+    Past,
     Pool,
     look_noise,
     new_pool,
     own_noise,
+    pack,
     predict,
     prune,
     rival_of,
     same_place,
+    unpack,
     update,
     with_past,
 )

@@ -209,7 +209,7 @@ class SegmentImage(SemRefAlgorithm):
             yield from segment(model, image, model.classes.values, overlap, wanted)
             return
         from ...cluster.task_names import SEGMENT
-        from ...core.segmentation.blocks import segment_blocks
+        from ...core.segmentation.tiling import segment_blocks
         from ...storage.file_states import state
         from ..layers.layer_inputs import pixel_size_m
 

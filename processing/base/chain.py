@@ -17,13 +17,13 @@ from qgis.core import (
     QgsProcessingException,
     QgsProcessingFeedback,
 )
+from qgis.PyQt.QtCore import QLockFile
 
 from ...core.errors import ParameterError
 from ...storage.atomic_output import written_beside
 from ..translation import tr
 from .algorithm import Canceled
 from .destinations import require_outputs_apart
-from .run_lock import take_lock
 
 RECORD = "semref_setup.json"
 """File of the folder that records which inputs each file was made from."""
@@ -157,3 +157,15 @@ def _foreign(path: Path) -> ParameterError:
         "{path} exists and was not made by a run with the same values. Choose another folder, or remove the file.",
         path=path,
     )
+
+
+def take_lock(path: Path) -> QLockFile | None:
+    """Make a lock file. Return None if a run of this or another QGIS has it.
+
+    ``unlock`` removes the file, and Qt ignores that of a process that has ended. Where no file can be made, no run is
+    excluded.
+    """
+    lock = QLockFile(str(path))
+    lock.setStaleLockTime(0)
+    is_free = lock.tryLock(0) or lock.error() != QLockFile.LockError.LockFailedError
+    return lock if is_free else None

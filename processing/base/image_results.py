@@ -91,7 +91,7 @@ def with_jumps(
     """Mark positions of known time as jumps or not, and log the result. Likely positions are not checked."""
     import numpy as np
 
-    from ...core.localizer.track import jumps
+    from ...core.localizer.reach import jumps
 
     timed = [n for n, one in enumerate(localized) if one.result and one.result.is_fix and one.time_s is not None]
     results = [localized[n].result for n in timed]

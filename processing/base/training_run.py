@@ -18,7 +18,7 @@ from ...core.errors import ParameterError
 from ...training.job import CHECKPOINT, JOB, Job, read_job
 from ..translation import tr
 from .algorithm import Canceled
-from .run_lock import take_lock
+from .chain import take_lock
 
 _SETTING = "semref/trainings/"
 _PROOF = "made_by_semref"

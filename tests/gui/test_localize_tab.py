@@ -36,7 +36,7 @@ from semref.processing.layers.localized_image import ERROR
 from semref.ui.canvas.marks import AMBER, RED, RIM
 from semref.ui.findings import status_text
 from semref.ui.running import localization_run
-from semref.ui.widgets.tables import sign_icon
+from semref.ui.widgets.controls import sign_icon
 
 
 def test_an_empty_dock_shows_what_to_do(dock, area, tab):

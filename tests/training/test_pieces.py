@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from semref.core.errors import TrainingError
-from semref.training import augment, class_bias, metrics, temperature, tiles
+from semref.training import augment, class_bias, metrics, tiles
 
 IGNORED = tiles.IGNORED
 
@@ -216,11 +216,11 @@ class Tiles:
 @pytest.mark.parametrize("true_temperature", [0.7, 1.0, 2.5])
 def test_the_temperature_that_made_the_labels_is_found(true_temperature):
     tiles = Tiles(true_temperature)
-    found = temperature.fit_temperature(lambda index: tiles.scores[index], tiles)
+    found = metrics.fit_temperature(lambda index: tiles.scores[index], tiles)
     assert found == pytest.approx(true_temperature, rel=0.1)
 
 
 def test_a_network_without_labels_to_test_it_counts_as_too_certain():
     tiles = Tiles(1.0, 1)
     tiles.labels[:] = 255
-    assert temperature.fit_temperature(lambda index: tiles.scores[index], tiles) == temperature.UNTESTED > 1
+    assert metrics.fit_temperature(lambda index: tiles.scores[index], tiles) == metrics.UNTESTED > 1

@@ -1,13 +1,26 @@
-"""Icon buttons, shortcuts, labels, combo boxes, dialogs of algorithms, and choices that QGIS remembers."""
+"""Icon buttons, shortcuts, labels, combo boxes, icons, placeholder texts, and choices that QGIS remembers."""
 
 from __future__ import annotations
 
+from html import escape
+from pathlib import Path
+
 from qgis.core import QgsApplication, QgsProcessingAlgorithm, QgsSettings
-from qgis.PyQt.QtCore import Qt
-from qgis.PyQt.QtGui import QKeySequence
-from qgis.PyQt.QtWidgets import QAbstractButton, QComboBox, QFileDialog, QLabel, QShortcut, QToolButton, QWidget
+from qgis.PyQt.QtCore import QRectF, Qt
+from qgis.PyQt.QtGui import QIcon, QKeySequence, QPainter, QPalette, QTextOption
+from qgis.PyQt.QtWidgets import (
+    QAbstractButton,
+    QAbstractScrollArea,
+    QComboBox,
+    QFileDialog,
+    QLabel,
+    QShortcut,
+    QToolButton,
+    QWidget,
+)
 
 from ...processing.layers.guess_fields import BUILDING
+from ...processing.messages.numbers import shown
 from ...processing.translation import tr
 
 _LEAST_LETTERS = 8
@@ -88,3 +101,37 @@ class ClassNameBox(QComboBox):
     def class_name(self) -> str:
         """Return the name, possibly empty."""
         return self.currentText().strip()
+
+
+_SIGNS = Path(__file__).resolve().parents[2] / "resources" / "severity"
+"""QGIS's own error sign is gray in some versions."""
+
+LIKELY = "likely"
+"""Name of the sign of a likely position."""
+
+_MARGIN_PX = 12
+
+
+def sign_icon(name: str) -> QIcon:
+    """Return the sign of a severity, or of a likely position: a question mark in an amber disk."""
+    return QIcon(str(_SIGNS / f"{name}.svg"))
+
+
+def paint_placeholder(view: QWidget, text: str) -> None:
+    """Paint ``text`` in the middle of an empty view or widget; call it in paintEvent."""
+    surface = view.viewport() if isinstance(view, QAbstractScrollArea) else view
+    painter = QPainter(surface)
+    painter.setPen(view.palette().color(QPalette.ColorRole.PlaceholderText))
+    area = surface.rect().adjusted(_MARGIN_PX, 0, -_MARGIN_PX, 0)
+    painter.drawText(QRectF(area), text, QTextOption(Qt.AlignmentFlag.AlignCenter))
+    painter.end()
+
+
+def number_text(value: float, decimals: int = 0) -> str:
+    """Format a number with the language's decimal sign and groups of digits."""
+    return shown(float(value), f",.{decimals}f")
+
+
+def plain_tip(text: str) -> str:
+    """Return a tool tip with the text as it is. Qt would interpret text that looks like HTML, and load its images."""
+    return f"<p>{escape(text)}</p>".replace("\n", "<br>") if "<" in text else text

@@ -13,7 +13,7 @@ from qgis.PyQt.QtWidgets import QPushButton
 
 from ...processing.translation import tr
 from ...processing.version import guide_url
-from .texts import plain_tip
+from .controls import plain_tip
 
 TAG = "SemRef"
 

@@ -9,7 +9,7 @@ from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import QLabel, QProgressBar
 
 from ...processing.translation import tr
-from .texts import plain_tip
+from .controls import plain_tip
 
 _AFTER_S, _AFTER_PERCENT = 3.0, 2.0
 """Seconds and percent before which no estimate is shown."""

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from semref.core.correlation.class_pyramid import MapPyramid, evidence_level
-from semref.core.correlation.leaning import leaning_covariance
+from semref.core.correlation.exactness import leaning_covariance
 from semref.core.correlation.refine import ScoredPose, refine
 from semref.core.geometry.error_settings import ErrorSettings
 from semref.core.geometry.frame import MapFrame

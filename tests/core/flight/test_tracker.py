@@ -9,8 +9,8 @@ from semref.core.errors import ParameterError
 from semref.core.flight import flight, tracker
 from semref.core.flight.evidence import SeenImage
 from semref.core.flight.flight import FlightSolver, localize_flight
-from semref.core.flight.memory import NOWHERE, Past
 from semref.core.flight.model import PoseSource
+from semref.core.flight.pool import NOWHERE, Past
 from semref.core.flight.tracker import STATE_VERSION, FlightTracker
 from semref.core.localization import LIKELY_RISK, Prior, Status
 from semref.core.simulation.views import cut

@@ -2,8 +2,7 @@ import numpy as np
 import pytest
 
 from semref.core.localization import Localization, Method, Place, Prior, Status
-from semref.core.localizer.reach import Reach, search_within_reach
-from semref.core.localizer.track import jumps
+from semref.core.localizer.reach import Reach, jumps, search_within_reach
 
 
 def fix(x, risk=1e-5, error=5.0):

@@ -6,7 +6,7 @@ from made_models import brightest_color, metadata, painted, write_model
 
 from semref.core.errors import ImageError
 from semref.core.labels.image_source import ArrayImage
-from semref.core.segmentation import blocks
+from semref.core.segmentation import tiling
 from semref.core.segmentation.certainty import LABELS_ALONE, Certainty, Sureness, softmax
 from semref.core.segmentation.model import SegmentationModel
 from semref.core.segmentation.tiling import segment, tile_starts, tiles_of
@@ -142,7 +142,7 @@ class Undecided:
 @pytest.mark.parametrize("overlap", [0, 0.2, 0.75])
 @pytest.mark.parametrize("count", [1, 3])
 def test_blocks_with_their_seams_are_the_whole_to_the_last_bit(monkeypatch, shape, overlap, count):
-    monkeypatch.setattr(blocks, "TILES_A_BLOCK", count)
+    monkeypatch.setattr(tiling, "TILES_A_BLOCK", count)
     rng, model = np.random.default_rng(2), Undecided()
     image = ArrayImage(rng.integers(0, 256, (*shape, 3), np.uint8), rng.random(shape) < 0.9)
     tiles = tiles_of(model, shape, overlap)
@@ -155,7 +155,7 @@ def test_blocks_with_their_seams_are_the_whole_to_the_last_bit(monkeypatch, shap
                 sure.add(one.sure)
             yield np.concatenate([one.labels_hw for one in rows]), sure.total, sure.count
 
-    shares, found = zip(*blocks.segment_blocks(tiles, model.tile_hw, elsewhere))
+    shares, found = zip(*tiling.segment_blocks(tiles, model.tile_hw, elsewhere))
     wanted = [rows for _, rows in segment(model, image, VALUES, overlap) if rows is not None]
     assert list(shares) == sorted(shares) and shares[-1] == 1
     assert [one.first for one in found] == [one.first for one in wanted]

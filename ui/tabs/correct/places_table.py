@@ -14,8 +14,7 @@ from ....core.annotation.findings import SEVERITIES, WARNING
 from ....processing.compat import POLYGON_GEOMETRY, is_null
 from ....processing.messages.annotation_messages import kind_titles, severity_title
 from ....processing.translation import tr
-from ...widgets.tables import paint_placeholder, sign_icon
-from ...widgets.texts import number_text, plain_tip
+from ...widgets.controls import number_text, paint_placeholder, plain_tip, sign_icon
 
 SEVERITY_COLUMN, KIND_COLUMN, MESSAGE_COLUMN = range(3)
 

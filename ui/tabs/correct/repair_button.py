@@ -16,8 +16,8 @@ from ....processing.messages.sentences import worded
 from ....processing.translation import tr
 from ...running.algorithm_run import AlgorithmRun
 from ...running.correction_run import Correction
+from ...widgets.controls import number_text
 from ...widgets.messages import Messages
-from ...widgets.texts import number_text
 
 REPAIR = "semref:repairannotation"
 

@@ -16,11 +16,10 @@ from ....core.annotation.findings import INFORMATION
 from ....processing.inspection.repair import REPAIRABLE
 from ....processing.translation import tr
 from ...canvas.marks import PlaceMark
-from ...widgets.controls import ChoiceBox, message_label, remember, shortcut, tool_button
+from ...widgets.controls import ChoiceBox, message_label, number_text, remember, shortcut, tool_button
 from ...widgets.database_box import DatabaseBox
 from ...widgets.layouts import narrow, row_of
 from ...widgets.messages import Messages
-from ...widgets.texts import number_text
 from .places_table import PlaceRow, PlacesTable, has_severity, is_places, place_text, places_of
 from .repair_button import RepairButton
 from .update_box import UpdateBox

@@ -17,12 +17,11 @@ from ....storage.database.undo import can_undo, file_before, undo_update
 from ...layer_files import label_maps_of, layer_file
 from ...running.background import Reader
 from ...running.correction_run import RASTERIZE, Correction, CorrectionRun
-from ...widgets.controls import ClassNameBox, open_algorithm
+from ...widgets.controls import ClassNameBox, open_algorithm, plain_tip
 from ...widgets.database_box import DatabaseBox
 from ...widgets.layouts import FoldingBox, narrow
 from ...widgets.messages import Messages
 from ...widgets.progress import RemainingBar, StatusLine
-from ...widgets.texts import plain_tip
 from .places_table import is_places
 
 SCOPE = "SemRef"

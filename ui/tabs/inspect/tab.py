@@ -35,13 +35,12 @@ from ....processing.layers.reference_systems import transformed_point
 from ....processing.messages.numbers import LocalTemplate
 from ....processing.translation import tr
 from ...canvas.map_tools import WindowTool
-from ...canvas.window_marks import WindowMarks
+from ...canvas.marks import WindowMarks
 from ...running.background import Reader, latest_database
-from ...widgets.controls import tool_button
+from ...widgets.controls import number_text, tool_button
 from ...widgets.database_box import DatabaseBox
 from ...widgets.layouts import narrow, row_of
 from ...widgets.messages import Messages
-from ...widgets.texts import number_text
 from .vector_plot import VectorPlot
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from qgis.PyQt.QtGui import QColor, QPainter, QPaintEvent, QPalette, QPen
 from qgis.PyQt.QtWidgets import QWidget
 
 from ....processing.inspection.window import Ray
-from ...widgets.tables import paint_placeholder
+from ...widgets.controls import paint_placeholder
 
 _MARGIN_PX = 12
 _DOT_PX = 4.5

@@ -12,8 +12,7 @@ from qgis.PyQt.QtWidgets import QAbstractItemView, QListWidget, QListWidgetItem
 
 from ....processing.translation import tr
 from ...layer_files import dropped_files
-from ...widgets.tables import paint_placeholder
-from ...widgets.texts import plain_tip
+from ...widgets.controls import paint_placeholder, plain_tip
 
 _PATH_ROLE = Qt.ItemDataRole.UserRole
 _VISIBLE_ROWS = 3

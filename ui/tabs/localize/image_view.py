@@ -35,9 +35,8 @@ from qgis.PyQt.QtWidgets import (
 from ....processing.translation import tr
 from ...canvas.marks import RIM
 from ...canvas.match_marks import paint_numbers, paint_ring
-from ...widgets.controls import remember
+from ...widgets.controls import paint_placeholder, remember
 from ...widgets.layouts import narrow, row_of
-from ...widgets.tables import paint_placeholder
 from .picture import ImagePicture
 
 _LANDMARKS_SETTING = "semref/dock/show_landmarks"

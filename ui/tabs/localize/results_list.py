@@ -15,8 +15,7 @@ from ....processing.layers.localized_image import ERROR as UNREAD
 from ....processing.layers.palette import WARNING
 from ....processing.translation import tr
 from ...findings import Finding, error_text, lat_lon_text, status_text
-from ...widgets.tables import LIKELY, paint_placeholder, sign_icon
-from ...widgets.texts import number_text, plain_tip
+from ...widgets.controls import LIKELY, number_text, paint_placeholder, plain_tip, sign_icon
 
 NAME_ROLE = Qt.ItemDataRole.UserRole
 """Role of the image's name, with which the text starts and which may be shortened."""
