@@ -61,7 +61,6 @@ def connect(scheduler: str | None, local: int | None, report: Callable[[str], No
 
     Args:
         scheduler: Address of a scheduler; None to start local workers.
-        report: Function for lines of text for the user.
 
     Raises:
         SemRefError: There is no scheduler, or workers can't be started.

@@ -52,11 +52,7 @@ def only_likely(risk: float, allowed: float) -> Sentence:
 
 
 class _Keyed(str, Enum):
-    """Members that equal their keys.
-
-    Attributes:
-        title: Display name.
-    """
+    """Members that equal their keys."""
 
     title: Sentence  # type: ignore[assignment] # not the method of str
 
@@ -229,7 +225,6 @@ class Localization:
     """Result of localizing an image; None where the method does not find a value.
 
     Attributes:
-        status: Outcome.
         method: The method that found the fix, or was tried first.
         references: Number of landmarks described.
         reason: Why there is no fix, also for a likely position; for a fix, the part of the image that it is not valid

@@ -82,7 +82,6 @@ class Pipeline:
         """Read an image and localize it.
 
         Args:
-            camera: Attitude, lens and other data of the image's camera.
             with_pixels: As for ``LabelReader``.
 
         Raises:
@@ -100,7 +99,6 @@ def localize_labels(localizer: Localizer, search: Search, seen: SeenLabels, came
     """Localize an image from its labels; level it first if the camera's attitude is known.
 
     Args:
-        search: Method and prior of all images.
         seen: Labels of the image as taken, with their class offsets.
 
     Raises:
@@ -121,7 +119,6 @@ def localize_with(
 
     Args:
         search: Method, and whether to return matches.
-        seen: Labels of the image as taken, with their class offsets.
         prior: Prior of the image's center; with a range of pixel sizes if the image is leveled.
         leveling: How to level the image; None to use it as taken. The method must find heading and pixel size.
     """

@@ -31,7 +31,6 @@ def guide_url(page: str = "README.md", root: Path = _ROOT) -> str:
 
     Args:
         page: Path of the page in docs/; the default is the index.
-        root: Folder of the plugin.
     """
     built = _built("index" if page == "README.md" else page[: -len(".md")], root)
     homepage, text = _metadata()["homepage"], root / "docs" / page

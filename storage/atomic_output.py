@@ -40,8 +40,6 @@ class _Staged:
     Attributes:
         workplace: Private folder beside the target for writing.
         require_free: Function that raises ParameterError if the target may not be replaced.
-        is_folder: Whether the output is a folder.
-        replaces_folder: Whether an older folder is replaced.
         keeps_older: Whether the workplace has the only copy of an older output.
         identity: State of the new workplace.
     """

@@ -212,10 +212,7 @@ class ControlPoint:
     """A pixel of an image and its map coordinates.
 
     Attributes:
-        column: Pixel coordinate.
         row: Pixel coordinate, downwards.
-        x: Map coordinate.
-        y: Map coordinate.
         off_px: (right, down) residual of the position, pixels.
     """
 

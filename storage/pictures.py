@@ -82,9 +82,6 @@ class WrittenRaster:
     def __init__(self, path: str, frame: MapFrame, bands: int, options: Sequence[str] = TILED) -> None:
         """Create the file.
 
-        Args:
-            options: GDAL's creation options.
-
         Raises:
             UnwritableError: GDAL can't write the file.
         """

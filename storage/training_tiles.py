@@ -45,7 +45,6 @@ class ImageBands:
     """An image's bands without alpha bands.
 
     Attributes:
-        bands: The exported bands.
         kind: GDAL's data type of all bands.
         shape_hw: (height, width) in pixels.
         geotransform: GDAL's six numbers; None without a georeference.

@@ -34,7 +34,6 @@ class DockState:
         method: METHOD of semref:localizeimages.
         images: Files and folders.
         prior: Search circle; None for the whole database.
-        is_flight: Whether the images are one flight.
     """
 
     database: str = ""

@@ -109,7 +109,6 @@ def find_same_class_neighbors(
 
     Args:
         ranks: (N,) int64, higher ones are on top.
-        landmark_classes: Class values that become landmarks.
 
     Returns:
         A finding for each pair, the smaller polygon first; its number is the shared border in meters, 0 for a point.

@@ -104,8 +104,6 @@ class Assessment:
 
         Args:
             footprint: Footprint width of the images, m.
-            conditions: Assumed errors of labels and cameras.
-            seed: The same one repeats everything.
             correlation: Use landmarks, then map correlation, as the method “automatic” does; needs the overview.
 
         Raises:

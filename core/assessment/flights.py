@@ -106,10 +106,8 @@ class FlownRoutes:
 
         Args:
             database: With its overview.
-            conditions: Assumed errors of labels and cameras.
             footprint: Footprint width of an image, m.
             drift: Error of the motion between images: of each link and of all links together, shares of the distance.
-            seed: The same one repeats the result.
 
         Raises:
             DatabaseError: The database has no overview or no landmark.
@@ -186,7 +184,6 @@ def link_between(number: int, pair: tuple[View, View], drift: float, bias: compl
         number: Of the first image, from 0.
         drift: Standard deviation, share of the distance.
         bias: Constant error of all links of the flight, share of the distance along and across.
-        rng: A seeded one repeats the result.
     """
     turns = [turn_of(view.heading_deg, view.pixel_size) for view in pair]
     step = (complex(*pair[1].position) - complex(*pair[0].position)) / turns[0]

@@ -29,11 +29,7 @@ def key_of(references: MapLandmarks, pixel_size_m: float, settings: Constellatio
 
 
 def cached_index(references: MapLandmarks, pixel_size_m: float, settings: ConstellationSettings) -> ConstellationIndex:
-    """Return the index of a database's landmarks; a large one is loaded from the cache or stored there.
-
-    Args:
-        pixel_size_m: Pixel size of their label map.
-    """
+    """Return the index of a database's landmarks; a large one is loaded from the cache or stored there."""
     if len(references) < FEWEST:
         return build_index(references, pixel_size_m, settings)
     key = key_of(references, pixel_size_m, settings)

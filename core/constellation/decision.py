@@ -73,7 +73,6 @@ def verdict(opponents: Opponents, rivals: int, allowed: float, settings: Decisio
     """Return whether the evidence is enough for a fix, and the reason if not.
 
     Args:
-        opponents: The best candidate and what it is compared with.
         rivals: Number of other candidates that are too close to the best one.
         allowed: Maximum error probability of a fix.
     """

@@ -139,21 +139,12 @@ def build_index(
     """Index all landmarks of a map; takes seconds for 10⁵ landmarks.
 
     Landmarks cut by the map's edge are not in triangles, because their true centers are unknown.
-
-    Args:
-        pixel_size_m: Pixel size of their label map.
-        settings: Settings of the build and of every search in the index.
     """
     return index_of_parts(references, pixel_size_m, settings, index_parts(references, pixel_size_m, settings))
 
 
 def index_parts(references: MapLandmarks, pixel_size_m: float, settings: ConstellationSettings) -> IndexParts:
-    """Return the parts of an index that take time to compute, by name.
-
-    Args:
-        pixel_size_m: Pixel size of the label map.
-        settings: Settings of the build.
-    """
+    """Return the parts of an index that take time to compute, by name."""
     bare = _Bare(references, pixel_size_m)
     neighbors, keys, triangles, fine = _all_triangles(bare.points, bare.ranks, bare.log_areas, bare.whole, settings)
     order = np.argsort(keys, kind="stable")

@@ -55,11 +55,7 @@ class PoseMatcher:
     """Matches an image's landmarks at S poses that move step by step, with the assumed deviations."""
 
     def __init__(self, index: ConstellationIndex, query: SeenLandmarks, count: int) -> None:
-        """Match nothing yet.
-
-        Args:
-            count: Number of poses.
-        """
+        """Match nothing yet."""
         self._query, self._noise = query, index.settings.noise
         self._matcher = SteppedMatcher(index.matcher, query.ranks, count)
 

@@ -79,9 +79,7 @@ class SteppedMatcher:
         """Match nothing yet.
 
         Args:
-            matcher: Of the landmarks.
             ranks: (n,) int, −1 for unknown classes.
-            count: Number of sets of points.
         """
         self._matcher, self._ranks = matcher, ranks
         self._places = np.zeros((count, len(ranks)), complex)

@@ -65,7 +65,6 @@ def localize(  # noqa: PLR0913 - the image, the map, the prior and the settings
         objects: Landmarks of the whole image.
         size_wh: (width, height) of the image, pixels.
         minimum_area_px: Minimum contour area of the extracted landmarks; by default that of the smallest one.
-        allowed_risk: Maximum error probability of a fix.
         errors: Prior knowledge of errors that landmarks share; defaults without it.
         view: As in ``Verifier``.
     """

@@ -214,7 +214,6 @@ def verify(verifier: Verifier, query: SeenLandmarks, poses: Sequence[Pose]) -> l
 
     Args:
         query: The image's ``telling_objects``.
-        poses: Initial poses.
     """
     return _refined(verifier, query, poses, PoseMatcher(verifier.index, query, len(poses)), tilted=False)
 
@@ -226,7 +225,6 @@ def verify_tilted(
 
     Args:
         query: The image's ``telling_objects``.
-        poses: Initial poses.
         focuses: Point of the image where each is valid; matches spread from there over the image.
     """
     poses, matcher = list(poses), PoseMatcher(verifier.index, query, len(poses))

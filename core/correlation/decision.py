@@ -121,7 +121,6 @@ def decide(
 
     Args:
         peaks: Agreement of the best places.
-        allowed_risk: Maximum error probability of a fix.
     """
     score = peaks.score
     risk = risk_of_peaks(peaks, settings)

@@ -53,7 +53,6 @@ class ScoredPose:
         x: Of its center, meters right.
         y: Of its center, meters down.
         heading_deg: Of its top, clockwise from up.
-        pixel_size_m: Ground size of a pixel.
         score: Correlation, −1 to 1.
     """
 
@@ -92,9 +91,7 @@ def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: f
     """Return the best pose of a few Gauss–Newton steps, with its score.
 
     Args:
-        pose: Start pose.
         quiet: Energy per pixel that is added to the map's own in the score.
-        steps: Most steps.
     """
     best = pose
     for step in range(steps + 1):

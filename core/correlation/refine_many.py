@@ -31,9 +31,7 @@ def refine_many(
 
     Args:
         image: Evidence at coarse pixels.
-        poses: Start poses.
         quiet: Energy per pixel that is added to the map's own in the score.
-        steps: Steps of each pose.
     """
     if not poses:
         return []

@@ -89,9 +89,6 @@ def template_edge(image: EvidenceLevel) -> int:
 def search(image: EvidenceLevel, pyramid: MapPyramid, space: SearchSpace) -> np.ndarray:
     """Return peaks of each tile and pixel size; one place can occur for several pixel sizes.
 
-    Args:
-        image: Coarse evidence.
-
     Returns:
         (N, 5) float64: score, x, y (meters right and down of the map's corner), heading (°), pixel size (m); best
         first.

@@ -60,7 +60,6 @@ def localize(  # noqa: PLR0913 - an image by its labels and their shares, the ma
         labels_hw: (H, W) uint8 labels of the map's class table, 0 = unknown.
         pyramid: Of the map's overview, prepared once.
         prior: With a range of pixel sizes at least.
-        allowed_risk: Maximum error probability of a fix.
         errors: Of map and labels; the defaults without it.
         shares: Probable shares of classes, which replace the labels.
 

@@ -103,7 +103,6 @@ def build_by_tasks(  # noqa: PLR0913 - the map, settings, runner and sink of the
     """Build a database without its overview.
 
     Args:
-        frame: Grid and shape of the map.
         overview: Receives the pieces of the overview, in any order.
 
     Raises:

@@ -88,7 +88,6 @@ def describe(  # noqa: PLR0913 - settings of vectors and windows
 
     Args:
         minimum_area: Of a landmark, pixels.
-        references_per_vector: Largest number of landmarks in a vector.
         box: The piece; its first window starts with it.
         window: (size, stride), pixels.
         near: (N, 8) rows of the landmarks that overlap the piece; None to search them in the piece only.

@@ -149,8 +149,6 @@ class Evaluation:
 
         Args:
             source: A label map in the database's CRS and classes, with pixels of any size.
-            ranges: Of the queries' values.
-            seed: The same one repeats everything.
             minimum_references: Least landmarks of a window for trials.
             right_within: Largest error of a right position, m; None for RIGHT_SHARE of the footprint.
 

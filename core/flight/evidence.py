@@ -104,12 +104,7 @@ def random_poses(pyramid: MapPyramid, prior: Prior, count: int) -> list[ScoredPo
 
 
 def score_poses(seen: SeenImage, pyramid: MapPyramid, poses: Sequence[ScoredPose]) -> list[ScoredPose]:
-    """Return poses refined to the best agreement of image and map nearby, with their scores.
-
-    Args:
-        seen: An image with evidence.
-        poses: Start poses.
-    """
+    """Return poses refined to the best agreement of image and map nearby, with their scores."""
     if seen.evidence is None:
         return list(poses)
     return refine_many(seen.evidence, pyramid, list(poses), pyramid.quiet, STEPS)
@@ -119,7 +114,6 @@ def best_poses(seen: SeenImage, pyramid: MapPyramid, count: int, apart: float) -
     """Return the best places of an image by itself, refined at the pixels of the first look, best first.
 
     Args:
-        count: Most places.
         apart: Least distance between two places, as a share of the image's edge.
     """
     if seen.evidence is None:

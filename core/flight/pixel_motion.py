@@ -68,13 +68,7 @@ class Motion:
 
 
 def motion_between(first: Features, second: Features, numbers: tuple[int, int] = (0, 1)) -> Motion:
-    """Return the motion from one image to another.
-
-    Args:
-        first: Of the earlier image.
-        second: Of the later image.
-        numbers: Of the two images in their flight.
-    """
+    """Return the motion from one image to another."""
     if min(len(first.points), len(second.points)) < LEAST_CORNERS:
         return Motion(None, Sentence("One of the two images has too little texture to match it with the other."))
     proposed = _propose(first, second)
@@ -100,12 +94,7 @@ def motion_between(first: Features, second: Features, numbers: tuple[int, int] =
 
 
 def evidence(agreeing: int, cells: int) -> float:
-    """Return the evidence against chance: Chernoff's bound of the binomial tail, nats; 0 if chance suffices.
-
-    Args:
-        agreeing: Cells that agree.
-        cells: All cells, one or more.
-    """
+    """Return the evidence against chance: Chernoff's bound of the binomial tail, nats; 0 if chance suffices."""
     share = agreeing / cells
     if share <= CHANCE:
         return 0.0

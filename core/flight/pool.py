@@ -219,9 +219,7 @@ def prune(pool: Pool, edge_m: float, count: int, apart: float) -> Pool:
     """Return the best hypotheses, best first, without two at the same place.
 
     Args:
-        pool: Any hypotheses.
         edge_m: Edge of the image on the ground.
-        count: Most hypotheses.
         apart: Least distance of two hypotheses, as a share of the edge.
     """
     order = np.argsort(-pool.totals, kind="stable")

@@ -37,7 +37,6 @@ def write_frames(video: str, folder: str, every_s: float, log: Telemetry | None 
 
     Args:
         folder: Target, created if missing. Existing files are never replaced.
-        every_s: Seconds between frames.
         log: Of the same flight, in the video's time.
 
     Raises:

@@ -28,8 +28,6 @@ class Tile:
     """A square piece of an image.
 
     Attributes:
-        column: First column.
-        row: First row.
         subset: ``train`` or ``validation``.
     """
 

@@ -91,7 +91,6 @@ def piece_shifts(
 
     Args:
         true_hw: (H, W) uint8 labels.
-        predicted_hw: Predicted labels of the same ground.
         corner: Of the piece on the map, right and down, pixels.
     """
     every = [extract_landmarks(labels, class_values, LEAST_AREA_PX) for labels in (true_hw, predicted_hw)]

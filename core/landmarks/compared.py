@@ -64,8 +64,6 @@ def piece_errors(
 
     Args:
         true_hw: (H, W) uint8 labels, 0 where unknown.
-        predicted_hw: Predicted labels of the same ground.
-        minimum_area_px: Smallest area of a landmark.
     """
     known = np.where(true_hw == 0, np.uint8(0), predicted_hw)
     true, predicted = (extract_landmarks(labels, class_values, minimum_area_px) for labels in (true_hw, known))

@@ -39,7 +39,6 @@ def check_by_areas(
     Args:
         found: Of the constellation.
         agreement: Correlation of class areas at its best candidate; None if unknown.
-        settings: Weight of the agreement, and the maximum error probability.
     """
     if agreement is None or found.risk is None:
         return found
@@ -78,7 +77,6 @@ def combine_agreeing(
     Args:
         objects: Of the constellation, without class areas.
         areas: Of map correlation.
-        settings: Tolerance for the same position, and the maximum error probability.
     """
     risk = _risk_of_agreement(objects, areas, shorter_edge_px, settings)
     if risk is None or risk > settings.allowed_risk:
@@ -111,7 +109,6 @@ def confirm_by_earlier(
     Args:
         found: From labels averaged over all orientations, not yet shown as likely.
         earlier: From the labels of one orientation, without a fix.
-        settings: Tolerance for the same position, and the maximum error probability.
     """
     if earlier.risk is None or found.risk is None or found.best is None:
         return found
@@ -220,7 +217,6 @@ def combine_without_fix(
     Args:
         objects: Of the constellation.
         areas: Of map correlation.
-        settings: Tolerance for the same position.
     """
     known = [place.position for place in objects.alternatives]
     others = tuple(
@@ -275,7 +271,6 @@ def doubt_outside(found: Localization, on_map: float, settings: LocalizerSetting
     Args:
         found: Not yet shown as likely.
         on_map: Share of the search area on the map; from a half on, it makes no candidate less probable.
-        settings: Maximum error probability.
     """
     if found.risk is None or on_map >= 0.5:
         return found

@@ -85,7 +85,6 @@ def describe_image(
         labels_hw: (H, W) uint8 labels.
         reference_values: Values of the reference classes, ascending.
         area_fraction: Smallest area of a landmark as a fraction of the square's.
-        references_per_vector: Largest number of landmarks in a vector.
 
     Raises:
         LabelMapError: The image has no pixels.
@@ -241,7 +240,6 @@ class Localizer:
         Args:
             labels_hw: (H, W) uint8 labels of the database's class table.
             prior: Without a range of pixel sizes, images may show 0.4 to 2.5 times a window's ground.
-            biases: Class offsets of the labels.
 
         Raises:
             LabelMapError: The image has no pixels.
@@ -291,7 +289,6 @@ class Localizer:
             labels_hw: (H, W) uint8 labels of the database's class table.
             prior: Without a range of pixel sizes, images may show 0.4 to 2.5 times a window's ground.
             shares: Probable shares of classes, which replace the labels.
-            biases: Class offsets of the labels.
 
         Raises:
             LabelMapError: The image has no pixels.
@@ -324,7 +321,6 @@ class Localizer:
             labels_hw: (H, W) uint8 labels of the database's class table.
             prior: Without a range of pixel sizes, each method searches its own range.
             shares: Probable shares of classes, which replace the labels in map correlation.
-            biases: Class offsets of the labels.
 
         Returns:
             The method of a fix is the one that found its pose.

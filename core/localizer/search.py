@@ -15,7 +15,6 @@ class Search:
     """Search parameters that all images of a run share.
 
     Attributes:
-        method: The localization method.
         known: Prior of all images, in the database's CRS.
         scales: Smallest and largest ground that an image shows, in window sizes; None for the method's default.
         with_matches: Whether to return matching landmarks.
@@ -53,7 +52,6 @@ class ImagesJob:
         model: Path of a network; empty for label images.
         risk: Maximum error probability.
         sun_deg: Azimuth of the sun; None if unknown.
-        search: Search parameters.
     """
 
     database: str

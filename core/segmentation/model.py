@@ -25,7 +25,6 @@ class SegmentationModel(OnnxNetwork):
     """A network with named classes from an ONNX file: images → scores of its classes.
 
     Attributes:
-        classes: From its metadata.
         class_bias: Its class offsets, by lower-case name, if stated.
         trained_on: Names of places, if stated.
         tiles_seen: Number of images processed so far.
@@ -127,7 +126,6 @@ def averaged_scores(model: SegmentationModel, images: Sequence[np.ndarray], stop
     71 positions of 280 (docs/decisions/photo-evidence.md).
 
     Args:
-        model: The network.
         images: N of (H, W, 3) uint8, red first, of the network's size.
         stop: Set by another thread to end between two orientations.
 

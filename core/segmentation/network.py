@@ -34,7 +34,6 @@ class OnnxNetwork:
     """A network from an ONNX file: images → its output. The names of its classes may be missing.
 
     Attributes:
-        settings: From its metadata.
         tile_hw: (height, width) of the images it accepts.
         tiles_at_once: Best number of images for one call.
         runs_at_once: Number of runs at a time; more threads wait, also those of other images.

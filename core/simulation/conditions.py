@@ -43,9 +43,6 @@ class Conditions:
     def drawn(self, view: View, rng: np.random.Generator, class_values: Sequence[int]) -> tuple[View, LabelNoise]:
         """Return one image's view and noise with random directions and signs.
 
-        Args:
-            rng: A seeded one repeats the result.
-
         Returns:
             The view with lens and tilt, and the noise with the classes' offsets.
         """

@@ -22,7 +22,6 @@ def displace(labels_hw: np.ndarray, noise: LabelNoise, rng: np.random.Generator)
     Args:
         labels_hw: (H, W) uint8
         noise: In pixels.
-        rng: A seeded one repeats the result.
 
     Returns:
         (H, W) uint8, resampled once, so that boundary jitter keeps shifts of less than a pixel.

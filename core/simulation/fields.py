@@ -34,7 +34,6 @@ def correlated_shifts(
     Args:
         points_xy: (n, 2), anywhere
         kernels: (length in the unit of the points, share of the variance); shares below 1 in total reduce the variance.
-        rng: A seeded one repeats the field.
 
     Returns:
         (n, 2) shifts along both axes, independent of each other.
@@ -57,7 +56,6 @@ def correlated_field(
     Args:
         kernels: As in ``correlated_shifts``, lengths in pixels.
         step_px: Between computed places.
-        rng: A seeded one repeats the field.
 
     Returns:
         (2, H, W) float32: shifts along columns and along rows.

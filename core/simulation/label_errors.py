@@ -37,7 +37,6 @@ def spoil_labels(  # noqa: PLR0913 - an image, how it is spoiled, and what is kn
     Args:
         labels_hw: (H, W) uint8; not changed.
         noise: In pixels of the image.
-        rng: A seeded one repeats the image.
         class_values: Classes of landmarks; landmarks are missed, added and mislabeled only there.
         donor_hw: Labels of another place at the same scale; its landmarks are the spurious ones. None without any.
         minimum_area_px: Smaller regions are no landmarks.

@@ -30,7 +30,6 @@ def spoil_landmarks(
 
     Args:
         noise: In pixels of the image; errors that only labels can show are ignored.
-        rng: A seeded one repeats the result.
         population: Source of class and area (px²) of spurious landmarks, which are anywhere in the image.
         size_px: (width, height) of the image.
 

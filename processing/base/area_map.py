@@ -30,7 +30,6 @@ class AreaMap:
     """Private copies of the land-cover layer and of lines for other threads, and how they get their classes.
 
     Attributes:
-        layer: The copy of the polygons.
         lines: The copy of lines with tags of OpenStreetMap; None without lines.
         class_field: Field with the class; empty for tags of OpenStreetMap, and for a layer of buildings.
         has_tags: Whether the classes follow from tags of OpenStreetMap.

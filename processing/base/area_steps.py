@@ -50,7 +50,6 @@ class AreaRun:
         base: Model to start the training from; None for a new one.
         imagery: Imagery of the training; empty for the photos.
         minutes: Duration of the training; 0 without one.
-        is_flight: Whether the photos are one flight.
     """
 
     map: AreaMap

@@ -68,7 +68,6 @@ def noise_ranges(
     Args:
         values: Values with NETWORK and COMPARISON.
         usual: (lowest, highest) of a usable network, by key.
-        read: Function that returns the range of a parameter.
 
     Raises:
         ParameterError: The report or a value cannot be used.
@@ -206,10 +205,6 @@ class AssessAlgorithm(SemRefAlgorithm):
 
         Args:
             assessments: Assessments of one database that differ in their footprints only.
-            planned: The queries of each assessment.
-            feedback: Shows progress and takes a cancel.
-            first: Progress in percent before.
-            last: Progress in percent after.
             run: Workers; None to compute in this process.
 
         Returns:

@@ -82,7 +82,6 @@ def destination_of(value: Any, context: QgsProcessingContext, is_layer: bool = T
     Args:
         value: A path, an ``ogr:dbname='…' table="…"`` text, ``memory:``, ``TEMPORARY_OUTPUT``, or a definition that
             contains one of these.
-        context: Context with the expressions of the value.
         is_layer: Whether it is a vector layer: QGIS adds a suffix to names without a known format.
     """
     options = ""

@@ -145,11 +145,7 @@ def with_far_photos(
 
 
 def count_sentence(statuses: Sequence[str]) -> str:
-    """Return a sentence on how many images have a position, with the likely positions apart.
-
-    Args:
-        statuses: Of all images.
-    """
+    """Return a sentence on how many images have a position, with the likely positions apart."""
     fixes = statuses.count(Status.FIX)
     if len(statuses) == 1:
         text = tr("The image has a position.") if fixes else tr("The image has no position.")

@@ -71,7 +71,6 @@ def scales(values: Values, method: Method) -> tuple[float, float] | None:
     """Return the range of scales to search.
 
     Args:
-        values: Values of an algorithm with these parameters.
         method: Its default replaces the limit that is not given.
 
     Returns:

@@ -156,7 +156,6 @@ def workers(
     """Yield the workers of SCHEDULER; None if it is not set.
 
     Args:
-        feedback: Shows the reports of the process.
         files: Files that workers read, with their ``storage.file_states.state`` before they were read here.
         labels: The label map, for tasks of ``core.database.tasks``.
 

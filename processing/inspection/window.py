@@ -82,7 +82,6 @@ class Comparison:
 
     Attributes:
         confidence: Confidence of the published method for this distance.
-        rays: Rays of the image's vector.
         apart: Largest difference of the elements of each ray of the window.
     """
 

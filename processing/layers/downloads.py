@@ -25,7 +25,6 @@ class Downloads:
     """Downloads for one drawing.
 
     Attributes:
-        schemes: Allowed schemes of addresses.
         refused: Address with another scheme from a redirect; empty without one.
         is_too_large: Whether a reply was larger than ``limits.ANSWER_BYTES``.
     """

@@ -33,7 +33,6 @@ class Look:
         renderer: Replaces the file's renderer if it depends on classes or a threshold.
         is_timed: Whether features have times for QGIS's temporal controller.
         is_own: Whether the columns are SemRef's; columns of the user's layers keep their names.
-        note: Metadata of the layer.
     """
 
     style: str = ""

@@ -92,7 +92,6 @@ class TrainingGround:
         pixel_size: In m; None for the image's own.
         wanted: Extent that the user chose, in the image's CRS; empty for all.
         drawn: Extent of the labels; None for no limit.
-        context: The project's transform context.
         area: Area that training is limited to; None for no limit.
     """
 

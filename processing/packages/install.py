@@ -141,7 +141,6 @@ def python_candidates(executable: str, prefix: str, version: tuple, windows: boo
         executable: sys.executable, which may be QGIS itself, or the first on PATH.
         prefix: sys.prefix, the folder of the running Python.
         version: Its first two numbers.
-        windows: Whether it runs on Windows.
     """
     if windows:
         return [os.path.join(prefix, "python.exe"), os.path.join(prefix, "python3.exe")]

@@ -30,11 +30,7 @@ class LocalizationRun(AlgorithmRun):
         self.pace = ""
 
     def start(self, database: str, images: list[str], method: int, settings: dict, is_flight: bool = False) -> bool:
-        """Start a run. Returns False after emitting ``failed`` if it can't start.
-
-        Args:
-            is_flight: Whether the images are one flight.
-        """
+        """Start a run. Returns False after emitting ``failed`` if it can't start."""
         run = self.record = begin_run(database, settings.get("MODEL", ""), len(images))
         parameters = {"DATABASE": database, "IMAGES": images, "METHOD": method, "RISK": SHOWN_RISK}
         parameters |= {**settings, **table_outputs(run.file, is_flight)}

@@ -46,7 +46,6 @@ def read_dataflash(data: Data, canceled: Callable[[], bool] = never) -> Telemetr
 
     Args:
         data: Of the file; damaged parts are skipped.
-        canceled: Called from time to time; True ends the reading early.
     """
     lengths: dict[int, int] = {_FORMAT_TYPE: 3 + _FORMAT.size}
     wanted: dict[int, _Message] = {}

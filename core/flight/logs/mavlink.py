@@ -42,7 +42,6 @@ def read_tlog(data: Data, canceled: Callable[[], bool] = never) -> Telemetry:
 
     Args:
         data: Of the file; damaged parts are skipped.
-        canceled: Called from time to time; True ends the reading early.
     """
     reader = TlogReader()
     reader.take(data, is_ended=True, canceled=canceled)
@@ -62,7 +61,6 @@ class TlogReader:
         Args:
             data: The piece; damaged parts are skipped.
             is_ended: No piece comes after it.
-            canceled: Called from time to time; True ends the reading early.
 
         Returns:
             Offset of the first incomplete packet, at which the next piece must begin.

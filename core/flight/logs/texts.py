@@ -39,7 +39,6 @@ def read_srt(text: str, canceled: Callable[[], bool] = never) -> Telemetry:
 
     Args:
         text: Of the file; unreadable values count as missing.
-        canceled: Called from time to time; True ends the reading early.
     """
     entries, pace, arrow = Entries(), Pace(canceled), text.find(_ARROW)
     while arrow >= 0 and not pace.stops_at(arrow):
@@ -75,7 +74,6 @@ def read_geo(text: str, canceled: Callable[[], bool] = never) -> Telemetry:
 
     Args:
         text: Of the file; lines without a yaw are ignored.
-        canceled: Called from time to time; True ends the reading early.
     """
     names: list[str] = []
     yaws, pace = array("d"), Pace(canceled)

@@ -45,7 +45,6 @@ def read_ulog(data: Data, canceled: Callable[[], bool] = never) -> Telemetry:
 
     Args:
         data: Of the file; damaged parts are skipped.
-        canceled: Called from time to time; True ends the reading early.
     """
     topics: dict[str, Topic] = {}
     wanted: dict[int, str] = {}
