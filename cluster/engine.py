@@ -128,7 +128,6 @@ def _wait_for_workers(client: Client, report: Callable[[str], None]) -> None:
 
 @lru_cache(1)
 def _code() -> code_upload.Code:
-    """Return the worker plugin with the rooms that workers need."""
     files = {"__init__.py": b""}
     for room in SENT_ROOMS:
         for path in sorted((ROOT / room).rglob("*.py")):

@@ -48,7 +48,6 @@ def _serve(order: dict[str, Any]) -> None:
 
 
 def _do(asked: dict[str, Any], runner: DaskRunner, folder: Path) -> None:
-    """Execute all calls of a task."""
     for number, result in enumerate(runner(asked["task"], _calls(), read(asked["shared"]))):
         write(str(folder / f"result_{number}"), result)
         report("result", number=number)

@@ -57,7 +57,6 @@ class _Keyed(str, Enum):
     title: Sentence  # type: ignore[assignment] # not the method of str
 
     def __new__(cls, key: str, title: Sentence) -> _Keyed:
-        """Make a member that equals its key."""
         member = str.__new__(cls, key)
         member._value_ = key
         member.title = title
@@ -196,7 +195,6 @@ class Matches:
     residuals: np.ndarray
 
     def __len__(self) -> int:
-        """Return the number of matches."""
         return len(self.on_map)
 
 

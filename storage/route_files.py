@@ -183,7 +183,6 @@ def _geometries(dataset: gdal.Dataset, names: Sequence[str]) -> list[np.ndarray]
 
 
 def _parts(geometry: ogr.Geometry | None) -> list[ogr.Geometry]:
-    """Return the single geometries of a geometry."""
     if geometry is None or geometry.IsEmpty():
         return []
     if ogr.GT_IsSubClassOf(ogr.GT_Flatten(geometry.GetGeometryType()), ogr.wkbGeometryCollection):

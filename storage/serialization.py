@@ -75,7 +75,6 @@ def _plain(value: object, buffers: list[bytes]) -> object:
 
 
 def _append(content: bytes, buffers: list[bytes]) -> int:
-    """Append content to the buffers and return its offset."""
     begin = sum(map(len, buffers))
     buffers.append(content)
     return begin

@@ -227,7 +227,6 @@ class TileExport:
                 yield count_labels(labels)
 
     def _write_tile(self, folder: Path, tile: Tile) -> None:
-        """Write a tile and its labels, unless it is unlabeled."""
         size = self._tile_size
         seen, has_data = self._image.read_as_seen(tile.column, tile.row, size)
         if self._mask is not None:

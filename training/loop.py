@@ -222,7 +222,6 @@ class Trainer:
             self._write(BEST, network.state_dict())
 
     def _save(self, score: float, confusion: np.ndarray) -> None:
-        """Save the best weights and all data for resuming."""
         self._save_best(self.average.module, score, confusion)
         state = {
             "network": self.network.state_dict(),

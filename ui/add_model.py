@@ -196,7 +196,6 @@ class AddModelDialog(QDialog):
         return ["" if item is None else item.text().strip() for item in items]
 
     def _look(self) -> None:
-        """Read the file in the background."""
         self._looking.forget()
         self._show_kind()
         self.image.clear()

@@ -133,7 +133,6 @@ class OptionsFactory(QgsOptionsWidgetFactory):
     def __init__(
         self, installer: ComponentInstaller, training_installer: ComponentInstaller, removed: Callable[[], None]
     ) -> None:
-        """``removed`` is called when the page removed packages."""
         super().__init__("SemRef", QIcon(str(ICON_PATH)))
         self._installer, self._training_installer, self._removed = installer, training_installer, removed
 

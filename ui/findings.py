@@ -167,7 +167,6 @@ def read_findings(file: str, labels: str = "") -> list[Finding]:
 
 
 def _read_matches(layer: QgsVectorLayer | None) -> dict[str, MatchPoints]:
-    """Return the matches of each image by its path."""
     found: dict[str, list[tuple]] = {}
     for feature in layer.getFeatures() if layer is not None else ():
         place = feature.geometry().asPoint()

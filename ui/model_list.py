@@ -122,7 +122,6 @@ class ModelsDialog(QDialog):
         layout.addWidget(self.buttons)
 
     def _add_model(self) -> None:
-        """Open the dialog of a new model, which gets selected."""
         self.adding = AddModelDialog(self)
         self.adding.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.adding.added.connect(self._select_new)
@@ -147,7 +146,6 @@ class ModelsDialog(QDialog):
 
 
 def _where_to_get_more() -> str:
-    """Return HTML."""
     text = tr(
         "To get more models, train one on your own area (button next to the model in the dock) or on "
         "published photos. You can also add networks of others, such as those of the Deepness plugin. {how}"

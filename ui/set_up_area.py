@@ -203,7 +203,6 @@ class SetUpAreaDialog(QDialog):
             self._soon.start(_WAIT_MS)
 
     def _read(self) -> None:
-        """Read map and photos in the background."""
         given = self.parameters()
         if not given[SetUpArea.ANNOTATION]:
             self.summary.setText(tr("Choose a folder with photos, and a map of their place."))

@@ -183,7 +183,6 @@ class _Searched:
 def _decide(
     objects: Landmarks, query: SeenLandmarks, verifier: Verifier, searched: _Searched, allowed_risk: float
 ) -> Localization:
-    """Return the decision on the poses."""
     index, found, capped = verifier.index, searched.found, searched.capped
     count, settings = query.usable_count, index.settings
     if not found:

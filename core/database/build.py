@@ -69,7 +69,6 @@ class BuildSettings:
     map_accuracy: float = MAP_ACCURACY
 
     def __post_init__(self) -> None:
-        """Refuse values that can't be used."""
         if not all(0 <= length < limits.LENGTH for length in (self.window_size, self.stride)):
             raise WindowError(
                 "The windows have an edge of {window_size:g} m and a stride of {stride:g} m; both must be above 0.",

@@ -227,7 +227,6 @@ class FlightSolver:
 
 
 def _with_measurement(pool: Pool, measured: Measurement) -> Pool:
-    """Return one hypothesis updated with a measurement."""
     known = np.diag(pool.variances[0, [0, 0, 1, 2]])
     expected = Estimate(pool.states[0], known)
     gain = known @ np.linalg.inv(known + soften(measured, expected).covariance)

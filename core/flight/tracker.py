@@ -177,7 +177,6 @@ class FlightTracker:
         return tracker
 
     def _begin(self) -> None:
-        """Forget all poses."""
         self._pool = self._mirror = self._rival = Pool.empty(self.settings.window)
         self._past, self._held, self._lost = [], None, None
 
@@ -245,7 +244,6 @@ class FlightTracker:
 
     @staticmethod
     def _edge_m(seen: SeenImage) -> float:
-        """Return the approximate edge of the image on the ground."""
         return seen.edge_px * float(np.exp(np.mean(np.log(seen.prior.pixel_size_range or (1.0, 1.0)))))
 
     def _follow(self, image: FlightImage, seen: SeenImage, link: Link | None) -> None:

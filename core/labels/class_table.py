@@ -70,7 +70,6 @@ class LandCoverClass:
     hsv_max: Hsv | None = None
 
     def __post_init__(self) -> None:
-        """Refuse values that no class can have."""
         if self.draw_order is not None and not math.isfinite(self.draw_order):
             raise ClassTableError(
                 "Class “{name}” has a draw_order that is not a finite number; use a number such as 3.",

@@ -83,7 +83,6 @@ class MaskedImage:
     """An image with a mask; unwanted pixels have no data but stay visible as surroundings of wanted ones."""
 
     def __init__(self, image: ImageSource, mask: PixelMask) -> None:
-        """Read nothing yet."""
         self._image, self._mask, self.shape_hw = image, mask, image.shape_hw
 
     def read(self, column: int, row: int, width: int, height: int) -> tuple[np.ndarray, np.ndarray | None]:

@@ -77,7 +77,6 @@ class Rules:
         return Rules(rule for rule in self._rules.values() if rule.width_m or not rule.class_name)
 
     def __len__(self) -> int:
-        """Return the number of tags with a rule."""
         return len(self._rules)
 
     @property

@@ -45,7 +45,6 @@ class LandmarkErrors:
     apart_px: tuple[float, ...] = field(default=())
 
     def __add__(self, other: LandmarkErrors) -> LandmarkErrors:
-        """Return the sum of both."""
         return LandmarkErrors(*map(add, vars(self).values(), vars(other).values()))
 
     def ragged_px(self, shift_px: float = 0.0) -> float | None:

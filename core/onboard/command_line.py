@@ -227,7 +227,6 @@ def _add_localization(command: argparse.ArgumentParser) -> None:
 
 
 def _add_watch(watch: argparse.ArgumentParser) -> None:
-    """Add the options of ``watch`` alone."""
     watch.add_argument("folder", metavar="FOLDER", help="folder where the camera stores images")
     where = "a file to append to, “-” for stdout, or udp:PORT on this computer (127.0.0.1)"
     place, text = _place(check_sink), f"JSON lines: {where} (default: stdout)"
@@ -362,7 +361,6 @@ def _is_restart(options: argparse.Namespace) -> bool:
 
 
 def _line(found: dict[str, Any]) -> str:
-    """Return a record as a line of text."""
     if found.get("x") is None:
         return f"{found['image']}: {found['status']}. {found['reason']}"
     units = (

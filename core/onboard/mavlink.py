@@ -122,7 +122,6 @@ class MavlinkSink(Sink):
         self._line.close()
 
     def _take(self, found: dict[str, Any]) -> None:
-        """Send the record of an image."""
         now = time.monotonic()
         if now - self._heartbeat_s >= HEARTBEAT_S:
             dialect = self._dialect

@@ -123,7 +123,6 @@ def _merged(classes: Sequence[str], names: Sequence[str], are_probabilities: boo
 
 
 def _metadata(facts: NetworkFacts, names: Sequence[str]) -> dict[str, str]:
-    """Return metadata by key."""
     card = {"name": facts.name, "license": facts.license}
     found = {
         "model_type": "Segmentor",

@@ -82,7 +82,6 @@ class ResampledImage:
     """
 
     def __init__(self, image: ImageSource, shape_hw: tuple[int, int]) -> None:
-        """Set the image and the requested (height, width)."""
         self._image = image
         self.shape_hw = shape_hw
         shrinks = shape_hw[1] < image.shape_hw[1]

@@ -185,7 +185,6 @@ class BuildDatabase(SemRefAlgorithm):
         return follow(build_by_tasks(*build, plugin_version(), run, put), feedback, 10, 85)
 
     def _table(self, values: Values, labels: GdalLabels, feedback: QgsProcessingFeedback) -> ClassTable:
-        """Return the class table of the map with the selected reference classes."""
         from ...storage.label_maps import class_table_of_map, class_table_of_values, count_values
 
         table = class_table_of_map(labels, self._layer.file)

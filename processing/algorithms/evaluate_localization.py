@@ -156,7 +156,6 @@ class EvaluateLocalization(SemRefAlgorithm):
         )
 
     def _range_parameters(self) -> list[Declared]:
-        """Return the ranges that the values of trials are drawn from."""
         defaults = {key: f"{low:g},{high:g}" for key, (low, high) in RANGES.items()}
         ranges = (
             (self.SCALE, tr("Scale"), tr("Footprint width of an image, as a multiple of the window size.")),
@@ -305,7 +304,6 @@ class EvaluateLocalization(SemRefAlgorithm):
             outputs.text(self.JSON, evaluation_json(trials, list(methods), settings, evaluation.tried_windows))
 
     def _settings(self, values: Values) -> dict[str, Any]:
-        """Return the values that were used, by key."""
         return {
             self.TRIALS: values.integer(self.TRIALS),
             self.MIRRORED: values.number(self.MIRRORED),

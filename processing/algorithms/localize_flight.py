@@ -194,7 +194,6 @@ class LocalizeFlight(LocalizeAlgorithm):
         risk: float,
         feedback: QgsProcessingFeedback,
     ) -> list[LocalizedImage]:
-        """Place the flight and return the result of each image."""
         from ...core.flight.flight import FlightSolver
         from ...core.flight.settings import FLIGHT
         from ..base.flight_images import with_pose

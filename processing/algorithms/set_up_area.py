@@ -302,7 +302,6 @@ class SetUpArea(SemRefAlgorithm):
             return self._report(values, area, folder, record, feedback)
 
     def _area_run(self, values: Values, area: AreaSetup, folder: Path) -> AreaRun:
-        """Return what the steps need."""
         base, known = self._card(values), self._known(values)
         classes = {name.casefold() for name in area.classes}
         is_fitting = base is not None and base.can_be_base and (known or classes <= {*map(str.casefold, base.classes)})
@@ -359,7 +358,6 @@ class SetUpArea(SemRefAlgorithm):
     def _report(
         self, values: Values, area: AreaSetup, folder: Path, record: Record, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
-        """Write the report and return all results."""
         from ..reports.setup_report import PhotoRow, expectation_of, setup_html
 
         squares = QgsVectorLayer(str(folder / EXPECTED_FILE), "", "ogr").getFeatures()

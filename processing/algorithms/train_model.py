@@ -360,7 +360,6 @@ class TrainModel(AnnotationAlgorithm):
         run: TrainingRun,
         feedback: QgsProcessingFeedback,
     ) -> None:
-        """Burn the labels on the pixels of the image, and cut tiles of both."""
         from ...core.labels.training_tiles import TRAIN, VALIDATION, fitting_tiles
         from ...storage.rasterize import burn_label_map
         from ...storage.training_ground import frame_of

@@ -82,7 +82,6 @@ def steps_of(run: AreaRun) -> list[Step]:
 
 
 def _mapping(run: AreaRun) -> list[Step]:
-    """Return the steps from polygons to the label map."""
     plan, steps = run.area.plan, []
     polygons: dict[str, Any] = {"INPUT": run.map.layer, "CLASS_FIELD": run.map.class_field}
     polygons |= {"PRIORITY_FIELD": run.map.priority_field} if run.map.priority_field else {}

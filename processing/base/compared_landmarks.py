@@ -62,7 +62,6 @@ def measure_errors(
 
 
 def _landmark_classes(match: ClassMatch, comparison: LabelComparison) -> list[int]:
-    """Return the values of the annotated classes that are landmarks."""
     references = () if match.table is None else match.table.reference_values
     there = [value for value in comparison.values if value and comparison.annotated[value]]
     return [value for value in there if value in references] or there

@@ -223,7 +223,6 @@ def is_batch(feedback: QgsProcessingFeedback) -> bool:
 def _outputs(
     algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
 ) -> Iterator[tuple[QgsProcessingParameterDefinition, Destination]]:
-    """Yield the outputs that are written to files."""
     for definition in algorithm.parameterDefinitions():
         if definition.isDestination():
             wanted = destination_of(parameters.get(definition.name()), context, _is_layer(definition))

@@ -38,7 +38,6 @@ class EventProcess:
     """Read the events of a process, and store its other last lines."""
 
     def __init__(self, process: QProcess) -> None:
-        """Prepare to read a started process."""
         self._process = process
         self._rest = b""
         self._said: list[str] = []

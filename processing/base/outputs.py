@@ -99,7 +99,6 @@ class Outputs:
         return self.raster(key, lambda path: write_label_map_style(path, table, self._note(key)))
 
     def _note(self, key: str) -> Note:
-        """Return title, abstract, history and sources of an output."""
         title, abstract = self._values.title_and_help(key)
         return replace(self._note_of_run, title=title, abstract=abstract)
 

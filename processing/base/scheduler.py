@@ -65,7 +65,6 @@ class Workers:
     """The workers of SCHEDULER: a ``core.database.tasks.Runner``."""
 
     def __init__(self, process: QProcess, folder: str, feedback: QgsProcessingFeedback) -> None:
-        """Prepare to send tasks; ``feedback``: shows the reports of the process."""
         self.reports = EventProcess(process)
         self._process, self._folder, self._feedback = process, folder, feedback
         self._events = self.reports.read(feedback)

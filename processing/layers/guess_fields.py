@@ -78,7 +78,6 @@ def has_osm_tags(fields: Sequence[str]) -> bool:
 
 
 def _is_of_buildings(layer: QgsVectorLayer) -> bool:
-    """Return whether the layer's name or a field of OpenStreetMap indicates buildings."""
     return bool(_BUILDINGS.search(layer.name())) or bool(_field_of(layer, (BUILDING,)))
 
 

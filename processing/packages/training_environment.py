@@ -135,7 +135,6 @@ def _no_environment(python: str, reason: str) -> ComponentError:
 
 
 def _pip_runs(wheels: str, without_graphics_card: bool) -> list[list[str]]:
-    """Return the arguments of each run of pip."""
     if wheels:
         return [["--no-index", "--find-links", wheels, "--requirement", str(REQUIREMENTS)]]
     everything = ["--requirement", str(REQUIREMENTS)]

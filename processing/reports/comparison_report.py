@@ -118,7 +118,6 @@ def _next(comparison: LabelComparison, match: ClassMatch, shifts: MeasuredShifts
 
 
 def _landmarks(errors: MeasuredErrors) -> list[str]:
-    """Return the table of missed, mislabeled and spurious landmarks by class."""
     if not errors.rows:
         return [page.paragraph(tr("Neither map has a landmark of sufficient size."))]
     header = [tr("Class"), tr("Annotated"), tr("Missed"), tr("Mislabeled"), tr("Spurious")]
@@ -140,7 +139,6 @@ def _shares(found: LandmarkErrors) -> list[str]:
 
 
 def _biases(shifts: MeasuredShifts) -> list[str]:
-    """Return the table of class offsets."""
     if not shifts.rows:
         return [page.paragraph(tr("The maps have too few common landmarks to measure offsets."))]
     along = [tr("Right"), tr("Down")] if shifts.in_image else [tr("East"), tr("North")]
@@ -161,7 +159,6 @@ def _biases(shifts: MeasuredShifts) -> list[str]:
 
 
 def _accuracy(shifts: MeasuredShifts) -> list[str]:
-    """Return the displacement of the landmarks, and its correlation by distance."""
     found = shifts.displacement
     if found is None:
         return []

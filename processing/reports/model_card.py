@@ -60,7 +60,6 @@ def _training_text(card: ModelCard) -> str:
 
 
 def _quality_lines(card: ModelCard) -> list[str]:
-    """Return lines with the IoU by place and class."""
     from markupsafe import Markup
 
     beside = tr("{place}, validation ground")

@@ -202,7 +202,6 @@ def _round_up(value: float) -> float:
 
 
 def _ticks(length: float) -> list[float]:
-    """Return about six round distances."""
     step = _round_step(length / 6)
     return [n * step for n in range(int(length / step + 1e-9) + 1)]
 

@@ -99,7 +99,6 @@ def undo_update(path: str) -> None:
 
 
 def _store_checksums(kept: sqlite3.Connection, made: str | None) -> None:
-    """Write the checksums of the updated database into the undo copy."""
     kept.execute("DROP TABLE IF EXISTS semref_undo")
     kept.execute("CREATE TABLE semref_undo (checksums TEXT)")
     kept.execute("INSERT INTO semref_undo VALUES (?)", (made,))

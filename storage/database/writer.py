@@ -104,7 +104,6 @@ def write_database(  # noqa: PLR0913 - what a file holds; only the plugin has PR
 def _write_layers(
     dataset: ogr.DataSource, srs: osr.SpatialReference, rows_of: dict[str, Iterable[tuple[bytes | None, Sequence]]]
 ) -> Iterator[None]:
-    """Write the rows of all layers; yield after each."""
     for name, (_, columns) in schema.LAYERS.items():
         layer = schema.create_layer(dataset, name, srs)
         dataset.StartTransaction()

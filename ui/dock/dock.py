@@ -151,7 +151,6 @@ class SemRefDock(QgsDockWidget):
             self._wanted_state = replace(self._wanted_state, database=path)
 
     def _reload_raster(self, path: str) -> None:
-        """Reload a label map that was created again."""
         reload_raster(path, QgsProject.instance())
 
     def refresh_notice(self) -> None:
@@ -162,7 +161,6 @@ class SemRefDock(QgsDockWidget):
     # --- the project ---
 
     def _restore(self, *_document) -> None:
-        """Restore the state of the opened project."""
         state = read_state(QgsProject.instance())
         if self._content is None:
             self._wanted_state = state
@@ -176,7 +174,6 @@ class SemRefDock(QgsDockWidget):
             write_state(QgsProject.instance(), state)
 
     def _forget(self) -> None:
-        """Clear database, marks and results when the project is closed."""
         self._wanted_state = None
         if self._content is not None:
             self._content.localize.show_state(DockState())

@@ -93,7 +93,6 @@ class _OwnWidget(_Widget):
 
     @classmethod
     def first(cls, parameter: QgsProcessingParameterDefinition):
-        """Return the value at the start."""
         raise NotImplementedError
 
 
@@ -145,7 +144,6 @@ class _LayerWidget(_Widget):
             self.show_layer(layer)
 
     def show_layer(self, layer: QgsVectorLayer | None) -> None:
-        """Show the first value for the layer."""
         raise NotImplementedError
 
 

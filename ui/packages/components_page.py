@@ -122,7 +122,6 @@ class ComponentsPage(QgsOptionsPageWidget):
         layout.addWidget(area)
 
     def _package_table(self) -> QGridLayout:
-        """Return a row for each package: check box, title, purpose and state."""
         table = QGridLayout()
         headings = "", tr("Package"), tr("Purpose"), tr("State")
         for column, heading in enumerate(headings):
@@ -164,7 +163,6 @@ class ComponentsPage(QgsOptionsPageWidget):
         self._enable()
 
     def _chosen_packages(self) -> list[Package]:
-        """Return the missing packages that are checked."""
         return [package for package, check in self.checks.items() if check.isChecked()]
 
     def _enable(self) -> None:

@@ -98,7 +98,6 @@ class Reader(QObject):
         begin(self._task, self._restart)
 
     def _give_up(self) -> _Task | None:
-        """Disconnect, cancel and return the task."""
         task, self._task = self._task, None
         if task is not None:
             task.done.disconnect(self._take)

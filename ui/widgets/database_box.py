@@ -78,7 +78,6 @@ class DatabaseBox(InputBox):
             self.file.setFilePath(path)
 
     def _make_database(self) -> None:
-        """Open a dialog that builds a database. The result is opened and chosen here."""
         self.making = open_algorithm(MAKE_DATABASE, annotation_at_hand(QgsProject.instance()))
 
     def _remember(self) -> None:
@@ -112,7 +111,6 @@ class DatabaseBox(InputBox):
         self.checked.emit()
 
     def _show_title(self, *_) -> None:
-        """Show the file's name in the title while the box is collapsed."""
         name = Path(self.path()).stem
         is_named = self.isCollapsed() and name
         self.setTitle(tr("Reference database: {name}").format(name=name) if is_named else tr("Reference database"))

@@ -32,7 +32,6 @@ class _Message:
     labels: tuple[str, ...]
 
     def values(self, data: Data, place: int) -> dict[str, float]:
-        """Return its numbers by label."""
         numbers = zip(self.labels, self.kinds, self.packed.unpack_from(data, place))
         return {
             label: value / 100 if kind in _HUNDREDTHS else value

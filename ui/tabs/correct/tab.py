@@ -188,7 +188,6 @@ class CorrectTab(QWidget):
             self._show_place()
 
     def _list_kinds(self) -> None:
-        """List the kinds of the layer, the most frequent first."""
         chosen, counts = self.kind.currentData(), Counter(self._kinds.values())
         self.kind.clear()
         self.kind.addItem(tr("All kinds ({count})").format(count=number_text(len(self._kinds))), "")

@@ -166,7 +166,6 @@ class UpdateBox(FoldingBox):
             self._messages.success_with(sentence, tr("Rasterize it again…"), partial(self._rasterize, again))
 
     def _reload(self, path: str) -> None:
-        """Reload a replaced database on the map and in the dock."""
         reload_database(path, QgsProject.instance())
         if path == self._database.path():
             self._database.choose(path)

@@ -114,7 +114,6 @@ class _Canvas(QGraphicsView):
         self.fit()
 
     def _add(self, image: QImage, picture: ImagePicture) -> QGraphicsItem:
-        """Add an image, scaled to the picture's original size."""
         item = self.scene().addPixmap(QPixmap.fromImage(image))
         width, height = picture.size_wh
         scale = width / max(image.width(), 1), height / max(image.height(), 1)

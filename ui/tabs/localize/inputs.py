@@ -138,7 +138,6 @@ class ImageBox(InputBox):
         QgsSettings().setValue(MODEL_SETTING, path or last)
 
     def _choose_model(self) -> None:
-        """Open the list of models."""
         self._close_models()
         # Not a child of the box, which shows all its children when it opens.
         self.choosing = ModelsDialog(self.model_path(), self.window())
@@ -152,7 +151,6 @@ class ImageBox(InputBox):
             self.choosing = None
 
     def _train_model(self) -> None:
-        """Open the dialog of *Train model*; its model becomes the chosen one."""
         # As a file, the report does not open QGIS's Results Viewer, which takes half of the dock's height.
         configuration = {REPORTS_AS_FILES: True}
         algorithm = QgsApplication.processingRegistry().createAlgorithmById(TRAIN_MODEL, configuration)

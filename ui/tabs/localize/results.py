@@ -122,7 +122,6 @@ class Details(QTextEdit):
 
 
 def _lines(finding: Finding) -> list[str]:
-    """Lines of HTML."""
     how_sure = _joined(
         (finding.confidence if finding.is_by_vector else None, tr("confidence {value:.2f}")),
         (error_text(finding) or None, tr("error probability {value}")),

@@ -236,7 +236,6 @@ class LocalizeTab(QWidget):
         self.results.show_findings(findings)
 
     def _now_chosen(self) -> tuple[str, str]:
-        """Return the chosen paths of database and model."""
         return self._database.path(), self.images.model_path()
 
     def _follow_choice(self) -> None:
@@ -256,7 +255,6 @@ class LocalizeTab(QWidget):
             box.setCollapsed(True)
 
     def _show_choices(self, folded: bool) -> None:
-        """Show method and search area together with the images."""
         for row in (self.method, self.prior):
             row.setVisible(not folded)
 
