@@ -118,7 +118,6 @@ def localize_with(
     first ones can confirm them. The published method takes the first labels.
 
     Args:
-        search: Method, and whether to return matches.
         prior: Prior of the image's center; with a range of pixel sizes if the image is leveled.
         leveling: How to level the image; None to use it as taken. The method must find heading and pixel size.
     """

@@ -41,7 +41,6 @@ class _Staged:
         workplace: Private folder beside the target for writing.
         require_free: Function that raises ParameterError if the target may not be replaced.
         keeps_older: Whether the workplace has the only copy of an older output.
-        identity: State of the new workplace.
     """
 
     final: Path

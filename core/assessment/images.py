@@ -57,7 +57,6 @@ class ImageSimulator:
         Args:
             database: With an overview if map correlation is needed.
             footprint: Footprint width of an image, m.
-            biases: Known class offsets of the labels.
 
         Raises:
             ParameterError: The footprint is invalid.

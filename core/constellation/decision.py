@@ -48,7 +48,6 @@ def risk_against(opponents: Opponents, rival: float, settings: Decision) -> floa
     The growth slows down for large leads, because some errors are not due to chance (``confidence_scale``).
 
     Args:
-        opponents: The best candidate and the map.
         rival: Log odds; negative ones count as 0.
     """
     larger = np.log(max(opponents.landmarks, 1) / LANDMARKS_CALIBRATED)

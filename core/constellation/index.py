@@ -128,7 +128,6 @@ def full_area(contour_areas: np.ndarray | float, pixel: float) -> np.ndarray:
 
     Args:
         contour_areas: (n,), or one, in the unit of ``pixel`` squared.
-        pixel: Edge of a pixel.
     """
     return (np.sqrt(contour_areas) + pixel) ** 2
 

@@ -37,13 +37,11 @@ class FlightImage:
     """One image of a flight.
 
     Attributes:
-        name: Of its file.
         labels_hw: (H, W) uint8 labels of the database's class table, 0 = unknown; of a camera that looks straight down,
             or leveled. Comparisons ignore them.
         own: Localization of the image by itself; None without one.
         time_s: Time of capture, seconds from any fixed moment; None if unknown.
         prior: Of this image: heading with its range, range of pixel sizes, position with its radius.
-        biases: Class offsets of the labels.
         leveling: How the labels were leveled; None for labels as taken.
         is_apart: Its pixels do not show the ground of the image before, so that motion between overlapping images did
             not continue.

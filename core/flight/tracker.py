@@ -107,7 +107,6 @@ class FlightTracker:
         """Add the next image and return its pose, which is a fix only while a track is followed.
 
         Args:
-            image: Its labels and priors.
             link: From the image before. If None, the motion before continues. Without any motion, and where the pixels
                 contradict it, the flight begins again.
         """

@@ -73,7 +73,6 @@ def refined_pose(matched: MatchedPoints, pose: Pose, errors: SharedErrors) -> tu
     Args:
         matched: At least three landmarks.
         pose: A fit to them.
-        errors: Prior knowledge of the map and of the network.
 
     Returns:
         The pose as the mean over all possible variances; its covariance with the stated variances added.

@@ -47,7 +47,6 @@ class SeenLabels:
         labels_hw: (H, W) uint8 labels.
         shares: Only for photos and networks that output probabilities.
         trained_on: Places that the network of a photo was trained on, empty if unknown; None for label images.
-        biases: Class offsets.
         pixels: (H, W, 3) uint8 of the photo, red first, and (H, W) bool of pixels with data (None: everywhere); None
             if not requested.
         look_again: Labels a photo again, more thoroughly; None if that is not wanted.

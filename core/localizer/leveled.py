@@ -30,7 +30,6 @@ def of_leveled(prior: Prior, way: Leveling) -> Prior:
 
     Args:
         prior: Of the image's center, with a range of pixel sizes.
-        way: How the image is leveled.
     """
     if prior.position is None or prior.radius is None or prior.pixel_size_range is None:
         return prior

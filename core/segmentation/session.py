@@ -56,9 +56,6 @@ def available_providers() -> list[str]:
 def open_session(path: str, threads: int, provider: str) -> InferenceSession:
     """Open a network on one provider or on the CPU, without a silent fallback to another provider.
 
-    Args:
-        provider: onnxruntime's name of the provider.
-
     Raises:
         ModelError: The file can't be used, or the provider does not start.
     """

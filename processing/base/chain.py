@@ -46,7 +46,6 @@ class Step:
     Attributes:
         algorithm: Its id in SemRef.
         files: Names of its files in the folder; the first one shows that it was run.
-        text: What is shown while it runs.
     """
 
     algorithm: str

@@ -41,8 +41,6 @@ class TakenImage:
     Attributes:
         result: Result of the image alone; None with an error.
         flown: Input of the flight: leveled labels and the result of the image alone; None with an error.
-        remark: Sentence about its leveling.
-        error: Why it cannot be read.
     """
 
     path: str

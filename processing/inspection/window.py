@@ -49,7 +49,6 @@ class InspectedWindow:
     """A window for display.
 
     Attributes:
-        index: Index in the database's windows.
         name: First column and row.
         center_xy: Map coordinates.
         size: Edge length, map units.

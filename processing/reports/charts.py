@@ -43,7 +43,6 @@ class Series:
     Attributes:
         low: Lower limits of y, or None.
         high: Upper limits of y, or None.
-        marked: Whether the points get markers.
         stepped: Whether y is constant until the next x.
     """
 
@@ -178,7 +177,6 @@ def profile_chart(
     Args:
         success: Shares with their interval, left axis.
         seen: Numbers of landmarks, right axis.
-        x_axis: Distance along the route.
         seen_axis: Right axis, with as many ticks as the left one.
         shaded: (from, to) of stretches.
     """
