@@ -53,10 +53,8 @@ class AddModel(SemRefAlgorithm):
         "used outputs. A checkpoint needs the training environment (Settings ▸ Options ▸ SemRef)."
     )
 
-    INPUT = "INPUT"
     PRESET = "PRESET"
     CLASSES = "CLASSES"
-    RESOLUTION = parameters.RESOLUTION
     PIXEL_VALUES = "PIXEL_VALUES"
     MEAN = "MEAN"
     STANDARD_DEVIATION = "STANDARD_DEVIATION"
@@ -65,8 +63,6 @@ class AddModel(SemRefAlgorithm):
     NAME = "NAME"
     ARCHITECTURE = "ARCHITECTURE"
     ENCODER = "ENCODER"
-    PYTHON = parameters.PYTHON
-    OUTPUT = "OUTPUT"
     CLASS_COUNT = "CLASS_COUNT"
 
     def parameters(self) -> tuple[Declared, ...]:

@@ -51,7 +51,6 @@ class AssessDatabase(AssessAlgorithm):
     FOOTPRINT = "FOOTPRINT"
     SPACING = "SPACING"
     TRIALS = "TRIALS"
-    OUTPUT = "OUTPUT"
     LOCALIZABLE_FRACTION = "LOCALIZABLE_FRACTION"
 
     def parameters(self) -> tuple[Declared, ...]:

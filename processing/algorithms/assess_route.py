@@ -86,7 +86,6 @@ class AssessRoute(AssessAlgorithm):
     SHIFT = "SHIFT"
     ASSESSMENT = "ASSESSMENT"
     BASE_MAP = "BASE_MAP"
-    OUTPUT = "OUTPUT"
     LONGEST_GAP = "LONGEST_GAP"
     LONGEST_GAP_SECONDS = "LONGEST_GAP_SECONDS"
 

@@ -46,11 +46,9 @@ class CheckAnnotation(AnnotationAlgorithm):
         "layer” repairs most findings."
     )
 
-    MINIMUM_AREA = "MINIMUM_AREA"
     MAXIMUM_GAP = "MAXIMUM_GAP"
     PIXEL_SIZE = "PIXEL_SIZE"
     ISSUES = "ISSUES"
-    REPORT = "REPORT"
     ISSUE_COUNT = "ISSUE_COUNT"
     ERROR_COUNT = "ERROR_COUNT"
 

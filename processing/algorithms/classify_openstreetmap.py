@@ -67,11 +67,9 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
         "Geofabrik shapefile, or a layer with tags in columns. A table of rules assigns classes to tags."
     )
 
-    INPUT = "INPUT"
     LINES = "LINES"
     RULES = "RULES"
     OTHER_CLASS = "OTHER_CLASS"
-    OUTPUT = "OUTPUT"
     FEATURE_COUNT = "FEATURE_COUNT"
 
     def parameters(self) -> tuple[Declared, ...]:

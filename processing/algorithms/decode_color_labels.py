@@ -32,10 +32,7 @@ class DecodeColorLabels(SemRefAlgorithm):
         "are unlabeled (0). With “Nearest color”, black is unlabeled unless a class is black."
     )
 
-    INPUT = "INPUT"
-    CLASS_TABLE = "CLASS_TABLE"
     METHOD = "METHOD"
-    OUTPUT = "OUTPUT"
     HSV_RANGES, NEAREST_COLOR = range(2)
 
     def parameters(self) -> tuple[Declared, ...]:

@@ -47,11 +47,6 @@ class DescribeImage(SemRefAlgorithm):
         "classes, minimum area and vector length are used. Without a database, set them here."
     )
 
-    INPUT = "INPUT"
-    DATABASE = "DATABASE"
-    CLASS_TABLE = "CLASS_TABLE"
-    REFERENCE_CLASSES = "REFERENCE_CLASSES"
-    MINIMUM_AREA = "MINIMUM_AREA"
     REFERENCES_PER_VECTOR = "REFERENCES_PER_VECTOR"
     REFERENCES = "REFERENCES"
     VECTOR = "VECTOR"

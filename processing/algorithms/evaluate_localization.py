@@ -75,7 +75,7 @@ class EvaluateLocalization(SemRefAlgorithm):
         "map of the database itself is too optimistic."
     )
 
-    DATABASE, LABELS, REPORT, SEED = parameters.DATABASE, parameters.LABELS, parameters.REPORT, parameters.SEED
+    SEED = parameters.SEED
     METHODS = "METHODS"
     TRIALS = "TRIALS"
     MIRRORED = "MIRRORED"
@@ -84,7 +84,6 @@ class EvaluateLocalization(SemRefAlgorithm):
     OFFSET = "OFFSET"
     MINIMUM_REFERENCES = "MINIMUM_REFERENCES"
     RIGHT_WITHIN = "RIGHT_WITHIN"
-    OUTPUT = "OUTPUT"
     JSON = "JSON"
     SUCCESS_RATE = "SUCCESS_RATE"
     MEDIAN_ERROR = "MEDIAN_ERROR"

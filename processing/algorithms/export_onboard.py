@@ -43,13 +43,11 @@ class ExportOnboard(SemRefAlgorithm):
         "the log shows the largest error. An existing onboard file is replaced. Other files are never overwritten."
     )
 
-    DATABASE = "DATABASE"
     PRECISION = "PRECISION"
     CLIP = "CLIP"
     DISTANCE = "DISTANCE"
     OVERVIEW = "OVERVIEW"
     KEY_FILE = "KEY_FILE"
-    OUTPUT = "OUTPUT"
     BYTES = "BYTES"
 
     def parameters(self) -> tuple[Declared, ...]:

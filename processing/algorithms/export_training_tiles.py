@@ -34,12 +34,8 @@ class ExportTrainingTiles(SemRefAlgorithm):
     )
 
     IMAGE = "IMAGE"
-    LABELS = "LABELS"
     TILE_SIZE = "TILE_SIZE"
     STRIDE = "STRIDE"
-    VALIDATION_FRACTION = parameters.VALIDATION_FRACTION
-    CLASS_TABLE = "CLASS_TABLE"
-    OUTPUT = "OUTPUT"
     TILE_COUNT = "TILE_COUNT"
 
     def parameters(self) -> tuple[Declared, ...]:

@@ -57,9 +57,6 @@ class GeoreferenceImages(SemRefAlgorithm):
     FORMAT = "FORMAT"
     FOOTPRINTS = "FOOTPRINTS"
     MATCHES = "MATCHES"
-    IMAGES = "IMAGES"
-    OUTPUT = "OUTPUT"
-    RESOLUTION = parameters.RESOLUTION
     IMAGE_COUNT = "IMAGE_COUNT"
 
     def parameters(self) -> tuple[Declared, ...]:

@@ -54,7 +54,6 @@ class LocalizeFlight(LocalizeAlgorithm):
     ODOMETRY = "ODOMETRY"
     LOG = "LOG"
     TRACK = "TRACK"
-    REPORT = parameters.REPORT
     TRACK_COUNT = "TRACK_COUNT"
 
     def parameters(self) -> tuple[Declared, ...]:

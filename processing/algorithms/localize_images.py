@@ -50,8 +50,6 @@ class LocalizeImages(LocalizeAlgorithm):
 
     ALTERNATIVES = "ALTERNATIVES"
     LAYER = "LAYER"
-    EXTENT = parameters.EXTENT
-    MASK = parameters.MASK
 
     def parameters(self) -> tuple[Declared, ...]:
         return (

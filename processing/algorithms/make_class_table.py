@@ -30,8 +30,6 @@ class MakeClassTable(AnnotationAlgorithm):
         "SemRef or a spreadsheet."
     )
 
-    REFERENCE_CLASSES = parameters.REFERENCE_CLASSES
-    OUTPUT = "OUTPUT"
     PRESET = "PRESET"
     CLASS_COUNT = "CLASS_COUNT"
 

@@ -49,10 +49,8 @@ class RasterizeAnnotation(AnnotationAlgorithm):
     )
 
     PIXEL_SIZE = "PIXEL_SIZE"
-    EXTENT = "EXTENT"
     TARGET_CRS = "TARGET_CRS"
     OTHER_GROUND = "OTHER_GROUND"
-    OUTPUT = "OUTPUT"
     CLASS_COUNT = "CLASS_COUNT"
     LABELED_FRACTION = "LABELED_FRACTION"
 

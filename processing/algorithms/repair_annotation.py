@@ -34,8 +34,6 @@ class RepairAnnotation(AnnotationAlgorithm):
     )
 
     MAXIMUM_GAP = "MAXIMUM_GAP"
-    MINIMUM_AREA = "MINIMUM_AREA"
-    OUTPUT = "OUTPUT"
     CHANGES = "CHANGES"
 
     def parameters(self) -> tuple[Declared, ...]:

@@ -50,17 +50,9 @@ class SegmentImage(SemRefAlgorithm):
         "given extent."
     )
 
-    INPUT = "INPUT"
-    MODEL = "MODEL"
     OVERLAP = "OVERLAP"
-    RESOLUTION = parameters.RESOLUTION
-    CLASS_TABLE = "CLASS_TABLE"
-    EXTENT = parameters.EXTENT
-    OUTPUT = "OUTPUT"
     POLYGONS = "POLYGONS"
-    MINIMUM_AREA = "MINIMUM_AREA"
     TOLERANCE = "TOLERANCE"
-    MASK = parameters.MASK
     CONFIDENCE = "CONFIDENCE"
     PROBABILITIES = "PROBABILITIES"
     CERTAINTY = "CERTAINTY"

@@ -80,20 +80,15 @@ class SetUpArea(SemRefAlgorithm):
     )
 
     ANNOTATION = "ANNOTATION"
-    CLASS_FIELD = parameters.CLASS_FIELD
     LINES = "LINES"
     PHOTOS = "PHOTOS"
     PHOTO_WIDTH = "PHOTO_WIDTH"
     FLIGHT = "FLIGHT"
     IMAGERY = "IMAGERY"
-    EXTENT = parameters.EXTENT
-    MODEL = parameters.MODEL
     MINUTES = "MINUTES"
     FOLDER = "FOLDER"
-    DATABASE = "DATABASE"
     TRAINED_MODEL = "TRAINED_MODEL"
     POSITIONS = "POSITIONS"
-    REPORT = "REPORT"
 
     def parameters(self) -> tuple[Declared, ...]:
         return (

@@ -63,23 +63,15 @@ class TrainModel(AnnotationAlgorithm):
     )
 
     IMAGE = "IMAGE"
-    LABELS = "LABELS"
-    EXTENT = parameters.EXTENT
     UNLABELED = "UNLABELED"
     BASE_MODEL = "BASE_MODEL"
     MINUTES = "MINUTES"
     EPOCHS = "EPOCHS"
     PATIENCE = "PATIENCE"
     NETWORK = "NETWORK"
-    RESOLUTION = parameters.RESOLUTION
-    VALIDATION_FRACTION = parameters.VALIDATION_FRACTION
     RESUME = "RESUME"
-    PYTHON = parameters.PYTHON
     SEED = "SEED"
-    OUTPUT = "OUTPUT"
-    REPORT = "REPORT"
     MEAN_IOU = "MEAN_IOU"
-    MASK = parameters.MASK
 
     _has_single_class = False
 

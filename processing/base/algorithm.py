@@ -38,6 +38,7 @@ from ..packages.components import NEEDED, Package, require
 from ..threads import worker_threads
 from ..translation import tr
 from ..version import algorithm_help_url, plugin_version
+from . import parameters as keys
 from .destinations import is_batch, require_outputs_apart, require_rows_apart
 from .outputs import Outputs
 from .values import Values
@@ -85,6 +86,13 @@ class SemRefAlgorithm(WithIcon, QgsProcessingAlgorithm):
 
     It translates its title and summary, and the titles and helps of its parameters and outputs.
     """
+
+    DATABASE, MODEL, LABELS, IMAGES = keys.DATABASE, keys.MODEL, keys.LABELS, keys.IMAGES
+    INPUT, CLASS_FIELD, CLASS_TABLE = keys.INPUT, keys.CLASS_FIELD, keys.CLASS_TABLE
+    EXTENT, MASK, RESOLUTION, PYTHON = keys.EXTENT, keys.MASK, keys.RESOLUTION, keys.PYTHON
+    REFERENCE_CLASSES, VALIDATION_FRACTION = keys.REFERENCE_CLASSES, keys.VALIDATION_FRACTION
+    REPORT, MINIMUM_AREA, OUTPUT = keys.REPORT, "MINIMUM_AREA", "OUTPUT"
+    """Keys of parameters that several algorithms have."""
 
     ID = ""
     TITLE = ""

@@ -41,11 +41,8 @@ class AnnotationAlgorithm(SemRefAlgorithm):
     GROUP = ANNOTATION
     _source: AnnotationSource
 
-    INPUT = parameters.INPUT
-    CLASS_FIELD = parameters.CLASS_FIELD
     CLASS = parameters.CLASS
     PRIORITY_FIELD = parameters.PRIORITY_FIELD
-    CLASS_TABLE = parameters.CLASS_TABLE
 
     def check(self, values: Values) -> None:
         if values.has(self.INPUT) and not (values.text(self.CLASS_FIELD) or values.text(self.CLASS).strip()):

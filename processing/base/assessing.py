@@ -96,7 +96,7 @@ def _noise(key: str, title: str, text: str) -> QgsProcessingParameterDefinition:
 class AssessAlgorithm(SemRefAlgorithm):
     """Base of algorithms that simulate images of a database."""
 
-    DATABASE, REPORT, SEED = parameters.DATABASE, parameters.REPORT, parameters.SEED
+    SEED = parameters.SEED
     MAP_CORRELATION = "MAP_CORRELATION"
     THRESHOLD = "THRESHOLD"
 

@@ -52,17 +52,12 @@ if TYPE_CHECKING:
 class LocalizeAlgorithm(SemRefAlgorithm):
     GROUP = LOCALIZATION
 
-    DATABASE = parameters.DATABASE
-    IMAGES = parameters.IMAGES
-    MODEL = parameters.MODEL
     METHOD = "METHOD"
     ATTITUDE = "ATTITUDE"
     MAXIMUM_SPEED = "MAXIMUM_SPEED"
     RISK = "RISK"
-    OUTPUT = "OUTPUT"
     FOOTPRINTS = "FOOTPRINTS"
     MATCHES = "MATCHES"
-    LABELS = "LABELS"
     FIX_COUNT = "FIX_COUNT"
     SUN_DIRECTION = "SUN_DIRECTION"
 
