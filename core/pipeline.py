@@ -68,7 +68,6 @@ class Pipeline:
     """Localizes images one by one; a result does not depend on earlier images.
 
     Attributes:
-        search: Method and prior of all images.
         looks_again: Whether a photo without a position is labeled again, more thoroughly. Images of a flight need it
             less than they need the time.
     """

@@ -99,7 +99,6 @@ class Columns:
 
     Attributes:
         names: Of the columns, in lower case.
-        separator: Between cells.
         first: The line itself.
     """
 

@@ -44,7 +44,6 @@ def check_features(
     Args:
         minimum_area: m²; smaller regions are not landmarks.
         maximum_gap: m²; enclosed gaps up to this area are reported.
-        landmark_classes: Class values that become landmarks.
 
     Returns:
         The findings, and the drawn regions of the landmark classes with at least the minimum area.

@@ -52,12 +52,10 @@ class ConstellationIndex:
         log_areas: (N,) ln m².
         densities: (N,) landmarks of the same class per square map unit nearby.
         whole: (N,) bool, not cut by the map's edge.
-        minimum_area_m2: Smallest area on the map.
         neighbors: (N, K) int32, nearest larger landmarks, −1 for missing ones.
         keys: (T,) uint32, ascending.
         triangles: (T,) int32, (anchor · P + pair) · 6 + order, P pairs of neighbors; int64 from 23 million landmarks.
         fine: (T, 5) uint8, the five numbers in steps of 1 / 255 of their range.
-        matcher: Finds the nearest landmark of a class.
         area_densities: (C, B) density of ln area in AREA_BINS.
         by_easting: (N,) int64, landmarks from west to east.
         eastings: (N,) their eastings, ascending.

@@ -36,7 +36,6 @@ class Lookup:
 
         Args:
             triangles: All or some triangles of the image.
-            prior: Prior that restricts the poses.
         """
         self.index, self.query, self.triangles, self.prior = index, query, triangles, prior
         self._done = np.zeros(len(triangles), bool)

@@ -68,7 +68,6 @@ def empty_side(of_image: Agreement, of_map: Agreement, diagonal: float, settings
         of_image: Landmarks of the image that could be on the map.
         of_map: Landmarks of the map that should be in the image.
         diagonal: Of the image, pixels.
-        settings: Thresholds of the likelihood ratio and of the difference of shares.
 
     Returns:
         The side with the largest likelihood ratio; None if no side is empty.

@@ -196,7 +196,6 @@ def position_error_95(
 
     Args:
         covariance_m2: (2, 2) of the position.
-        overview_pixel_m: Pixel size of the map's overview.
     """
     if not np.isfinite(covariance_m2).all():
         return float("inf")

@@ -45,8 +45,6 @@ def full_pose_covariance(  # noqa: PLR0913 - a fit, what it was made on, and wha
     Args:
         covariance: (4, 4) of ``pose_covariance``, with that of leaning roofs.
         edge_m: Of the ground that the image shows.
-        overview_pixel_m: Pixel size of the map's overview.
-        errors: Of the map and of the labels.
         effect: Possible effect of lens and tilt, if it was estimated.
     """
     if not np.isfinite(covariance).all():

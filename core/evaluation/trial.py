@@ -60,7 +60,6 @@ class Trial:
     Attributes:
         is_right: Whether it is a fix at the right place.
         error: Distance of the position from the true one, m; also of a likely position.
-        heading_error_deg: Smaller angle between both headings.
         scale_error: Of the pixel size, relative.
         radius_ratio: Error in units of the stated 95 % ellipse or circle in its direction; at most 1 inside.
         window: Matched window, or the one nearest to the position.
@@ -109,7 +108,6 @@ def judge(  # noqa: PLR0913 - the last three are notes that a trial carries alon
     """Compare a result with the ground truth.
 
     Args:
-        query: The image with its view.
         right_within: Largest error of a right position, m; None for RIGHT_SHARE of the footprint.
         landmarks: As in ``Trial``.
         seconds: As in ``Trial``.

@@ -209,7 +209,6 @@ def shared_after(shared_m2: float, measured: Measurement, settings: FlightSettin
 
     Args:
         shared_m2: Value before; 0 without measurements.
-        measured: The new measurement.
     """
     here = shared_variance([measured], settings)
     if shared_m2 <= 0:

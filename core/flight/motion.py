@@ -143,7 +143,6 @@ class Link:
             sigma_log_scale: Standard deviation of ``log_scale``.
             heading_deg: Heading of the first image, clockwise from grid north, if dx and dy are along the map's axes.
             sigma_map_heading_deg: Standard deviation of ``heading_deg``.
-            source: Of the motion.
 
         Raises:
             ParameterError: As of the link.

@@ -37,7 +37,6 @@ class OdometryRow:
         up_m: Motion towards the top of that image.
         turn_deg: Change of heading, clockwise.
         sigma_m: Standard deviation of ``right_m`` and ``up_m``.
-        sigma_turn_deg: Standard deviation of the turn.
         scale: Ratio of pixel sizes, this row to the row before.
         sigma_scale: Standard deviation of its logarithm.
         is_break: The motion since the row before is unknown.

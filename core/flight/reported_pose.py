@@ -30,7 +30,6 @@ def report_pose(image: FlightImage, localizer: Localizer, estimate: Estimate, ri
 
     Args:
         risk: Error probability of its track.
-        track: Number of its track.
     """
     place = place_of(estimate.state, localizer.pyramid.frame.origin)
     size = place.oriented[1]

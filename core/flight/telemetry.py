@@ -79,7 +79,6 @@ class Telemetry:
 
         Args:
             start_s: Seconds, on the log's clock.
-            end_s: Later.
         """
         is_known = np.isfinite(self.values[:, 4:]).all(axis=1)
         inside = self.times_s[is_known & (self.times_s > start_s) & (self.times_s < end_s)]

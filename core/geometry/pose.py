@@ -48,7 +48,6 @@ class PoseCovariance:
 
     Attributes:
         position: ((xx, xy), (xy, yy)) covariance of the position along the map's axes, map units².
-        heading_deviation_deg: Standard deviation of the heading.
         pixel_size_deviation: Standard deviation of the pixel size, map units.
         ellipse_95: 95 % ellipse of the position.
         radius_95: 95 % radius of the position.
@@ -199,7 +198,6 @@ def fit_tilted(image: np.ndarray, on_map: np.ndarray, deviations: np.ndarray, po
         image: (n,) complex image points.
         on_map: (n,) complex map points.
         deviations: (n,) σ per axis, map units.
-        pose: Initial pose.
         diagonal: Of the image, pixels.
     """
     solution = np.linalg.solve(*_tilted_system(image, on_map, deviations, pose, diagonal))

@@ -158,7 +158,6 @@ def prior_near(fix: Localization, prior: Prior, shorter_edge_px: int, settings: 
 
     Args:
         fix: Of map correlation.
-        prior: Prior of the image.
 
     Raises:
         ValueError: There is no fix.
@@ -251,7 +250,6 @@ def share_on_map(prior: Prior, extent: tuple[float, float, float, float]) -> flo
     """Return the share of the search area, a square, that is on the map; 1 if it contains the whole map.
 
     Args:
-        prior: Of the image.
         extent: Of the map (x_min, y_min, x_max, y_max).
     """
     if prior.position is None or not prior.radius:

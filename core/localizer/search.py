@@ -17,7 +17,6 @@ class Search:
     Attributes:
         known: Prior of all images, in the database's CRS.
         scales: Smallest and largest ground that an image shows, in window sizes; None for the method's default.
-        with_matches: Whether to return matching landmarks.
     """
 
     method: Method
@@ -48,7 +47,6 @@ class ImagesJob:
 
     Attributes:
         database: Path of the reference database.
-        has_overview: Whether to read its overview.
         model: Path of a network; empty for label images.
         risk: Maximum error probability.
         sun_deg: Azimuth of the sun; None if unknown.

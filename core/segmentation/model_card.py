@@ -27,7 +27,6 @@ class Ground:
     """Place where a model was trained or tested.
 
     Attributes:
-        about: Description of the place.
         is_left_out: Tested by a network of the same kind that was trained without this place.
         iou: Intersection over union by class name; empty for training places.
     """
@@ -47,9 +46,6 @@ class ModelCard:
         resolution_m: Meters per pixel of its training images.
         validation_iou: On held-out parts of the training ground.
         confusion: Share of each class (row) that is predicted as each.
-        good_for: One sentence.
-        not_for: One sentence.
-        license: One sentence.
         can_be_base: The architecture is stated, so that “Train model” can continue from it.
     """
 

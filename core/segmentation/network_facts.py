@@ -16,7 +16,6 @@ class NetworkFacts:
         resolution_m: Meters per pixel of its training images.
         mean: (red, green, blue) of pixels in 0…1.
         std: (red, green, blue) of pixels in 0…1.
-        license: One sentence.
         name: For the list of models; may be empty.
         threshold: Probability from which a pixel has the class, for networks with one output.
     """

@@ -16,7 +16,6 @@ class ClassRegion:
     """A connected region of one class.
 
     Attributes:
-        area_px: Pixels.
         box: Bounding box as slices (rows, columns).
         mask: (h, w) bool, its pixels in the box.
     """

@@ -28,9 +28,6 @@ _UNSAFE = ["PRELUDE_STATEMENTS=PRAGMA synchronous=OFF"]
 def write_changes(path: str, stored: StoredDatabase, changes: DatabaseChanges) -> Steps[None]:
     """Write a changed database as a new file.
 
-    Args:
-        stored: The database before the update.
-
     Raises:
         UnwritableError: GDAL can't write.
     """

@@ -43,7 +43,6 @@ class Correction:
     """Input of an update.
 
     Attributes:
-        annotation: Corrected land-cover layer.
         class_field: Field with the class; may be empty.
         priority_field: Field that decides where polygons overlap; may be empty.
         class_of_all: Class of all polygons; empty if ``class_field`` has the classes.
