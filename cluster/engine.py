@@ -243,7 +243,6 @@ def require_scheduler(address: str) -> None:
 
 
 def no_scheduler(address: str, reason: str) -> SemRefError:
-    """Return the error for an address without a scheduler."""
     return SemRefError(
         "There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: local:4.",
         address=address,

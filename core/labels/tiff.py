@@ -139,7 +139,6 @@ def _geo_keys(tags: Tags) -> dict[Any, Any]:
 
 
 def _meters_per_degree(latitude_deg: float) -> tuple[float, float]:
-    """Return meters per degree of longitude and of latitude."""
     flattened = 1 - _ECCENTRICITY_SQUARED * sin(radians(latitude_deg)) ** 2
     east = _EQUATOR_RADIUS_M / flattened**0.5 * cos(radians(latitude_deg))
     north = _EQUATOR_RADIUS_M * (1 - _ECCENTRICITY_SQUARED) / flattened**1.5

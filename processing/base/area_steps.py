@@ -67,7 +67,6 @@ class AreaRun:
 
 
 def steps_of(run: AreaRun) -> list[Step]:
-    """Return the steps in order."""
     steps = [*_mapping(run), _building(run)]
     if run.minutes and run.imagery:
         steps.append(_training(run, run.imagery, run.base, run.minutes))

@@ -122,7 +122,6 @@ class Record:
         return all(self._made.get(name) == [_state(self._folder / name), wanted] for name in step.files)
 
     def add(self, step: Step) -> None:
-        """Record the files of a step that has ended."""
         for name in step.files:
             self._made[name] = [_state(self._folder / name), self._key(step)]
         self._save()

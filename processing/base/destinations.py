@@ -63,7 +63,6 @@ class Destination:
     has_index: bool = False
 
     def in_file(self, path: str) -> str:
-        """Return the same destination in another file."""
         if not self.is_table:
             return path
         uri = _uri(self.text)

@@ -89,7 +89,6 @@ def _flight_cells(item: LocalizedImage) -> dict[str, Any]:
 def write_footprints(
     outputs: Outputs, key: str, localized: Sequence[LocalizedImage], crs: QgsCoordinateReferenceSystem
 ) -> None:
-    """Write the footprint of each image with a position."""
     with outputs.layer(key, FOOTPRINT_FIELDS, POLYGON, crs, "footprints") as sink:
         for item in localized:
             if item.result is not None and item.result.footprint is not None:
@@ -122,7 +121,6 @@ def write_matches(
     database: ReferenceDatabase,
     crs: QgsCoordinateReferenceSystem,
 ) -> None:
-    """Write the landmarks of the map that match landmarks of the images."""
     with outputs.layer(key, MATCH_FIELDS, POINT, crs, "matches") as sink:
         for item in localized:
             for position, cells in _match_rows(item, database):

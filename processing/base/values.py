@@ -68,7 +68,6 @@ class Values:
         return definition.description(), f"{definition.help()}\n\n{self._algorithm.shortDescription()}"
 
     def has(self, key: str) -> bool:
-        """Return whether a value is set."""
         return self.raw(key) not in (None, "")
 
     def require_texts(self) -> None:

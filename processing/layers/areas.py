@@ -43,7 +43,6 @@ class DrawnArea:
 
     @property
     def fingerprint(self) -> str:
-        """Hash of the area."""
         found = sha256(self.crs.authid().encode())
         for geometry in self.geometries:
             found.update(geometry.asWkb().data())

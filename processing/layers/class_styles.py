@@ -171,7 +171,6 @@ def cells_renderer(threshold: float, footprint: float, is_only: bool) -> QgsGrad
 
 
 def route_renderer(threshold: float) -> QgsGraduatedSymbolRenderer:
-    """Return a renderer of route stretches by success."""
     return _graduated_renderer("route", "success", threshold)
 
 

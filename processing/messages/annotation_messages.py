@@ -64,7 +64,6 @@ def kind_titles() -> dict[str, str]:
 
 
 def change_sentence(finding: Finding, class_names: dict[int, str]) -> str:
-    """Return the sentence for a change that a repair made."""
     return _filled(_change_templates()[finding.kind], finding, class_names)
 
 

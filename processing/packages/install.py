@@ -267,7 +267,6 @@ _NETWORK_TROUBLE = re.compile(
 
 
 def why_pip_failed(requirement: str, output: str, wheels: str) -> Sentence:
-    """Return one sentence about pip's output."""
     python = f"{sys.version_info[0]}.{sys.version_info[1]}"
     if "DO NOT MATCH THE HASHES" in output or "--require-hashes mode" in output:
         return Sentence(

@@ -215,7 +215,6 @@ class MethodRow(QWidget):
         return self.choice.currentData()
 
     def choose(self, method: int) -> None:
-        """Select a METHOD."""
         self.choice.setCurrentIndex(self.choice.findData(method))
 
     def _remember(self) -> None:

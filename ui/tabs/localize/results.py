@@ -24,8 +24,6 @@ _SHARES = 2, 3, 0
 
 
 class ResultsBox(FoldingBox):
-    """Results with buttons."""
-
     def __init__(self) -> None:
         super().__init__(tr("Results"), "SemRefResults")
         self.list = ResultsList()
