@@ -155,11 +155,7 @@ def _found(  # noqa: PLR0913 - as ``localize_with``, and an earlier result for t
 
 
 def level_labels(seen: SeenLabels, way: Leveling) -> SeenLabels:
-    """Return the labels of an image as a level camera sees them.
-
-    Args:
-        seen: Of the image as taken.
-    """
+    """Return the labels of an image as a level camera sees them."""
     shares = seen.shares
     if shares is not None:
         height, width = seen.labels_hw.shape
@@ -180,9 +176,6 @@ def of_leveled(prior: Prior, way: Leveling) -> Prior:
 
 def as_taken(found: Localization, way: Leveling) -> Localization:
     """Return the result of a leveled image for the image as taken.
-
-    Args:
-        found: Of the leveled image.
 
     Returns:
         Position, heading and pixel size of the image's center; the heading is that of its top after leveling. Matches

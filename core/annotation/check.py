@@ -90,9 +90,6 @@ def find_gaps_and_slivers(polygons: AnnotatedPolygons, partition: PlanarPartitio
 
     Args:
         maximum_gap: m²; larger gaps count as intended.
-
-    Returns:
-        Warnings, one for each gap or thin piece.
     """
     top = partition.top_polygons(polygons.repair_ranks())
     _, merges = merge_gaps_and_slivers(partition, classes_of_faces(polygons, top), maximum_gap)

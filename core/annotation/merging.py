@@ -74,9 +74,6 @@ def merge_finding(
     Args:
         partition: Their F faces.
         top: (F,) int64 visible polygon on each face, or −1.
-
-    Returns:
-        The finding; its area in m².
     """
     owner = top[merge.faces[np.argmax(partition.areas[merge.faces])]]
     return Finding(

@@ -39,9 +39,6 @@ def runs_of_strip(regions_hw: np.ndarray, first_row: int) -> RegionRuns:
     Args:
         regions_hw: (H, W) numbers of regions, 0 elsewhere.
         first_row: Row of the raster where these rows start.
-
-    Returns:
-        The runs, with rows of the raster.
     """
     height, width = regions_hw.shape
     begins = np.ones((height, width), bool)

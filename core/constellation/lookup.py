@@ -32,11 +32,7 @@ class Lookup:
     def __init__(
         self, index: ConstellationIndex, query: SeenLandmarks, triangles: QueryTriangles, prior: Prior | None
     ) -> None:
-        """Look up nothing yet.
-
-        Args:
-            triangles: All or some triangles of the image.
-        """
+        """Look up nothing yet."""
         self.index, self.query, self.triangles, self.prior = index, query, triangles, prior
         self._done = np.zeros(len(triangles), bool)
         self._found: list[Poses] = []

@@ -113,9 +113,6 @@ def _read_table(path: str) -> dict[str, Camera]:
 def row_camera(row: Row, source: str) -> Camera:
     """Return the camera of a row.
 
-    Args:
-        source: Name of the file.
-
     Raises:
         ParameterError: A value can't be used; the error names the line.
     """

@@ -123,11 +123,7 @@ def meters_from(origin: tuple[float, float], place: tuple[float, float]) -> tupl
 
 
 def local_axes(lon_lat: LonLatPolynomial, position: tuple[float, float]) -> np.ndarray:
-    """Return (2, 2): east and north, in meters, of a step of one map unit along the map's x, and along its y.
-
-    Args:
-        position: Map (x, y).
-    """
+    """Return (2, 2): east and north, in meters, of a step of one map unit along the map's x, and along its y."""
     x, y = position
     ends = np.array([(x - _STEP, y), (x + _STEP, y), (x, y - _STEP), (x, y + _STEP)])
     longitudes, latitudes = (values.tolist() for values in lon_lat(ends))

@@ -94,11 +94,7 @@ def read_tags(path: str) -> PhotoTags:
 
 
 def photo_tags(data: bytes) -> PhotoTags:
-    """Return the tags of a JPEG's, TIFF's or HEIC's content; the beginning of a JPEG or HEIC is enough.
-
-    Args:
-        data: Content of the file, of any kind.
-    """
+    """Return the tags of a JPEG's, TIFF's or HEIC's content; the beginning of a JPEG or HEIC is enough."""
     if data.startswith(STARTS):
         return _tiff_tags(io.BytesIO(data))
     if data[4:12] in _HEIC_STARTS:

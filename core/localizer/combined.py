@@ -156,9 +156,6 @@ def _same(place: Place, areas: Localization, shorter_edge_px: int, settings: Loc
 def prior_near(fix: Localization, prior: Prior, shorter_edge_px: int, settings: LocalizerSettings = LOCALIZER) -> Prior:
     """Return the prior with which the constellation can confirm map correlation's fix: its pose and uncertainty.
 
-    Args:
-        fix: Of map correlation.
-
     Raises:
         ValueError: There is no fix.
     """

@@ -115,11 +115,7 @@ class OdometryTable(TableOfImages[OdometryRow]):
     """Motion from image to image in a growing table."""
 
     def __init__(self, path: str, is_ended: bool) -> None:
-        """Store the path; nothing is read yet.
-
-        Args:
-            is_ended: No program writes any more.
-        """
+        """Store the path; nothing is read yet."""
         super().__init__(path, check_odometry, step_of, is_ended)
 
     def link(self, before: str, now: str) -> Link | None:
@@ -136,11 +132,7 @@ class GrowingTable:
     """
 
     def __init__(self, path: str, check: Check) -> None:
-        """Store the path; nothing is read yet.
-
-        Args:
-            check: Checks the header.
-        """
+        """Store the path; nothing is read yet."""
         self.path, self._check, self.restarts = path, check, 0
         self._columns: Columns | None = None
         self._place = self._number = 0

@@ -49,9 +49,6 @@ class OnnxNetwork:
     def __init__(self, path: str, threads: int, device: str = AUTO) -> None:
         """Open the network.
 
-        Args:
-            device: One of ``devices.KEYS``.
-
         Raises:
             ModelError: onnxruntime is missing, or the file or its metadata can't be used.
         """

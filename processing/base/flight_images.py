@@ -91,11 +91,7 @@ def with_log(
 
 
 class FlightReader:
-    """Reads the images of a flight and measures the motion between neighbors.
-
-    Attributes:
-        taken: Images that were read, in order.
-    """
+    """Reads the images of a flight and measures the motion between neighbors."""
 
     def __init__(self, pipeline: Pipeline, keep: LabelImages) -> None:
         self._pipeline, self._keep = pipeline, keep
