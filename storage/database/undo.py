@@ -12,7 +12,7 @@ from pathlib import Path
 from ...core.errors import DatabaseError, ParameterError
 from ..atomic_output import Batch
 from ..gdal_errors import unwritten_database
-from ..vector_files import copy_whole
+from ..vector_files import WAIT_S, copy_whole
 
 _BEFORE = "_before_update"
 
@@ -31,7 +31,8 @@ def can_undo(path: str) -> bool:
 def replace_keeping(path: str, updated: str, of: str | None = None) -> str | None:
     """Replace a database by its updated version and keep the old one as the undo copy; both or neither.
 
-    The undo copy has a table with the checksums of the updated database: only that database can be undone.
+    On file systems with hard links the old file itself becomes the undo copy. The undo copy has a table with the
+    checksums of the updated database: only that database can be undone.
 
     Args:
         updated: The updated database in another file, which is moved.
@@ -54,12 +55,15 @@ def replace_keeping(path: str, updated: str, of: str | None = None) -> str | Non
     _require_kept_by_us(file_before(path))
     with Batch() as batch:
         kept, fresh = (batch.file(target, tables=(*TABLES, "semref_undo")) for target in (file_before(path), path))
-        with _editable_copy(path, kept) as copy:
-            copy.execute("DROP TABLE IF EXISTS semref_undo")
-            copy.execute("CREATE TABLE semref_undo (checksums TEXT)")
-            copy.execute("INSERT INTO semref_undo VALUES (?)", (made,))
+        if not _link(path, kept, made):
+            with _editable_copy(path, kept) as copy:
+                _store_checksums(copy, made)
         shutil.move(updated, fresh)
-        batch.commit()
+        try:
+            batch.commit()
+        except BaseException:
+            _unmark(path, kept)
+            raise
     return made
 
 
@@ -92,6 +96,47 @@ def undo_update(path: str) -> None:
         batch.commit()
     with contextlib.suppress(OSError):
         os.remove(before)
+
+
+def _store_checksums(kept: sqlite3.Connection, made: str | None) -> None:
+    kept.execute("DROP TABLE IF EXISTS semref_undo")
+    kept.execute("CREATE TABLE semref_undo (checksums TEXT)")
+    kept.execute("INSERT INTO semref_undo VALUES (?)", (made,))
+
+
+def _link(path: str, kept: str, made: str | None) -> bool:
+    """Make the undo copy a hard link of the old database. Returns False if a copy is needed.
+
+    A copy is needed if the database is a link, has other names, is in use or read-only, or without hard links.
+    """
+    if os.path.islink(path) or os.stat(path).st_nlink > 1:
+        return False
+    try:
+        with _writable(path) as own:
+            if own.execute("PRAGMA journal_mode=DELETE").fetchone() != ("delete",):
+                return False
+            own.execute("BEGIN IMMEDIATE")
+            _store_checksums(own, made)
+            own.execute("COMMIT")
+        os.link(path, kept)
+    except (OSError, sqlite3.Error):
+        return False
+    return True
+
+
+def _unmark(path: str, kept: str) -> None:
+    """Remove the table of ``_link`` from the old database, which was not replaced."""
+    with contextlib.suppress(OSError, sqlite3.Error):
+        if os.path.samefile(path, kept):
+            with _writable(path) as own:
+                own.execute("DROP TABLE IF EXISTS semref_undo")
+
+
+def _writable(path: str) -> contextlib.closing[sqlite3.Connection]:
+    uri = f"{Path(path).resolve().as_uri()}?mode=rw"
+    own = sqlite3.connect(uri, uri=True, timeout=WAIT_S, isolation_level=None)
+    own.execute("PRAGMA trusted_schema=OFF")
+    return contextlib.closing(own)
 
 
 def _require_kept_by_us(before: str) -> None:

@@ -89,9 +89,9 @@ def classes_csv(tmp_path):
 def short_wait(monkeypatch):
     """Another program that locks a database is waited for only a moment."""
     from semref.storage import replaceable, vector_files
-    from semref.storage.database import connection
+    from semref.storage.database import connection, undo
 
-    for module in (replaceable, vector_files, connection):
+    for module in (replaceable, vector_files, connection, undo):
         monkeypatch.setattr(module, "WAIT_S", 0.1)
 
 

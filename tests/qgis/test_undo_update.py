@@ -4,6 +4,7 @@ import sqlite3
 import threading
 from contextlib import closing
 from pathlib import Path
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from qgis.core import QgsRectangle
 
 from semref.core.errors import SemRefError
 from semref.processing.inspection.correction import DrawnFeature, changed_bounds
+from semref.storage.database import undo
 from semref.storage.database.reader import read_database, store_checksums
 from semref.storage.database.undo import can_undo, file_before, replace_keeping, stated_checksums, undo_update
 from semref.storage.vector_files import copy_whole
@@ -64,6 +66,14 @@ def test_undo_gives_back_what_was_there_before_the_update(path, tmp_path):
     assert os.listdir(tmp_path / "maps") == ["area.gpkg"] and not can_undo(path)
 
 
+def test_the_old_file_itself_is_kept_and_the_new_one_moved(path, tmp_path):
+    updated = larger(path, tmp_path, 5)
+    old, new = os.stat(path).st_ino, os.stat(updated).st_ino
+    replace_keeping(path, updated)
+    assert (os.stat(file_before(path)).st_ino, os.stat(path).st_ino) == (old, new)
+    assert not os.path.exists(updated)
+
+
 def test_a_database_that_is_another_one_than_was_updated_is_not_replaced(path, tmp_path):
     planned, updated = stated_checksums(path), larger(path, tmp_path, 5)
     os.replace(larger(path, tmp_path / "maps", 7), path)
@@ -74,16 +84,22 @@ def test_a_database_that_is_another_one_than_was_updated_is_not_replaced(path, t
     replace_keeping(path, updated, stated_checksums(path))
 
 
-def in_wal(path):
+def no_links(monkeypatch, path):
+    monkeypatch.setattr(os, "link", Mock(side_effect=OSError(95, "Operation not supported")))
+
+
+def in_wal(monkeypatch, path):
+    monkeypatch.setattr(undo, "_link", lambda *_: False)
     with closing(sqlite3.connect(path)) as connection:
         connection.execute("PRAGMA journal_mode=WAL")
 
 
-@pytest.mark.parametrize("change", [lambda path: os.link(path, f"{path}.mine"), in_wal])
-def test_a_database_with_another_name_or_a_journal_is_undone_too(path, tmp_path, change):
-    change(path)
-    was = areas(path)
+@pytest.mark.parametrize("case", [no_links, lambda _, path: os.link(path, f"{path}.mine"), in_wal])
+def test_a_copy_is_kept_where_the_old_file_can_t_be(path, tmp_path, monkeypatch, case):
+    case(monkeypatch, path)
+    was, inode = areas(path), os.stat(path).st_ino
     replace_keeping(path, larger(path, tmp_path, 5))
+    assert os.stat(file_before(path)).st_ino != inode
     undo_update(path)
     np.testing.assert_array_equal(areas(path), was)
 
