@@ -103,7 +103,7 @@ def test_original_drone_photos_are_read_and_state_no_lens(real_data):
     (camera,) = read_cameras([str(path)], "")
     assert camera.distortion is None
     said = camera_read(camera, (2250, 4000))
-    assert said == "focal length 2310 px, height 39.8 m, heading 45.0°, roll 0.0°, pitch 0.1°"
+    assert said == "focal length 2,310 px, height 39.8 m, heading 45.0°, roll 0.0°, pitch 0.1°"
 
 
 def test_a_table_gives_attitude_focal_length_and_time(tmp_path):
