@@ -142,7 +142,7 @@ class ExportOnboard(SemRefAlgorithm):
         crs: QgsCoordinateReferenceSystem,
         feedback: QgsProcessingFeedback,
     ) -> ReferenceDatabase:
-        from ...core.onboard.write import area_mask, clip_database
+        from ...core.onboard.area import area_mask, clip_database
         from ..layers.areas import area_rings
 
         distance, extent = values.number(self.DISTANCE), database.parameters.extent

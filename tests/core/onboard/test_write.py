@@ -11,8 +11,9 @@ from semref.core.database.model import Windows
 from semref.core.errors import DatabaseError
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
+from semref.core.onboard.area import area_mask, clip_database
 from semref.core.onboard.read import read_onboard
-from semref.core.onboard.write import area_mask, clip_database, write_onboard
+from semref.core.onboard.write import write_onboard
 
 
 def test_everything_is_read_within_the_errors_that_the_file_states(database, written):
