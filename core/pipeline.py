@@ -9,9 +9,9 @@ import numpy as np
 
 from .geometry.camera import Camera
 from .geometry.leveling import Leveling
-from .geometry.pose import turn_of
-from .labels.class_shares import ClassShares, SeenLabels
+from .labels.class_shares import SeenLabels
 from .localization import Localization, Method, Prior
+from .localizer.leveled import as_taken, level_labels, of_leveled
 from .localizer.localizer import Localizer
 from .localizer.network_reason import name_network
 from .localizer.search import Search
@@ -152,50 +152,3 @@ def _found(  # noqa: PLR0913 - as ``localize_with``, and an earlier result for t
         seen.labels_hw, search.method, prior, search.with_matches, seen.shares, seen.biases, earlier
     )
     return name_network(found, seen.trained_on, localizer.landmark_classes)
-
-
-def level_labels(seen: SeenLabels, way: Leveling) -> SeenLabels:
-    """Return the labels of an image as a level camera sees them."""
-    shares = seen.shares
-    if shares is not None:
-        height, width = seen.labels_hw.shape
-        shares = ClassShares(shares.values, way.level_planes(shares.shares, (height, width)))
-    return replace(seen, labels_hw=way.level(seen.labels_hw), shares=shares)
-
-
-def of_leveled(prior: Prior, way: Leveling) -> Prior:
-    """Return the prior of the level image's middle.
-
-    Args:
-        prior: Of the image's center, with a range of pixel sizes.
-    """
-    if prior.position is None or prior.radius is None or prior.pixel_size_range is None:
-        return prior
-    return replace(prior, radius=prior.radius + abs(way.middle) * prior.pixel_size_range[1])
-
-
-def as_taken(found: Localization, way: Leveling) -> Localization:
-    """Return the result of a leveled image for the image as taken.
-
-    Returns:
-        Position, heading and pixel size of the image's center; the heading is that of its top after leveling. Matches
-        are in pixels of the image as taken. A fix or likely position has footprint and nadir.
-    """
-    if found.matches is not None:
-        pixels = way.in_image(found.matches.pixels_xy)
-        found = replace(found, matches=replace(found.matches, pixels_xy=pixels))
-    place = found.best
-    if place is None or place.heading_deg is None:
-        return found
-    turn = turn_of(*place.oriented)
-    center = complex(*place.position) - turn * way.middle
-    found = replace(found, best=replace(place, position=(center.real, center.imag)))
-    if found.place is None:
-        return found
-    corners = center + turn * way.corners
-    nadir = None if way.nadir is None else center + turn * way.nadir
-    return replace(
-        found,
-        footprint=np.column_stack([corners.real, corners.imag]),
-        nadir=None if nadir is None else (nadir.real, nadir.imag),
-    )

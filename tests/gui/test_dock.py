@@ -29,11 +29,11 @@ from semref.processing.compat import wkt_for_gdal
 from semref.processing.inspection.image import ImageInspector
 from semref.processing.layers.database_layers import add_database_to_map
 from semref.processing.packages import components
+from semref.ui.canvas.drapes import PlacedImage, add_placed, place_image
 from semref.ui.dock.content import INSPECT, LOCALIZE
 from semref.ui.dock.dock import FIRST_WIDTH_PX
 from semref.ui.entry import PAGE
 from semref.ui.packages import missing_notice
-from semref.ui.tabs.localize.shown_hit import PlacedImage, add_placed, place_image
 from semref.ui.widgets.progress import StatusLine
 
 

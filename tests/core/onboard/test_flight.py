@@ -16,12 +16,12 @@ from onboard_area import MAP, NOTHING, SIZE
 from semref.core.geometry.camera import Camera, Lens
 from semref.core.geometry.lens_distortion import LensDistortion
 from semref.core.geometry.leveling import Attitude, leveling
+from semref.core.localizer.leveled import level_labels
 from semref.core.onboard.command_line import ALL_FIXED, REFUSED, SOME_WITHOUT_FIX, WRONG_USAGE, main
 from semref.core.onboard.flight import FORMAT, VERSION
 from semref.core.onboard.read import read_onboard
 from semref.core.onboard.state_file import StateFile
 from semref.core.onboard.write import write_onboard
-from semref.core.pipeline import level_labels
 
 STEP = 60
 COUNT = 7
