@@ -4,10 +4,6 @@
  <context>
   <name>SemRef</name>
   <message>
-   <source> min</source>
-   <translation> min</translation>
-  </message>
-  <message>
    <source>%v of %m done</source>
    <translation>%v von %m erledigt</translation>
   </message>
@@ -597,7 +593,7 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
   </message>
   <message>
    <source>Check again. Without errors, the layer is ready for “Rasterize land-cover layer”.</source>
-   <translation>Prüfen Sie noch einmal. Ohne Fehler ist der Layer bereit für „Landbedeckungslayer rastern“.</translation>
+   <translation>Prüfen Sie noch einmal. Ohne Fehler ist der Layer bereit für „Landbedeckung rastern“.</translation>
   </message>
   <message>
    <source>Check images with an outvoted own position: the map may be outdated there.</source>
@@ -605,7 +601,7 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
   </message>
   <message>
    <source>Check land-cover layer</source>
-   <translation>Landbedeckungslayer prüfen</translation>
+   <translation>Landbedeckung prüfen</translation>
   </message>
   <message>
    <source>Check of a land-cover layer</source>
@@ -621,7 +617,7 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
   </message>
   <message>
    <source>Checking and repairing land-cover layers</source>
-   <translation>Landbedeckungslayer prüfen und reparieren</translation>
+   <translation>Landbedeckung prüfen und reparieren</translation>
   </message>
   <message>
    <source>Checking geometries</source>
@@ -792,8 +788,8 @@ Das GeoPackage enthält Fenster, Landmarken, eine verkleinerte Karte (Übersicht
    <translation>Klassen, die Landmarken sind, wenn keine Datenbank gewählt ist: Namen oder Werte, durch „;“ getrennt. Ohne Angabe gelten die Rollen in der Klassentabelle.</translation>
   </message>
   <message>
-   <source>Classes that are landmarks: names or values separated by “;”, for example building;bare_land;water. If not set, the classes with the role “reference” in the class table of the map are used.</source>
-   <translation>Klassen, die Landmarken sind: Namen oder Werte, durch „;“ getrennt, zum Beispiel building;bare_land;water. Ohne Angabe gelten die Klassen mit der Rolle „reference“ in der Klassentabelle der Karte.</translation>
+   <source>Classes that are landmarks: names or values separated by “;”, for example building;bare_land;water. If not set, the classes with the role “reference” in the class table of the map are used. If there are none, buildings, water, bare land and orchards are used.</source>
+   <translation>Klassen, die Landmarken sind: Namen oder Werte, durch „;“ getrennt, zum Beispiel building;bare_land;water. Ohne Angabe gelten die Klassen mit der Rolle „reference“ in der Klassentabelle der Karte. Wenn es keine gibt, werden Gebäude, Wasser, offener Boden und Obstplantagen verwendet.</translation>
   </message>
   <message>
    <source>Classes: {names}</source>
@@ -1025,7 +1021,7 @@ Die Eingabe kann ein Auszug (.osm, .osm.pbf), ein QuickOSM-Layer, ein Geofabrik-
   </message>
   <message>
    <source>Corrected land-cover layer to reference database</source>
-   <translation>Vom korrigierten Landbedeckungslayer zur Referenzdatenbank</translation>
+   <translation>Von der korrigierten Landbedeckung zur Referenzdatenbank</translation>
   </message>
   <message>
    <source>Correlation of east and north</source>
@@ -1601,7 +1597,7 @@ Die Route ist ein Linienlayer oder eine Datei: GPX, KML, QGroundControl-Plan (.p
 Each finding is a feature with a kind, a severity and a message. “Repair land-cover layer” repairs most findings.</source>
    <translation>Findet Fehler in einem Landbedeckungslayer: ungültige Geometrien, Überlappungen, Duplikate, Lücken, Splitter sowie fehlende oder unbekannte Klassen. Findet auch Landmarken, die sich berühren, zu klein sind oder bei einer Pixelgröße verloren gehen, verschmelzen oder zerfallen.
 
-Jeder Befund ist ein Objekt mit Art, Schwere und Meldung. „Landbedeckungslayer reparieren“ behebt die meisten Befunde.</translation>
+Jeder Befund ist ein Objekt mit Art, Schwere und Meldung. „Landbedeckung reparieren“ behebt die meisten Befunde.</translation>
   </message>
   <message>
    <source>Finds the positions of photos on a map in one run: it builds a reference database, optionally trains the model on imagery of the area, assesses how many photos can be expected to get a position, and localizes the photos.
@@ -1613,7 +1609,7 @@ SemRef leitet Pixelgröße, Fenstergröße, Schrittweite und Mindestfläche aus 
   </message>
   <message>
    <source>Finds where a new orthophoto contradicts the label map, with “Segment image” and “Compare label maps”. The disagreements are polygons, the largest first. Check them in the tab “Correct” of the dock, then run “Corrected land-cover layer to reference database”.</source>
-   <translation>Findet mit „Bild segmentieren“ und „Klassenkarten vergleichen“ heraus, wo ein neues Orthofoto der Klassenkarte widerspricht. Die Abweichungen sind Polygone, die größten zuerst. Prüfen Sie sie im Reiter „Korrigieren“ des Bedienfelds und führen Sie dann „Vom korrigierten Landbedeckungslayer zur Referenzdatenbank“ aus.</translation>
+   <translation>Findet mit „Bild segmentieren“ und „Klassenkarten vergleichen“ heraus, wo ein neues Orthofoto der Klassenkarte widerspricht. Die Abweichungen sind Polygone, die größten zuerst. Prüfen Sie sie im Reiter „Korrigieren“ des Bedienfelds und führen Sie dann „Von der korrigierten Landbedeckung zur Referenzdatenbank“ aus.</translation>
   </message>
   <message>
    <source>First image</source>
@@ -2077,7 +2073,7 @@ Bilder ohne Position werden weggelassen, ebenso wahrscheinliche Positionen und P
   </message>
   <message>
    <source>Label map that is correct, for example from “Rasterize land-cover layer”.</source>
-   <translation>Klassenkarte, die richtig ist, zum Beispiel aus „Landbedeckungslayer rastern“.</translation>
+   <translation>Klassenkarte, die richtig ist, zum Beispiel aus „Landbedeckung rastern“.</translation>
   </message>
   <message>
    <source>Label map that the reference database was built from.</source>
@@ -2121,7 +2117,7 @@ Bilder ohne Position werden weggelassen, ebenso wahrscheinliche Positionen und P
   </message>
   <message>
    <source>Land-cover layer to reference database</source>
-   <translation>Vom Landbedeckungslayer zur Referenzdatenbank</translation>
+   <translation>Von der Landbedeckung zur Referenzdatenbank</translation>
   </message>
   <message>
    <source>Landmarks</source>
@@ -2416,8 +2412,8 @@ The result is a copy with class names, resolution, standardization and license. 
 Das Ergebnis ist eine Kopie mit Klassennamen, Auflösung, Standardisierung und Lizenz. Ausgaben derselben Klasse werden zusammengefasst: Ihre Wahrscheinlichkeiten werden nach einem Softmax über alle verwendeten Ausgaben addiert. Ein Checkpoint braucht die Trainingsumgebung (Einstellungen ▸ Optionen ▸ SemRef).</translation>
   </message>
   <message>
-   <source>Makes a reference database from a land-cover layer in one run, with “Rasterize land-cover layer” and “Build reference database”. Select a class table, or enter the reference classes.</source>
-   <translation>Erstellt in einem Lauf eine Referenzdatenbank aus einem Landbedeckungslayer, mit „Landbedeckungslayer rastern“ und „Referenzdatenbank erstellen“. Wählen Sie eine Klassentabelle oder geben Sie die Referenzklassen an.</translation>
+   <source>Makes a reference database from a land-cover layer in one run, with “Rasterize land-cover layer” and “Build reference database”.</source>
+   <translation>Erstellt in einem Lauf eine Referenzdatenbank aus einem Landbedeckungslayer, mit „Landbedeckung rastern“ und „Referenzdatenbank erstellen“.</translation>
   </message>
   <message>
    <source>Making polygons of the disagreements</source>
@@ -3325,7 +3321,7 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   </message>
   <message>
    <source>Pixel size for “Rasterize land-cover layer”. Landmarks that are lost, merged or split at this pixel size are reported too. If not set, this is not checked.</source>
-   <translation>Pixelgröße für „Landbedeckungslayer rastern“. Auch Landmarken, die bei dieser Pixelgröße verloren gehen, verschmelzen oder zerfallen, werden gemeldet. Ohne Angabe wird dies nicht geprüft.</translation>
+   <translation>Pixelgröße für „Landbedeckung rastern“. Auch Landmarken, die bei dieser Pixelgröße verloren gehen, verschmelzen oder zerfallen, werden gemeldet. Ohne Angabe wird dies nicht geprüft.</translation>
   </message>
   <message>
    <source>Pixel size of the images that the network was trained on.</source>
@@ -3349,7 +3345,7 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   </message>
   <message>
    <source>Places to check appear here. Run “Check land-cover layer” or “Compare label maps” to find them.</source>
-   <translation>Hier erscheinen zu prüfende Stellen. Starten Sie „Landbedeckungslayer prüfen“ oder „Klassenkarten vergleichen“, um sie zu finden.</translation>
+   <translation>Hier erscheinen zu prüfende Stellen. Starten Sie „Landbedeckung prüfen“ oder „Klassenkarten vergleichen“, um sie zu finden.</translation>
   </message>
   <message>
    <source>Plan routes over bright squares, and check them with “Assess route”.</source>
@@ -3597,7 +3593,7 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   </message>
   <message>
    <source>Rasterize land-cover layer</source>
-   <translation>Landbedeckungslayer rastern</translation>
+   <translation>Landbedeckung rastern</translation>
   </message>
   <message>
    <source>Rasterize the land-cover layer on the grid of the database, and update the database. The previous file is kept.</source>
@@ -3688,6 +3684,10 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
    <translation>Referenzklassen</translation>
   </message>
   <message>
+   <source>Reference classes: {classes}.</source>
+   <translation>Referenzklassen: {classes}.</translation>
+  </message>
+  <message>
    <source>Reference database</source>
    <translation>Referenzdatenbank</translation>
   </message>
@@ -3753,11 +3753,11 @@ Das Ergebnis ist zu optimistisch, wenn die wirklichen Fehler größer sind oder 
   </message>
   <message>
    <source>Repair everything that “Repair land-cover layer” can repair. You can undo this.</source>
-   <translation>Alles reparieren, was „Landbedeckungslayer reparieren“ reparieren kann. Sie können dies rückgängig machen.</translation>
+   <translation>Alles reparieren, was „Landbedeckung reparieren“ reparieren kann. Sie können dies rückgängig machen.</translation>
   </message>
   <message>
    <source>Repair land-cover layer</source>
-   <translation>Landbedeckungslayer reparieren</translation>
+   <translation>Landbedeckung reparieren</translation>
   </message>
   <message>
    <source>Repair {count} places in “{layer}” ({kinds})? SemRef also merges touching polygons of the same class. It does not save the edits, so you can undo them.</source>
@@ -4117,7 +4117,7 @@ Bei einer Überlappung bleibt das Polygon mit der höheren Priorität, sonst das
   </message>
   <message>
    <source>Share of the labeled ground that is set aside to test the model, for example 0.2. 0 sets nothing aside.</source>
-   <translation>Anteil des Geländes mit Klasse, der zum Testen des Modells zurückgelegt wird, zum Beispiel 0.2. Bei 0 wird nichts zurückgelegt.</translation>
+   <translation>Anteil des Geländes mit Klasse, der zum Testen des Modells zurückgelegt wird, zum Beispiel 0,2. Bei 0 wird nichts zurückgelegt.</translation>
   </message>
   <message>
    <source>Share of the landmarks that are removed from the simulated labels.</source>
@@ -4217,7 +4217,7 @@ Beschrieben wird das größte mittige Quadrat des Bildes, wie bei den Fenstern e
   </message>
   <message>
    <source>Single-band raster of class values in a projected CRS with meters, for example from “Rasterize land-cover layer”.</source>
-   <translation>Einkanaliges Raster mit Klassenwerten in einem projizierten KBS mit Metern, zum Beispiel aus „Landbedeckungslayer rastern“.</translation>
+   <translation>Einkanaliges Raster mit Klassenwerten in einem projizierten KBS mit Metern, zum Beispiel aus „Landbedeckung rastern“.</translation>
   </message>
   <message>
    <source>Size (m)</source>
@@ -4876,14 +4876,6 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Die Klassen haben den Wert {unknown}, der in der Klassentabelle fehlt; ihre Klassen sind {classes}.</translation>
   </message>
   <message>
-   <source>The land-cover layer can't be read. Choose a polygon layer.</source>
-   <translation>Der Landbedeckungslayer kann nicht gelesen werden. Wählen Sie einen Polygonlayer.</translation>
-  </message>
-  <message>
-   <source>The land-cover layer has no coordinate reference system. Set the CRS in the layer properties.</source>
-   <translation>Der Landbedeckungslayer hat kein Koordinatenbezugssystem. Legen Sie das KBS in den Layereigenschaften fest.</translation>
-  </message>
-  <message>
    <source>The landmarks of the whole map: center of gravity, class and area of each region of their classes.</source>
    <translation>Die Landmarken der ganzen Karte: Schwerpunkt, Klasse und Größe jeder Fläche der Referenzklassen.</translation>
   </message>
@@ -5072,6 +5064,14 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
    <translation>Die Pixelgröße ist {pixel_size:g} m; sie muss größer als 0 sein.</translation>
   </message>
   <message>
+   <source>The polygon layer has no coordinate reference system. Set the CRS in the layer properties.</source>
+   <translation>Der Polygonlayer hat kein Koordinatenbezugssystem. Legen Sie das KBS in den Layereigenschaften fest.</translation>
+  </message>
+  <message>
+   <source>The polygons can't be read. Choose a polygon layer.</source>
+   <translation>Die Polygone können nicht gelesen werden. Wählen Sie einen Polygonlayer.</translation>
+  </message>
+  <message>
    <source>The polygons can’t be made: {reason}.</source>
    <translation>Die Polygone lassen sich nicht erstellen: {reason}.</translation>
   </message>
@@ -5137,7 +5137,7 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
   </message>
   <message>
    <source>The result of “Check land-cover layer” or “Compare label maps”</source>
-   <translation>Das Ergebnis von „Landbedeckungslayer prüfen“ oder „Klassenkarten vergleichen“</translation>
+   <translation>Das Ergebnis von „Landbedeckung prüfen“ oder „Klassenkarten vergleichen“</translation>
   </message>
   <message>
    <source>The route has no line with a length. Draw a line through at least two points.</source>
@@ -5281,7 +5281,7 @@ Verwenden Sie eine Klassenkarte mit anderem Datum als dem der Datenbank, mit ein
   </message>
   <message>
    <source>There are no errors. Continue with “Rasterize land-cover layer”, then “Build reference database”.</source>
-   <translation>Es gibt keine Fehler. Weiter geht es mit „Landbedeckungslayer rastern“, dann „Referenzdatenbank erstellen“.</translation>
+   <translation>Es gibt keine Fehler. Weiter geht es mit „Landbedeckung rastern“, dann „Referenzdatenbank erstellen“.</translation>
   </message>
   <message>
    <source>There are no examples, because there is no validation ground.</source>
@@ -5629,7 +5629,7 @@ Alle Einstellungen kommen aus der Datenbank. Unveränderte Zeilen behalten ihre 
   </message>
   <message>
    <source>Updates a reference database after its land-cover layer was corrected. “Rasterize land-cover layer” uses the pixels, extent and CRS of the old label map; “Update reference database” computes only what changed.</source>
-   <translation>Aktualisiert eine Referenzdatenbank, nachdem ihr Landbedeckungslayer korrigiert wurde. „Landbedeckungslayer rastern“ verwendet Pixel, Ausdehnung und KBS der alten Klassenkarte; „Referenzdatenbank aktualisieren“ berechnet nur, was sich geändert hat.</translation>
+   <translation>Aktualisiert eine Referenzdatenbank, nachdem ihr Landbedeckungslayer korrigiert wurde. „Landbedeckung rastern“ verwendet Pixel, Ausdehnung und KBS der alten Klassenkarte; „Referenzdatenbank aktualisieren“ berechnet nur, was sich geändert hat.</translation>
   </message>
   <message>
    <source>Updating the database</source>
@@ -7369,7 +7369,7 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll nennt den grö�
   </message>
   <message>
    <source>“Repair land-cover layer” fixes invalid geometries, overlaps and slivers automatically.</source>
-   <translation>„Landbedeckungslayer reparieren“ behebt ungültige Geometrien, Überlappungen und Splitter automatisch.</translation>
+   <translation>„Landbedeckung reparieren“ behebt ungültige Geometrien, Überlappungen und Splitter automatisch.</translation>
   </message>
   <message>
    <source>“Scheduler” cannot be used together with {keys}. Leave one of them empty.</source>

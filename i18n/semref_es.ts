@@ -4,10 +4,6 @@
  <context>
   <name>SemRef</name>
   <message>
-   <source> min</source>
-   <translation> min</translation>
-  </message>
-  <message>
    <source>%v of %m done</source>
    <translation>%v de %m hechos</translation>
   </message>
@@ -792,8 +788,8 @@ El GeoPackage contiene ventanas, hitos, un mapa reducido (vista general), clases
    <translation>Clases que son hitos, si no se ha seleccionado una base de datos: nombres o valores separados por “;”. Si no se indica, se usan los roles de la tabla de clases.</translation>
   </message>
   <message>
-   <source>Classes that are landmarks: names or values separated by “;”, for example building;bare_land;water. If not set, the classes with the role “reference” in the class table of the map are used.</source>
-   <translation>Clases que son hitos: nombres o valores separados por “;”, por ejemplo building;bare_land;water. Si no se indica, se usan las clases con el rol “reference” de la tabla de clases del mapa.</translation>
+   <source>Classes that are landmarks: names or values separated by “;”, for example building;bare_land;water. If not set, the classes with the role “reference” in the class table of the map are used. If there are none, buildings, water, bare land and orchards are used.</source>
+   <translation>Clases que son hitos: nombres o valores separados por “;”, por ejemplo building;bare_land;water. Si no se indica, se usan las clases con el rol “reference” de la tabla de clases del mapa. Si no hay ninguna, se usan edificios, agua, suelo desnudo y huertos frutales.</translation>
   </message>
   <message>
    <source>Classes: {names}</source>
@@ -2416,8 +2412,8 @@ The result is a copy with class names, resolution, standardization and license. 
 El resultado es una copia con nombres de clases, resolución, estandarización y licencia. Las salidas de la misma clase se unen: sus probabilidades se suman después de una función softmax sobre todas las salidas usadas. Un punto de control necesita el entorno de entrenamiento (Configuración ▸ Opciones ▸ SemRef).</translation>
   </message>
   <message>
-   <source>Makes a reference database from a land-cover layer in one run, with “Rasterize land-cover layer” and “Build reference database”. Select a class table, or enter the reference classes.</source>
-   <translation>Crea una base de datos de referencia a partir de una capa de cobertura del suelo en una sola ejecución, con “Rasterizar capa de cobertura del suelo” y “Crear base de datos de referencia”. Seleccione una tabla de clases o indique las clases de referencia.</translation>
+   <source>Makes a reference database from a land-cover layer in one run, with “Rasterize land-cover layer” and “Build reference database”.</source>
+   <translation>Crea una base de datos de referencia a partir de una capa de cobertura del suelo en una sola ejecución, con “Rasterizar capa de cobertura del suelo” y “Crear base de datos de referencia”.</translation>
   </message>
   <message>
    <source>Making polygons of the disagreements</source>
@@ -3688,6 +3684,10 @@ El resultado es demasiado optimista si los errores reales son mayores o el terre
    <translation>Clases de referencia</translation>
   </message>
   <message>
+   <source>Reference classes: {classes}.</source>
+   <translation>Clases de referencia: {classes}.</translation>
+  </message>
+  <message>
    <source>Reference database</source>
    <translation>Base de datos de referencia</translation>
   </message>
@@ -4117,7 +4117,7 @@ En un solapamiento se conserva el polígono con mayor prioridad; si no la hay, e
   </message>
   <message>
    <source>Share of the labeled ground that is set aside to test the model, for example 0.2. 0 sets nothing aside.</source>
-   <translation>Parte del terreno etiquetado que se reserva para probar el modelo, por ejemplo 0.2. Con 0 no se reserva nada.</translation>
+   <translation>Parte del terreno etiquetado que se reserva para probar el modelo, por ejemplo 0,2. Con 0 no se reserva nada.</translation>
   </message>
   <message>
    <source>Share of the landmarks that are removed from the simulated labels.</source>
@@ -4876,14 +4876,6 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
    <translation>Las etiquetas tienen el valor {unknown}, que falta en la tabla de clases; sus clases son {classes}.</translation>
   </message>
   <message>
-   <source>The land-cover layer can't be read. Choose a polygon layer.</source>
-   <translation>No se puede leer la capa de cobertura del suelo. Elija una capa de polígonos.</translation>
-  </message>
-  <message>
-   <source>The land-cover layer has no coordinate reference system. Set the CRS in the layer properties.</source>
-   <translation>La capa de cobertura del suelo no tiene sistema de referencia de coordenadas. Defina el SRC en las propiedades de la capa.</translation>
-  </message>
-  <message>
    <source>The landmarks of the whole map: center of gravity, class and area of each region of their classes.</source>
    <translation>Los hitos de todo el mapa: centro de gravedad, clase y área de cada región de sus clases.</translation>
   </message>
@@ -5070,6 +5062,14 @@ Use un mapa de etiquetas de otra fecha que el de la base de datos, con un despla
   <message>
    <source>The pixel size is {pixel_size:g} m; it must be more than 0.</source>
    <translation>El tamaño de píxel es de {pixel_size:g} m; debe ser mayor que 0.</translation>
+  </message>
+  <message>
+   <source>The polygon layer has no coordinate reference system. Set the CRS in the layer properties.</source>
+   <translation>La capa de polígonos no tiene sistema de referencia de coordenadas. Defina el SRC en las propiedades de la capa.</translation>
+  </message>
+  <message>
+   <source>The polygons can't be read. Choose a polygon layer.</source>
+   <translation>No se pueden leer los polígonos. Elija una capa de polígonos.</translation>
   </message>
   <message>
    <source>The polygons can’t be made: {reason}.</source>

@@ -4,10 +4,6 @@
  <context>
   <name>SemRef</name>
   <message>
-   <source> min</source>
-   <translation> min</translation>
-  </message>
-  <message>
    <source>%v of %m done</source>
    <translation>%v sur %m terminés</translation>
   </message>
@@ -792,8 +788,8 @@ Le GeoPackage contient les fenêtres, les repères visuels, une carte réduite (
    <translation>Classes qui sont des repères visuels, si aucune base de données n’est sélectionnée : noms ou valeurs séparés par « ; ». Par défaut, les rôles de la table des classes sont utilisés.</translation>
   </message>
   <message>
-   <source>Classes that are landmarks: names or values separated by “;”, for example building;bare_land;water. If not set, the classes with the role “reference” in the class table of the map are used.</source>
-   <translation>Classes qui sont des repères visuels : noms ou valeurs séparés par « ; », par exemple building;bare_land;water. Par défaut, les classes de rôle « reference » dans la table des classes de la carte sont utilisées.</translation>
+   <source>Classes that are landmarks: names or values separated by “;”, for example building;bare_land;water. If not set, the classes with the role “reference” in the class table of the map are used. If there are none, buildings, water, bare land and orchards are used.</source>
+   <translation>Classes qui sont des repères visuels : noms ou valeurs séparés par « ; », par exemple building;bare_land;water. Par défaut, les classes de rôle « reference » dans la table des classes de la carte sont utilisées. S’il n’y en a pas, les bâtiments, l’eau, le sol nu et les vergers sont utilisés.</translation>
   </message>
   <message>
    <source>Classes: {names}</source>
@@ -2416,8 +2412,8 @@ The result is a copy with class names, resolution, standardization and license. 
 Le résultat est une copie avec noms de classes, résolution, standardisation et licence. Les sorties de même classe sont fusionnées : leurs probabilités sont additionnées après un softmax sur toutes les sorties utilisées. Un point de contrôle exige l’environnement d’entraînement (Préférences ▸ Options ▸ SemRef).</translation>
   </message>
   <message>
-   <source>Makes a reference database from a land-cover layer in one run, with “Rasterize land-cover layer” and “Build reference database”. Select a class table, or enter the reference classes.</source>
-   <translation>Crée une base de données de référence à partir d’une couche d’occupation du sol en une seule exécution, avec « Rastériser une couche d’occupation du sol » et « Créer une base de données de référence ». Sélectionnez une table des classes ou saisissez les classes de référence.</translation>
+   <source>Makes a reference database from a land-cover layer in one run, with “Rasterize land-cover layer” and “Build reference database”.</source>
+   <translation>Crée une base de données de référence à partir d’une couche d’occupation du sol en une seule exécution, avec « Rastériser une couche d’occupation du sol » et « Créer une base de données de référence ».</translation>
   </message>
   <message>
    <source>Making polygons of the disagreements</source>
@@ -3688,6 +3684,10 @@ Le résultat est trop optimiste si les erreurs réelles sont plus grandes ou si 
    <translation>Classes de référence</translation>
   </message>
   <message>
+   <source>Reference classes: {classes}.</source>
+   <translation>Classes de référence : {classes}.</translation>
+  </message>
+  <message>
    <source>Reference database</source>
    <translation>Base de données de référence</translation>
   </message>
@@ -4117,7 +4117,7 @@ Dans un recouvrement, le polygone de priorité supérieure est conservé, sinon 
   </message>
   <message>
    <source>Share of the labeled ground that is set aside to test the model, for example 0.2. 0 sets nothing aside.</source>
-   <translation>Part du terrain étiqueté qui est réservée au test du modèle, par exemple 0.2. 0 ne réserve rien.</translation>
+   <translation>Part du terrain étiqueté qui est réservée au test du modèle, par exemple 0,2. 0 ne réserve rien.</translation>
   </message>
   <message>
    <source>Share of the landmarks that are removed from the simulated labels.</source>
@@ -4876,14 +4876,6 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
    <translation>Les étiquettes contiennent la valeur {unknown}, qui manque à la table des classes ; ses classes sont {classes}.</translation>
   </message>
   <message>
-   <source>The land-cover layer can't be read. Choose a polygon layer.</source>
-   <translation>La couche d’occupation du sol ne peut pas être lue. Choisissez une couche de polygones.</translation>
-  </message>
-  <message>
-   <source>The land-cover layer has no coordinate reference system. Set the CRS in the layer properties.</source>
-   <translation>La couche d’occupation du sol n’a pas de système de coordonnées de référence. Définissez le SCR dans les propriétés de la couche.</translation>
-  </message>
-  <message>
    <source>The landmarks of the whole map: center of gravity, class and area of each region of their classes.</source>
    <translation>Les repères visuels de toute la carte : centre de gravité, classe et surface de chaque région de leurs classes.</translation>
   </message>
@@ -5070,6 +5062,14 @@ Utilisez une carte d’étiquettes d’une autre date que celle de la base de do
   <message>
    <source>The pixel size is {pixel_size:g} m; it must be more than 0.</source>
    <translation>La taille de pixel est de {pixel_size:g} m ; elle doit être supérieure à 0.</translation>
+  </message>
+  <message>
+   <source>The polygon layer has no coordinate reference system. Set the CRS in the layer properties.</source>
+   <translation>La couche de polygones n’a pas de système de coordonnées de référence. Définissez le SCR dans les propriétés de la couche.</translation>
+  </message>
+  <message>
+   <source>The polygons can't be read. Choose a polygon layer.</source>
+   <translation>Les polygones ne peuvent pas être lus. Choisissez une couche de polygones.</translation>
   </message>
   <message>
    <source>The polygons can’t be made: {reason}.</source>

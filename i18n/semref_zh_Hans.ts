@@ -4,10 +4,6 @@
  <context>
   <name>SemRef</name>
   <message>
-   <source> min</source>
-   <translation> 分钟</translation>
-  </message>
-  <message>
    <source>%v of %m done</source>
    <translation>已完成 %v / %m</translation>
   </message>
@@ -792,8 +788,8 @@ GeoPackage 包含窗口、地标、缩小的地图（概览）、类别和参数
    <translation>未选择数据库时作为地标的类别：以“;”分隔的名称或值。如果未设置，则使用类别表中的角色。</translation>
   </message>
   <message>
-   <source>Classes that are landmarks: names or values separated by “;”, for example building;bare_land;water. If not set, the classes with the role “reference” in the class table of the map are used.</source>
-   <translation>作为地标的类别：以“;”分隔的名称或值，例如 building;bare_land;water。如果未设置，则使用地图的类别表中角色为“reference”的类别。</translation>
+   <source>Classes that are landmarks: names or values separated by “;”, for example building;bare_land;water. If not set, the classes with the role “reference” in the class table of the map are used. If there are none, buildings, water, bare land and orchards are used.</source>
+   <translation>作为地标的类别：以“;”分隔的名称或值，例如 building;bare_land;water。如果未设置，则使用地图的类别表中角色为“reference”的类别。如果没有此类类别，则使用建筑物、水体、裸地和果园。</translation>
   </message>
   <message>
    <source>Classes: {names}</source>
@@ -2416,8 +2412,8 @@ The result is a copy with class names, resolution, standardization and license. 
 结果是带有类别名称、分辨率、标准化和许可的副本。相同类别的输出会合并：对所有已用输出做 softmax 后，将其概率相加。检查点需要训练环境（设置 ▸ 选项 ▸ SemRef）。</translation>
   </message>
   <message>
-   <source>Makes a reference database from a land-cover layer in one run, with “Rasterize land-cover layer” and “Build reference database”. Select a class table, or enter the reference classes.</source>
-   <translation>用“栅格化土地覆盖图层”和“构建参考数据库”一次性由土地覆盖图层生成参考数据库。请选择类别表，或输入参考类别。</translation>
+   <source>Makes a reference database from a land-cover layer in one run, with “Rasterize land-cover layer” and “Build reference database”.</source>
+   <translation>用“栅格化土地覆盖图层”和“构建参考数据库”一次性由土地覆盖图层生成参考数据库。</translation>
   </message>
   <message>
    <source>Making polygons of the disagreements</source>
@@ -3688,6 +3684,10 @@ The result is too optimistic if the real errors are larger or the ground has cha
    <translation>参考类别</translation>
   </message>
   <message>
+   <source>Reference classes: {classes}.</source>
+   <translation>参考类别：{classes}。</translation>
+  </message>
+  <message>
    <source>Reference database</source>
    <translation>参考数据库</translation>
   </message>
@@ -4876,14 +4876,6 @@ Use a label map of another date than that of the database, with a map displaceme
    <translation>标签的值 {unknown} 不在类别表中；表中的类别为 {classes}。</translation>
   </message>
   <message>
-   <source>The land-cover layer can't be read. Choose a polygon layer.</source>
-   <translation>无法读取土地覆盖图层。请选择多边形图层。</translation>
-  </message>
-  <message>
-   <source>The land-cover layer has no coordinate reference system. Set the CRS in the layer properties.</source>
-   <translation>土地覆盖图层没有坐标参照系。请在图层属性中设置坐标参照系。</translation>
-  </message>
-  <message>
    <source>The landmarks of the whole map: center of gravity, class and area of each region of their classes.</source>
    <translation>整幅地图的地标：其类别中每个区域的重心、类别和面积。</translation>
   </message>
@@ -5070,6 +5062,14 @@ Use a label map of another date than that of the database, with a map displaceme
   <message>
    <source>The pixel size is {pixel_size:g} m; it must be more than 0.</source>
    <translation>像元大小为 {pixel_size:g} m；必须大于 0。</translation>
+  </message>
+  <message>
+   <source>The polygon layer has no coordinate reference system. Set the CRS in the layer properties.</source>
+   <translation>多边形图层没有坐标参照系。请在图层属性中设置坐标参照系。</translation>
+  </message>
+  <message>
+   <source>The polygons can't be read. Choose a polygon layer.</source>
+   <translation>无法读取多边形。请选择多边形图层。</translation>
   </message>
   <message>
    <source>The polygons can’t be made: {reason}.</source>

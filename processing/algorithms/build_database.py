@@ -64,7 +64,8 @@ class BuildDatabase(SemRefAlgorithm):
             ),
             parameters.reference_classes(
                 "Classes that are landmarks: names or values separated by “;”, for example building;bare_land;water. "
-                "If not set, the classes with the role “reference” in the class table of the map are used."
+                "If not set, the classes with the role “reference” in the class table of the map are used. If there "
+                "are none, buildings, water, bare land and orchards are used."
             ),
             with_help(
                 QgsProcessingParameterNumber(self.WINDOW_SIZE, "Window size (m)", DOUBLE, 1280.0, minValue=0.001),
@@ -188,7 +189,10 @@ class BuildDatabase(SemRefAlgorithm):
             table = class_table_of_values(count_values(labels, feedback.isCanceled))
             check_canceled(feedback)
             feedback.pushInfo(tr("The label map contains no class names. The class values are used as names."))
-        return values.with_references(self.REFERENCE_CLASSES, table)
+        table = values.with_references(self.REFERENCE_CLASSES, table)
+        names = ", ".join(one.name for one in table.references)
+        feedback.pushInfo(tr("Reference classes: {classes}.").format(classes=names))
+        return table
 
     def _settings(self, values: Values) -> BuildSettings:
         from ...core.database.build import BuildSettings

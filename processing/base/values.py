@@ -24,6 +24,7 @@ from qgis.core import (
 
 from ...core import limits
 from ...core.errors import ClassTableError, ParameterError
+from ...core.labels.class_colors import is_usual_landmark
 from ...core.labels.class_table import ClassTable, split_list
 from ..compat import NO_GEOMETRY_CHECK
 from .destinations import Destination, destination_of, replaced_by, with_destination
@@ -191,10 +192,14 @@ class Values:
     def with_references(self, key: str, table: ClassTable, needed: bool = True) -> ClassTable:
         """Return a class table with the classes of a list as landmarks, if the list is set.
 
+        If a landmark is ``needed`` and the table has no role for one, the usual ones are landmarks.
+
         Raises:
             ParameterError: The table has no such class, or no landmark although one is ``needed``.
         """
         chosen = self.parts(key)
+        if needed and not table.references:
+            chosen = chosen or [one.name for one in table.classes if is_usual_landmark(one.name)]
         try:
             table = table.with_references(chosen) if chosen else table
             return table.require_references() if needed else table

@@ -188,7 +188,7 @@ def _extent(layer: QgsVectorLayer) -> QgsRectangle:
 def require_polygons(layer: QgsVectorLayer | None) -> QgsVectorLayer:
     """Return a layer of polygons. Raises AnnotationError for another one, and without a layer."""
     if layer is None or not layer.isValid():
-        raise AnnotationError("The land-cover layer can't be read. Choose a polygon layer.")
+        raise AnnotationError("The polygons can't be read. Choose a polygon layer.")
     if layer.geometryType() != POLYGON_GEOMETRY:
         kind = QgsWkbTypes.displayString(layer.wkbType())
         raise AnnotationError("“{layer}” has {kind} geometry. Choose a polygon layer.", layer=layer.name(), kind=kind)

@@ -94,7 +94,7 @@ def metric_crs(
     """
     if not source.isValid():
         raise ParameterError(
-            "The land-cover layer has no coordinate reference system. Set the CRS in the layer properties."
+            "The polygon layer has no coordinate reference system. Set the CRS in the layer properties."
         )
     if target.isValid():
         if not is_metric(target):

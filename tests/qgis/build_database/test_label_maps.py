@@ -81,10 +81,11 @@ def test_a_color_table_without_names_makes_no_classes_that_the_map_lacks(build, 
     assert [row[1] for row in made["classes"]] == [1, 2, 3, 4]
 
 
-def test_roles_of_the_stored_class_table_are_the_default(build, tmp_path):
+@pytest.mark.parametrize("table", [CLASSES_CSV, CLASSES_CSV.replace("reference", "background")])
+def test_roles_of_the_stored_class_table_or_usual_landmarks_are_the_default(build, tmp_path, table):
     path = write_raster(tmp_path / "labels.tif", map_labels())
     labels = gdal.Open(str(path), gdal.GA_Update)
-    labels.SetMetadataItem("SEMREF_CLASS_TABLE", CLASSES_CSV)
+    labels.SetMetadataItem("SEMREF_CLASS_TABLE", table)
     del labels
     made = content(build(path, REFERENCE_CLASSES="")["DATABASE"])
     assert [row[2] for row in made["classes"] if row[4] == "reference"] == ["building", "water", "bare_land"]
