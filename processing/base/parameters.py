@@ -204,6 +204,7 @@ def annotation(optional: bool = False) -> tuple[QgsProcessingParameterDefinition
             ),
             "Number field. Where polygons overlap, the polygon with the higher value is on top. Without this "
             "field the draw order of the class table decides, otherwise the later polygon is on top.",
+            widget="PriorityFieldWidget",
         ),
         class_table(
             tr(

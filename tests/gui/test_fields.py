@@ -104,6 +104,7 @@ def test_a_dialog_begins_with_the_class_field_and_not_with_the_first_one(dialog_
     key = wrappers["CLASS_FIELD"].parameterDefinition().parentLayerParameterName()
     set_value(wrappers[key], layer.id())
     assert wrappers["CLASS_FIELD"].parameterValue() == "Class"
+    assert "PRIORITY_FIELD" not in wrappers or wrappers["PRIORITY_FIELD"].parameterValue() == "zorder"
 
 
 def test_the_class_field_follows_the_layer_and_its_style_and_a_layer_without_one_shows_none(dialog_of, polygons):

@@ -25,7 +25,7 @@ from qgis.PyQt import sip
 from qgis.PyQt.QtWidgets import QWidget
 
 from ...processing.base import parameters
-from ...processing.layers.guess_fields import class_field_of, class_of_all
+from ...processing.layers.guess_fields import class_field_of, class_of_all, priority_field_of
 from ..class_table import add_edit_button
 from ..layer_files import photo_layer
 from ..project_state import DATABASE_SETTING, MODEL_SETTING, remembered_file
@@ -150,6 +150,8 @@ class _LayerWidget(_Widget):
 class ClassFieldWidget(_LayerWidget):
     """Box of the layer's fields that starts with the class field, not with the first field."""
 
+    GUESS = staticmethod(class_field_of)
+
     def createWidget(self):
         box = QgsFieldComboBox()
         box.setAllowEmptyFieldName(True)
@@ -158,7 +160,7 @@ class ClassFieldWidget(_LayerWidget):
 
     def show_layer(self, layer):
         self._box().setLayer(layer)
-        self._box().setField("" if layer is None else class_field_of(layer))
+        self._box().setField("" if layer is None else self.GUESS(layer))
 
     def _box(self) -> QgsFieldComboBox:
         """Return the widget, which QGIS returns as a QComboBox."""
@@ -169,6 +171,12 @@ class ClassFieldWidget(_LayerWidget):
 
     def widgetValue(self):
         return self._box().currentField() or None
+
+
+class PriorityFieldWidget(ClassFieldWidget):
+    """Box of the layer's fields that starts with a field of priorities, or empty."""
+
+    GUESS = staticmethod(priority_field_of)
 
 
 class ClassNameWidget(_LayerWidget):
