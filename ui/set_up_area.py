@@ -14,7 +14,7 @@ from qgis.core import (
     QgsVectorLayer,
 )
 from qgis.gui import QgsFileWidget, QgsProcessingMapLayerComboBox
-from qgis.PyQt.QtCore import QSize, Qt, QTimer, pyqtSignal
+from qgis.PyQt.QtCore import QEvent, QSize, Qt, QTimer, pyqtSignal
 from qgis.PyQt.QtWidgets import (
     QCheckBox,
     QDialog,
@@ -74,14 +74,14 @@ class SetUpAreaDialog(QDialog):
         self._definition = self._asked.parameterDefinition
         self.photos = _files(QgsFileWidget.StorageMode.GetDirectory)
         self.add_files = QPushButton(tr("Add files…"))
-        self.width_m = _number(tr("from the camera or the imagery"), " m", 1, 10)
+        self.width_m = _number(tr("from the camera or the imagery"), 1, 10)
         self.flight = QCheckBox(self._definition(SetUpArea.FLIGHT).description())
         self.map = QgsProcessingMapLayerComboBox(self._definition(SetUpArea.ANNOTATION))
         self.lines = QgsProcessingMapLayerComboBox(self._definition(SetUpArea.LINES))
         self.imagery = QgsProcessingMapLayerComboBox(self._definition(SetUpArea.IMAGERY))
         # QGIS selects the first layer, also of an optional parameter.
         self.lines.setValue(None, QgsProcessingContext())
-        self.minutes = _number(tr("0, use the model as it is"), tr(" min"), 0, 5)
+        self.minutes = _number(tr("0, use the model as it is"), 0, 5)
         self.model = _files(QgsFileWidget.StorageMode.GetFile)
         self.model.setFilter(tr("ONNX models (*.onnx)"))
         self.model.lineEdit().setPlaceholderText(tr("the model of SemRef"))
@@ -165,6 +165,12 @@ class SetUpAreaDialog(QDialog):
         shut_down(self)
         self.deleteLater()
 
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        # The user may have installed or selected elsewhere what was missing.
+        if event.type() == QEvent.Type.ActivationChange and self.isActiveWindow() and not self.start.isEnabled():
+            self._read_soon()
+
     def choose_layers(self) -> None:
         """Choose map and imagery of a project in which the dialog is new."""
         if self._run.running or not self._is_other_project:
@@ -214,6 +220,7 @@ class SetUpAreaDialog(QDialog):
         values = Values(algorithm, given, self._context)
         self.summary.setText(tr("Reading the photos and the map…"))
         try:
+            algorithm.check(values)
             algorithm.read_layers(values)
         except SemRefError as error:
             self.summary.setText(worded(error))
@@ -309,12 +316,11 @@ def _files(mode: QgsFileWidget.StorageMode) -> QgsFileWidget:
     return made
 
 
-def _number(none: str, suffix: str, decimals: int, step: float) -> QDoubleSpinBox:
+def _number(none: str, decimals: int, step: float) -> QDoubleSpinBox:
     """Return a field for a number; 0 is shown as ``none``."""
     made = QDoubleSpinBox()
     made.setRange(0, 100_000)
     made.setDecimals(decimals)
     made.setSingleStep(step)
-    made.setSuffix(suffix)
     made.setSpecialValueText(none)
     return made

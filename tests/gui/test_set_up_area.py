@@ -9,6 +9,7 @@ from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer, QgsWkbTypes
 from qgis.PyQt.QtGui import QDesktopServices
 from qgis.PyQt.QtWidgets import QCheckBox, QFileDialog
 
+from semref.processing.packages import training_environment
 from semref.ui.set_up_area import add_area
 
 
@@ -53,6 +54,10 @@ def test_it_asks_for_what_is_missing_and_shows_sizes(project_map, dialog, sample
     dialog.folder.setFilePath(str(tmp_path / "results"))
     wait_until(dialog.start.isEnabled, "the button Run")
     dialog.minutes.setValue(5)
+    shows(dialog, "Training needs a Python with torch.")
+    assert not dialog.start.isEnabled()
+    monkeypatch.setattr(training_environment, "training_python", lambda: "python")
+    dialog.minutes.setValue(6)
     shows(dialog, "The model is trained on the photos that get a position.")
     opened = []
     monkeypatch.setattr(QDesktopServices, "openUrl", lambda url: opened.append(url.toLocalFile()))
