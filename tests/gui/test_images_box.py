@@ -4,7 +4,7 @@ import sqlite3
 import cv2
 import numpy as np
 import pytest
-from dock_area import add_raster_layer, dropped, from_the_layer_tree, messages, wait_until
+from dock_area import add_raster_layer, dropped, from_the_layer_tree, messages, settle, wait_until
 from qgis.core import QgsApplication, QgsProcessingOutputFile, QgsProcessingOutputHtml
 from qgis.PyQt.QtCore import QMimeData, QUrl, pyqtSignal
 from qgis.PyQt.QtGui import QDesktopServices
@@ -69,6 +69,7 @@ def test_the_report_of_training_is_opened_from_a_message_not_by_qgis(
     monkeypatch.setattr(QDesktopServices, "openUrl", lambda address: opened.append(address.toLocalFile()))
     page = str(tmp_path / "report.html")
     training_dialog.algorithmFinished.emit(True, {"OUTPUT": str(tmp_path / "own.onnx"), "REPORT": page})
+    settle()
     assert messages(iface) == ["The model is trained and selected in the dock."]
     (button,) = [b for b in iface.bar.findChildren(QPushButton) if b.text() == "Open report"]
     button.click()

@@ -144,7 +144,7 @@ def test_a_run_shows_map_landmarks_and_positions(dock, iface, started, tmp_path)
     assert is_flight is started.flight.isChecked() and [*names[: len(shown)], names[-1]] == [*shown, "land cover"]
     assert dock.content.database.path() == str(tmp_path / "results" / "reference_database.gpkg")
     assert dock.content.localize.state.text_shown.startswith("2 of 2 images have a position")
-    assert any("The area is set up" in text for text in messages(iface))
+    wait_until(lambda: any("The area is set up" in text for text in messages(iface)), "the message")
     assert Path(started.folder.filePath(), "report.html").is_file()
 
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from html import escape
 
 from qgis.core import Qgis, QgsMessageLog, QgsProject
 from qgis.gui import QgsMessageBar, QgsMessageBarItem
-from qgis.PyQt.QtCore import QUrl
+from qgis.PyQt.QtCore import QTimer, QUrl
 from qgis.PyQt.QtGui import QDesktopServices
 from qgis.PyQt.QtWidgets import QPushButton
 
@@ -42,23 +43,24 @@ class Messages:
 
     def error_with(self, sentence: str, button: str, pressed: Callable[[], None]) -> QgsMessageBarItem:
         """Show an error with a button that solves it. The tool tip has the whole sentence."""
-        return self._push_with(sentence, button, pressed, Qgis.MessageLevel.Critical)
+        item = self._message_with(sentence, button, pressed)
+        self._bar.pushWidget(item, Qgis.MessageLevel.Critical)
+        return item
 
     def success_with(self, sentence: str, button: str, pressed: Callable[[], None]) -> None:
         """Show a success with a button for the next step, until the project is closed."""
-        item = self._push_with(sentence, button, pressed, Qgis.MessageLevel.Success)
+        item = self._message_with(sentence, button, pressed)
+        # After QGIS's “Task complete”, which would cover it.
+        QTimer.singleShot(0, partial(self._bar.pushWidget, item, Qgis.MessageLevel.Success))
         QgsProject.instance().cleared.connect(item.dismiss)
 
-    def _push_with(
-        self, sentence: str, button: str, pressed: Callable[[], None], level: Qgis.MessageLevel
-    ) -> QgsMessageBarItem:
+    def _message_with(self, sentence: str, button: str, pressed: Callable[[], None]) -> QgsMessageBarItem:
         item = self._bar.createMessage(TAG, _escaped(sentence))
         next_step = QPushButton(button)
         next_step.clicked.connect(pressed)
         next_step.clicked.connect(item.dismiss)
         item.setToolTip(plain_tip(sentence))
         item.layout().addWidget(next_step)
-        self._bar.pushWidget(item, level)
         return item
 
 
