@@ -184,7 +184,8 @@ def _in_order(
         log_result(item, feedback)
         localized.append(item)
         feedback.setProgress(95 * len(localized) / len(paths))
-        feedback.setProgressText(item.name)
+        for path in paths[len(localized) :][:1]:
+            feedback.setProgressText(os.path.basename(path))
     return localized
 
 

@@ -99,7 +99,7 @@ def _figures(photos: Sequence[PhotoRow]) -> str:
     likely = sum(photo.status == Status.LIKELY for photo in photos)
     radii = [photo.radius_m for photo in placed if photo.radius_m is not None]
     of_all = tr("of {count} photos").format(count=len(photos))
-    radius = page.number(median(radii), "m") if radii else page.NOTHING
+    radius = page.fixed(median(radii) if radii else None, ".1f", f"{page.NO_BREAK}m")
     return page.key_figures(
         [
             (str(len(placed)), tr("Photos with a position"), of_all),
@@ -114,7 +114,7 @@ def _table(photos: Sequence[PhotoRow]) -> str:
     columns = [
         (tr("Photo"), lambda photo: os.path.basename(photo.image)),
         (tr("Status"), lambda photo: words.get(photo.status, photo.status)),
-        (tr("95 % radius"), lambda photo: page.number(photo.radius_m, "m")),
+        (tr("95 % radius"), lambda photo: page.fixed(photo.radius_m, ".1f", f"{page.NO_BREAK}m")),
         (tr("Reason"), lambda photo: photo.reason),
     ]
     return page.records(photos, columns, (2,))

@@ -129,7 +129,9 @@ def fit_name(text: str, name: str, metrics: QFontMetrics, width_px: int) -> str:
     least = metrics.horizontalAdvance(name[:_NAME_LETTERS])
     if width_px - metrics.horizontalAdvance(rest) < least and rest.count(_BETWEEN) > 1:
         rest = _BETWEEN + rest.rpartition(_BETWEEN)[2]
-    room = max(width_px - metrics.horizontalAdvance(rest), _NAME_LEAST_PX)
+    # Qt cuts off the end of a longer line. A status may lose it, because the reason follows; a number may not.
+    least = _NAME_LEAST_PX if any(map(str.isdigit, rest)) else least
+    room = max(width_px - metrics.horizontalAdvance(rest), least)
     if metrics.horizontalAdvance(name) > room:
         name = os.path.splitext(name)[0]
     return f"{metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, room)}{rest}\n{below}"
