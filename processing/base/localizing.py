@@ -91,9 +91,8 @@ class LocalizeAlgorithm(SemRefAlgorithm):
     def risk_parameter(self, text: str) -> QgsProcessingParameterDefinition:
         """Return the maximum error probability of a position."""
         title = tr("Maximum error probability")
-        risk = QgsProcessingParameterNumber(self.RISK, title, DOUBLE, RISK, minValue=LEAST_RISK, maxValue=0.5)
-        risk.setMetadata({"widget_wrapper": {"decimals": 12}})
-        return with_help(risk, text, advanced=True)
+        number = QgsProcessingParameterNumber(self.RISK, title, DOUBLE, RISK, minValue=LEAST_RISK, maxValue=0.5)
+        return with_help(number, text, advanced=True)
 
     def sun_parameter(self) -> QgsProcessingParameterDefinition:
         return parameters.sun_direction(
