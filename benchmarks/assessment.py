@@ -15,14 +15,8 @@ from benchmarks.results import Table, rate
 def run(world: World, name: str, scenario: dict[str, Any], only: Sequence[str]) -> list[Table]:
     """Assess the database of each row, localize its images, and compare them square by square."""
     found = measure(rows_of(scenario), only, lambda row: compared(world, name, row, scenario["assumed"]))
-    columns = [
-        "images",
-        "right fixes, expected",
-        "right fixes",
-        "wrong fixes",
-        "Brier score",
-        "Brier score of the mean",
-    ]
+    scores = ["Brier score", "Brier score of the mean"]
+    columns = ["images", "right fixes, expected", "right fixes", "wrong fixes", *scores]
     curves = [
         {"columns": ["expected", "mean", f"right: {row}"], "rows": curve(*pairs)} for row, (_, pairs) in found.items()
     ]
@@ -37,7 +31,10 @@ def compared(world: World, name: str, row: Row, assumed: dict[str, float]) -> tu
     right = np.array([one["right"] for one in some])
     scores = [f"{((guess - right) ** 2).mean():.3f}" for guess in (expected, right.mean())]
     wrong = sum(one["wrong"] for one in some)
-    return [f"{expected.mean():.1%}", rate(right.sum(), len(some)), rate(wrong, len(some)), *scores], (expected, right)
+    return [f"{100 * expected.mean():.1f} %", rate(right.sum(), len(some)), rate(wrong, len(some)), *scores], (
+        expected,
+        right,
+    )
 
 
 def assessed(world: World, name: str, assumed: dict[str, float]) -> np.ndarray:
@@ -58,8 +55,8 @@ def curve(expected: np.ndarray, right: np.ndarray) -> list[list[str]]:
     tenths = np.minimum((10 * expected).astype(int), 9)
     return [
         [
-            f"{tenth / 10:.0%}–{(tenth + 1) / 10:.0%}",
-            f"{expected[some].mean():.1%}",
+            f"{10 * tenth}–{10 * tenth + 10} %",
+            f"{100 * expected[some].mean():.1f} %",
             rate(right[some].sum(), some.sum()),
         ]
         for tenth in range(10)

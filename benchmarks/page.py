@@ -24,7 +24,8 @@ def write() -> None:
 
 def page(content: dict[str, Any]) -> str:
     """Return the page in Markdown."""
-    rows = [[line["figure"], line["goal"], results.cell(*line["of"])] for line in content["summary"]]
+    cells = [(one["figure"], one.get("goal") or results.cell(*one["goal_of"]), one["of"]) for one in content["summary"]]
+    rows = [[figure, goal, results.cell(*of)] for figure, goal, of in cells]
     parts = [content["head"], results.markdown(["figure", "goal", "measured"], rows)]
     parts += [topic(one, content["words"]) for one in content["topic"]]
     shown = {name for one in content["topic"] for name, _ in one["from"]}

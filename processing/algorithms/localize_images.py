@@ -184,8 +184,8 @@ def _in_order(
         log_result(item, feedback)
         localized.append(item)
         feedback.setProgress(95 * len(localized) / len(paths))
-        for path in paths[len(localized) :][:1]:
-            feedback.setProgressText(os.path.basename(path))
+        if len(localized) < len(paths):
+            feedback.setProgressText(os.path.basename(paths[len(localized)]))
     return localized
 
 

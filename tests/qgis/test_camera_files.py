@@ -65,8 +65,8 @@ def test_what_dji_states_of_its_lens_straightens_the_image(tmp_path):
     # On a label image of half the size.
     way = camera.leveling((30, 40))
     assert way.bent is not None and way.nadir is None and way.shape_hw > (30, 40)
-    told = "focal length 30 px, height 40.0 m, lens distortion up to 16.7 % of the width corrected"
-    assert camera_read(camera, (30, 40)) == told
+    expected = "focal length 30 px, height 40.0 m, lens distortion up to 16.7 % of the width corrected"
+    assert camera_read(camera, (30, 40)) == expected
 
 
 @pytest.mark.parametrize(

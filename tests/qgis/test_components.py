@@ -184,7 +184,7 @@ def test_a_folder_that_cannot_be_made_is_explained(root, tmp_path, wheels, insta
 def test_each_failure_is_reported_but_what_concerns_all_packages_only_once(qgis_app, tmp_path, monkeypatch):
     monkeypatch.setattr(components, "components_root", lambda: tmp_path)
 
-    def told(*outputs):
+    def outcome(*outputs):
         commands = component_install.installing([GOOD, BROKEN, replace(GOOD, pip_name="semref-third")])
         command = next(commands)
         left = list(outputs)
@@ -196,10 +196,10 @@ def test_each_failure_is_reported_but_what_concerns_all_packages_only_once(qgis_
                 command = commands.send(component_install.Answer(*answer))
         return str(caught.value), left
 
-    sentence, left = told("", "DO NOT MATCH THE HASHES", "")
+    sentence, left = outcome("", "DO NOT MATCH THE HASHES", "")
     assert sentence.index("semref-made") < sentence.index("semref-broken") < sentence.index("semref-third")
     offline = "Retrying (Retry(total=0))\nERROR: No matching distribution found for semref-{}"
-    sentence, left = told(offline.format("made"), offline.format("broken"), "")
+    sentence, left = outcome(offline.format("made"), offline.format("broken"), "")
     assert sentence.count("cannot be reached") == 1 and left == [""]
 
 
