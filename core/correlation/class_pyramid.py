@@ -76,15 +76,32 @@ class EvidenceLevel:
         """(H, W · C) evidence minus the mean of each channel."""
         return centered(self.evidence)
 
+    @cached_property
+    def energy(self) -> float:
+        """Sum of the squares of ``centered``."""
+        return float((self.centered**2).sum())
 
-def centered(planes: np.ndarray) -> np.ndarray:
+    @cached_property
+    def least_known(self) -> float:
+        """Smallest labeled share of a pixel."""
+        return float(self.known.min())
+
+
+def centered(planes: np.ndarray, weights: np.ndarray | None = None) -> np.ndarray:
     """Return (…, H, W · C) of (…, H, W, C) float32 planes, minus the mean of each channel over its pixels.
 
     All channels of a row are in one axis: loops over a few channels take longer than the arithmetic.
+
+    Args:
+        planes: Multiplied by the weights.
+        weights: (…, H, W) of pixels; all equal if None.
     """
-    *_, height, width, _ = planes.shape
-    means = np.einsum("...hwc->...c", planes) / np.float32(height * width)
-    return planes.reshape(*planes.shape[:-2], -1) - np.tile(means, width)[..., None, :]
+    *_, height, width, channels = planes.shape
+    sums, rows = np.einsum("...hwc->...c", planes), planes.reshape(*planes.shape[:-2], -1)
+    if weights is None:
+        return rows - np.tile(sums / np.float32(height * width), width)[..., None, :]
+    means = sums / np.maximum(weights.sum(axis=(-2, -1)), 1e-6)[..., None]
+    return rows - np.repeat(weights, channels, axis=-1) * np.tile(means, width)[..., None, :]
 
 
 def class_fractions(labels_hw: np.ndarray, values: Sequence[int] | np.ndarray, size_wh: tuple[int, int]) -> np.ndarray:

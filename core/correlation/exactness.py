@@ -101,9 +101,10 @@ def leaning_covariance(
     fit = fit_at(image, pyramid, pose, pyramid.quiet)
     if fit is None:
         return np.full((4, 4), np.inf)
-    pull, inverse = fit[0], damped_inverse(fit[1])
+    (_, slopes, normal) = fit
+    inverse = damped_inverse(normal)
     height, width = image.known.shape
-    growing = block_sums(pull.slopes * pull.slopes[SCALE], (height, width), pyramid.settings.blocks)
+    growing = block_sums(slopes * slopes[SCALE], (height, width), pyramid.settings.blocks)
     down, across = growing.shape[1:]
     edges_m = np.array([width * image.pixel[0], height * image.pixel[1]]) * pose.pixel_size_m
     row, column = (axis.ravel() for axis in np.indices((down, across)))

@@ -264,8 +264,9 @@ def _wide_peaks(image: EvidenceLevel, pyramid: MapPyramid, wide: SearchSpace, sh
     return refined(distinct(poses, image, _HALF * settings.apart, few), settings.coarse_edge)
 
 
-_STEPS, _HALF = 3, 0.5
-"""Steps of a refinement; share of the final distance between different places."""
+_STEPS, _FINE_STEPS, _HALF = 3, 12, 0.5
+"""Steps of a refinement of many places, and of the best; share of the final distance between different places. Poor
+labels need many steps."""
 
 
 def _poses_of(peaks: np.ndarray) -> list[ScoredPose]:
@@ -317,7 +318,7 @@ def finest_pose(
     last = min(np.sqrt(height * width), ground_m / pyramid.frame.pixel_size)
     while True:
         level = reduce_image(image, edge)
-        moved = refine(level, pyramid, pose, quiet, 4)
+        moved = refine(level, pyramid, pose, quiet, _FINE_STEPS)
         if moved.score > 0:
             pose = replace(moved, score=pose.score)
         if edge * 2 > max(last * 1.2, first):

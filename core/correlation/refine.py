@@ -2,9 +2,10 @@
 
 See docs/explanation/method.md#map-correlation.
 
-Gauss–Newton on Σ (map(pose) − a·image − b)² over all channels, with free a and b. It has the optimum of the zero-mean
-normalized cross-correlation (Evangelidis & Psarakis 2008). The mean of both gradients (Malis 2004, "ESM") converges
-from farther away. Four parameters: place (2), heading, logarithm of the pixel size.
+Gauss–Newton on Σ (map(pose) − a·image − b)² over all channels. b makes both means, a both norms equal: with a as in
+a linear regression, label errors would make a small, and the pose would move to where the map is more uniform. The
+optimum is that of the zero-mean normalized cross-correlation (Evangelidis & Psarakis 2008). The mean of both gradients
+(Malis 2004, "ESM") converges from farther away. Four parameters: place (2), heading, logarithm of the pixel size.
 """
 
 from __future__ import annotations
@@ -15,13 +16,8 @@ import cv2
 import numpy as np
 
 from ..geometry.small_matrices import eigen
-from .class_pyramid import EvidenceLevel, MapPyramid, centered
-
-LEAST_KNOWN = 0.5
-"""Least labeled share of the map under a place in the search."""
-
-LEAST_KNOWN_MOVED = 0.4
-"""Least labeled share during refinement: smaller, so that the limit does not stop places at the map's edge."""
+from .class_pyramid import EvidenceLevel, MapPyramid
+from .compare import LEAST_KNOWN, LEAST_KNOWN_MOVED, NOT_COMPARABLE, Comparison, compare
 
 LARGEST_STEP = (1.5, 1.5, 0.06, 0.06)
 """Largest Gauss–Newton step: coarse pixels right and down, radians, ln pixel size. The linearization is not valid
@@ -40,9 +36,6 @@ finite. With 0.2, the radius of single images is too small. Flights use a smalle
 
 SCALE = 3
 """Number of the parameter of the pixel size."""
-
-NOT_COMPARABLE = -1.0
-"""Score if the map has too few labels under the image, or if either is uniform."""
 
 
 @dataclass(frozen=True)
@@ -95,13 +88,13 @@ def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: f
     """
     best = pose
     for step in range(steps + 1):
-        fit = _compare(image, pyramid, pose, quiet)
-        pose = replace(pose, score=fit.score)
-        if step == 0 or fit.score > best.score:
+        found = _compared(image, pyramid, pose, quiet)
+        pose = replace(pose, score=float(found.scores))
+        if step == 0 or pose.score > best.score:
             best = pose
-        if step == steps or fit.gain <= 0 or fit.score < best.score - 0.1:
+        if step == steps or pose.score <= 0 or pose.score < best.score - 0.1:
             break
-        move = _move(_pull(image, fit), image)
+        move = _move(image, found)
         if (np.abs(move) < CONVERGED * parameter_units(image)).all():
             break
         pose = move_pose(pose, move)
@@ -114,10 +107,10 @@ def is_held_by_edge(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose,
     Args:
         quiet: As in ``refine``.
     """
-    fit = _compare(image, pyramid, pose, quiet)
-    if fit.gain <= 0:
+    found = _compared(image, pyramid, pose, quiet)
+    if found.scores <= 0:
         return False
-    _, known = map_under(image, pyramid, move_pose(pose, _move(_pull(image, fit), image)))
+    _, known = map_under(image, pyramid, move_pose(pose, _move(image, found)))
     return float(known.mean()) < LEAST_KNOWN_MOVED
 
 
@@ -142,7 +135,7 @@ def moved(at: np.ndarray, moves: np.ndarray) -> np.ndarray:
 
 def score_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> float:
     """Return the correlation −1…1 of image and map at an unchanged pose, or NOT_COMPARABLE."""
-    return _compare(image, pyramid, pose, quiet, LEAST_KNOWN).score
+    return float(_compared(image, pyramid, pose, quiet, LEAST_KNOWN).scores)
 
 
 def pose_covariance(
@@ -160,11 +153,11 @@ def pose_covariance(
     fit = fit_at(image, pyramid, pose, quiet)
     if fit is None:
         return np.full((4, 4), np.inf)
-    (pull, normal), units = fit, parameter_units(image)
-    height, width = image.known.shape
-    noise = slopes_of(image, pull.residual.reshape(height, -1)).reshape(4, -1)
+    (found, slopes, normal), units = fit, parameter_units(image)
+    residual = found.there - found.seen
+    noise = found.slopes(slopes_of(image, residual)).reshape(4, -1)
     inverse = inverse_without_noise(normal, _normal(noise), least_trusted)
-    pulls = clustered_covariance(pull.slopes * pull.residual, (height, width), pyramid.settings.blocks)
+    pulls = clustered_covariance(slopes * residual.ravel(), image.known.shape, pyramid.settings.blocks)
     return inverse @ pulls @ inverse * np.outer(units, units)
 
 
@@ -187,60 +180,16 @@ def inverse_without_noise(normal: np.ndarray, noise: np.ndarray, least_trusted: 
     return found / np.maximum(1 - shares, least_trusted) @ found.T
 
 
-@dataclass(frozen=True)
-class Pull:
-    """Gradient of a pose.
-
-    Attributes:
-        slopes: (4, h·w·C) of the fit, by the parameters in ``parameter_units``.
-        residual: (h·w·C,) of the fit.
-    """
-
-    slopes: np.ndarray
-    residual: np.ndarray
-
-
-@dataclass(frozen=True)
-class _Fit:
-    """Image and map at a pose, compared.
-
-    Attributes:
-        score: Correlation, or NOT_COMPARABLE.
-        gain: Of the image in the map; a pose has a gradient only above 0.
-        seen: (h, w · C) evidence of the image without its means.
-        there: (h, w · C) of the map.
-    """
-
-    score: float
-    gain: float
-    seen: np.ndarray
-    there: np.ndarray
-
-
 def parameter_units(image: EvidenceLevel) -> np.ndarray:
     """Return the change of each parameter that moves the image's edge by one coarse pixel."""
     height, width = image.known.shape
     return np.array([image.pixel[0], image.pixel[1], 2 / width, 2 / height])
 
 
-def _compare(
+def _compared(
     image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float, least_known: float | None = None
-) -> _Fit:
-    """Return a pose's score; ``least_known``: least labeled share, that of refinement if None."""
-    patch, known = map_under(image, pyramid, pose)
-    seen, there = image.centered, centered(patch)
-    norm, energy = float((seen**2).sum()), float((there**2).sum())
-    least_known = LEAST_KNOWN_MOVED if least_known is None else least_known
-    if known.mean() < least_known or norm <= 0 or energy <= 0:
-        return _Fit(NOT_COMPARABLE, 0.0, seen, there)
-    product = float((seen * there).sum())
-    return _Fit(product / np.sqrt(norm * (energy + quiet * known.size)), product / norm, seen, there)
-
-
-def _pull(image: EvidenceLevel, fit: _Fit) -> Pull:
-    """Return the gradient of a pose with a gain."""
-    slopes = slopes_of(image, fit.there + fit.gain * fit.seen)
-    return Pull(slopes.reshape(4, -1), (fit.there - fit.gain * fit.seen).ravel())
+) -> Comparison:
+    return compare(image, *map_under(image, pyramid, pose), quiet, least_known)
 
 
 def slopes_of(image: EvidenceLevel, both: np.ndarray) -> np.ndarray:
@@ -278,15 +227,22 @@ def gradients(planes: np.ndarray, channels: int) -> np.ndarray:
     return found
 
 
-def fit_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> tuple[Pull, np.ndarray] | None:
-    """Return a pose's gradient and its (4, 4) normal equations; None if the pose is undetermined."""
-    fit = _compare(image, pyramid, pose, quiet)
-    if fit.gain <= 0:
+def fit_at(
+    image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float
+) -> tuple[Comparison, np.ndarray, np.ndarray] | None:
+    """Return a pose's comparison, (4, h·w·C) slopes and (4, 4) normal equations; None if the pose is undetermined."""
+    found = _compared(image, pyramid, pose, quiet)
+    if found.scores <= 0:
         return None
-    pull = _pull(image, fit)
-    normal = _normal(pull.slopes)
+    slopes = _slopes(image, found)
+    normal = _normal(slopes)
     strengths, _ = eigen(normal)
-    return None if strengths[-1] <= DAMPING * strengths.sum() else (pull, normal)
+    return None if strengths[-1] <= DAMPING * strengths.sum() else (found, slopes, normal)
+
+
+def _slopes(image: EvidenceLevel, found: Comparison) -> np.ndarray:
+    """Return (4, h·w·C) slopes of a pose with a positive score."""
+    return found.slopes(slopes_of(image, found.there + found.seen)).reshape(4, -1)
 
 
 def _normal(slopes: np.ndarray) -> np.ndarray:
@@ -301,11 +257,12 @@ def damped_inverse(normal: np.ndarray) -> np.ndarray:
     return cv2.invert(normal + damped * np.eye(4), flags=cv2.DECOMP_CHOLESKY)[1]
 
 
-def _move(pull: Pull, image: EvidenceLevel) -> np.ndarray:
+def _move(image: EvidenceLevel, found: Comparison) -> np.ndarray:
     """Return the (4,) Gauss–Newton step: x, y in image pixels, radians, ln scale."""
-    descent = np.einsum("ik,k->i", pull.slopes, pull.residual).astype(np.float64)
+    slopes = _slopes(image, found)
+    descent = np.einsum("ik,k->i", slopes, (found.there - found.seen).ravel()).astype(np.float64)
     limit = np.array(LARGEST_STEP) * np.array([*image.pixel, 1, 1])
-    return np.clip(-(damped_inverse(_normal(pull.slopes)) @ descent) * parameter_units(image), -limit, limit)
+    return np.clip(-(damped_inverse(_normal(slopes)) @ descent) * parameter_units(image), -limit, limit)
 
 
 def clustered_covariance(pulls: np.ndarray, shape_hw: tuple[int, int], blocks: int) -> np.ndarray:

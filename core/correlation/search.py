@@ -21,7 +21,7 @@ import cv2
 import numpy as np
 
 from .class_pyramid import EvidenceLevel, MapPyramid
-from .refine import LEAST_KNOWN
+from .compare import LEAST_KNOWN
 
 TILE_SIZE = 128
 """Edge of a tile of the FFT, coarse pixels: powers of two are fastest, about four times the turned image is best."""

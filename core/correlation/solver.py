@@ -24,6 +24,7 @@ from ..labels.class_shares import ClassShares
 from ..localization import RISK, CorrelationPeaks, Localization, Method, Place, Prior, Status
 from ..sentences import Sentence
 from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, mirror_level
+from .compare import NOT_COMPARABLE
 from .decision import decide, decide_accuracy, position_error_95, rank, risk_of_peaks
 from .exactness import covariance_on_map, full_pose_covariance, leaning_covariance
 from .parts import disagreeing_part
@@ -38,7 +39,7 @@ from .places import (
     search_spaces,
     size_for,
 )
-from .refine import NOT_COMPARABLE, ScoredPose, is_held_by_edge, map_under, score_at
+from .refine import ScoredPose, is_held_by_edge, map_under, score_at
 from .search import SearchSpace
 from .view_effects import view_effect
 

@@ -1,9 +1,12 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from semref.core.correlation.class_pyramid import evidence_level
+from semref.core.correlation.class_pyramid import MapPyramid, evidence_level
+from semref.core.correlation.compare import NOT_COMPARABLE, compare
 from semref.core.correlation.exactness import covariance_on_map
-from semref.core.correlation.refine import NOT_COMPARABLE, ScoredPose, pose_covariance, refine, score_at
+from semref.core.correlation.refine import ScoredPose, map_under, pose_covariance, refine, score_at
 from semref.core.correlation.refine_many import refine_many
 from semref.core.correlation.search import SearchSpace, search
 from semref.core.geometry.frame import MapFrame
@@ -62,7 +65,7 @@ def test_the_radius_contains_the_errors_of_noisy_labels_and_grows_with_them(patc
 def test_an_image_of_one_class_agrees_nowhere_and_its_covariance_is_infinite(patch_pyramid, image, place):
     alike = type(image)(np.ones_like(image.evidence), image.known, image.pixel)
     (found,) = refine_many(alike, patch_pyramid, [place], 0.0, 2)
-    assert found.score == (0.0 if place is TRUE else NOT_COMPARABLE)
+    assert found.score == NOT_COMPARABLE
     assert np.isinf(pose_covariance(alike, patch_pyramid, place, patch_pyramid.quiet)).all()
 
 
@@ -82,3 +85,31 @@ def test_peaks_are_sorted_by_score_inside_the_box_and_missing_beside_the_map(pat
     assert len(found) > 3 and (np.diff(found[:, 0]) <= 0).all()
     assert (found[:, 1:3] >= (700, 500)).all() and (found[:, 1:3] <= (1000 + pixel, 800 + pixel)).all()
     assert none.shape == (0, 5)
+
+
+def spoiled(labels, share, seed):
+    """Return labels with blocks of 25 × 25 pixels in random classes on a share of the area."""
+    wrong, other = np.random.default_rng(seed).random((2, 20, 20)).repeat(25, axis=1).repeat(25, axis=2)
+    return np.where(wrong < share, 1 + (5 * other).astype(np.uint8), labels)
+
+
+@pytest.mark.parametrize("beyond_px", [0, -20])
+def test_the_edge_of_the_map_does_not_attract_an_image_that_shows_ground_beyond_it(patches, beyond_px):
+    frame, edge = MapFrame.at((0.0, 0.0), 4.0), patches.copy()
+    edge[: round(TRUE.y / 4) + beyond_px] = 0
+    pyramid = MapPyramid(edge, frame)
+    labels = cut(patches, frame, View(TRUE.x, -TRUE.y, TRUE.heading_deg, TRUE.pixel_size_m, 500, 500))
+    start, found = replace(TRUE, pixel_size_m=1.01 * TRUE.pixel_size_m), []
+    for seed in range(20):
+        seen = evidence_level(spoiled(labels, 0.3, seed), pyramid.space, (64, 64))
+        found.append(refine(seen, pyramid, start, pyramid.quiet, 12).y)
+    assert np.mean(found) == pytest.approx(TRUE.y, abs=0.3)
+
+
+def test_poor_labels_are_compared_at_the_norm_of_the_map(patches, patch_pyramid):
+    frame = MapFrame.at((0.0, 0.0), 4.0)
+    labels = cut(patches, frame, View(TRUE.x, -TRUE.y, TRUE.heading_deg, TRUE.pixel_size_m, 500, 500))
+    seen = evidence_level(spoiled(labels, 0.6, 0), patch_pyramid.space, (64, 64))
+    found = compare(seen, *map_under(seen, patch_pyramid, TRUE), patch_pyramid.quiet)
+    assert np.linalg.norm(found.seen) == pytest.approx(np.linalg.norm(found.there), rel=1e-4)
+    assert 0.2 < found.scores < 0.5
