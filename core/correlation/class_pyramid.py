@@ -77,11 +77,6 @@ class EvidenceLevel:
         return centered(self.evidence)
 
     @cached_property
-    def energy(self) -> float:
-        """Sum of the squares of ``centered``."""
-        return float((self.centered**2).sum())
-
-    @cached_property
     def least_known(self) -> float:
         """Smallest labeled share of a pixel."""
         return float(self.known.min())
@@ -94,14 +89,14 @@ def centered(planes: np.ndarray, weights: np.ndarray | None = None) -> np.ndarra
 
     Args:
         planes: Multiplied by the weights.
-        weights: (…, H, W) of pixels; all equal if None.
+        weights: (H, W) of pixels; None if all are 1.
     """
     *_, height, width, channels = planes.shape
     sums, rows = np.einsum("...hwc->...c", planes), planes.reshape(*planes.shape[:-2], -1)
     if weights is None:
         return rows - np.tile(sums / np.float32(height * width), width)[..., None, :]
-    means = sums / np.maximum(weights.sum(axis=(-2, -1)), 1e-6)[..., None]
-    return rows - np.repeat(weights, channels, axis=-1) * np.tile(means, width)[..., None, :]
+    means = np.tile(sums / np.float32(max(float(weights.sum()), 1e-6)), width)
+    return rows - np.repeat(weights, channels, axis=1) * means
 
 
 def class_fractions(labels_hw: np.ndarray, values: Sequence[int] | np.ndarray, size_wh: tuple[int, int]) -> np.ndarray:

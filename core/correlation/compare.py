@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 
 from .class_pyramid import EvidenceLevel, centered
@@ -27,66 +28,61 @@ NOT_COMPARABLE = -1.0
 
 @dataclass(frozen=True)
 class Comparison:
-    """An image and the map at one or more poses, without the mean of each channel.
+    """An image and the map at a pose, without the mean of each channel.
 
     Attributes:
-        scores: (…) correlations −1…1, or NOT_COMPARABLE.
-        seen: (…, h, w · C) evidence of the image, scaled to the norm of the map's; 0 if they don't agree. With another
-            scale, places where the map is more uniform would attract poor labels.
-        there: (…, h, w · C) of the map.
-        weights: (…, h, w · C) of slopes, 0 at unknown ground; None for the whole image.
+        score: Correlation −1…1 by which places are ranked, or NOT_COMPARABLE. Unknown ground counts as average ground,
+            so that a place half beyond the map's edge does not match easily.
+        fit: Correlation where both have labels, or NOT_COMPARABLE: highest at the most accurate pose.
+        seen: (h, w · C) evidence of the image, scaled to the norm of the map's. With the factor of a linear regression,
+            places where the map is more uniform would attract poor labels.
+        there: (h, w · C) of the map.
+        weights: (h, w · C) of slopes, 0 at unknown ground; None for the whole image.
     """
 
-    scores: np.ndarray
+    score: float
+    fit: float
     seen: np.ndarray
     there: np.ndarray
-    weights: np.ndarray | None
+    weights: np.ndarray | None = None
 
     def slopes(self, slopes: np.ndarray) -> np.ndarray:
-        """Return the slopes (P, …, h, w · C) without those of unknown ground."""
+        """Return the slopes (P, h, w · C) without those of unknown ground."""
         return slopes if self.weights is None else slopes * self.weights
 
 
 def compare(
-    image: EvidenceLevel,
-    patches: np.ndarray,
-    known: np.ndarray,
-    quiet: float,
-    least_known: float | None = None,
+    image: EvidenceLevel, patch: np.ndarray, known: np.ndarray, quiet: float, least_known: float | None = None
 ) -> Comparison:
     """Compare an image with the map under it.
 
     Args:
         image: Its evidence.
-        patches: (…, h, w, C) evidence of the map at each pose.
-        known: (…, h, w) labeled shares of the map.
+        patch: (h, w, C) evidence of the map.
+        known: (h, w) labeled share of the map.
         quiet: Energy per pixel that is added to the map's own in the score.
-        least_known: Least labeled share; that of refinement if None.
+        least_known: Least labeled share of the map; that of refinement if None.
     """
-    seen, there, weights = image.centered, patches, None
+    seen, there, weights = image.centered, centered(patch), None
+    norm, energy, product = _products(seen, there)
+    least_known = LEAST_KNOWN_MOVED if least_known is None else least_known
+    if known.mean() < least_known or norm <= 0 or energy <= 0:
+        return Comparison(NOT_COMPARABLE, NOT_COMPARABLE, seen, there)
+    score = product / float(np.sqrt(norm * (energy + quiet * known.size)))
     if min(float(known.min()), image.least_known) < LEAST_WHOLE:
         both = known * image.known
         seen = centered(image.evidence * known[..., None], both)
-        there = centered(patches * image.known[..., None], both)
-        weights = np.repeat(_without_rim(both), patches.shape[-1], axis=-1)
-    else:
-        there = centered(patches)
-    norm, energy = (np.einsum("...hk,...hk->...", one, one) for one in (seen, there))
-    product = np.einsum("...hk,...hk->...", seen, there)
-    # The whole image is the measure: a small part of it agrees easily.
-    scale = np.sqrt(np.maximum(image.energy * (energy + quiet * image.known.size), 1e-30))
-    least_known = LEAST_KNOWN_MOVED if least_known is None else least_known
-    is_usable = (known.mean(axis=(-2, -1)) >= least_known) & (energy > 0) & (norm > 0)
-    scores = np.where(is_usable, product / scale, NOT_COMPARABLE)
-    gains = np.where(scores > 0, np.sqrt(energy / np.maximum(norm, 1e-30)), 0.0).astype(np.float32)
-    return Comparison(scores, gains[..., None, None] * seen, there, weights)
+        there = centered(patch * image.known[..., None], both)
+        # Slopes use the pixels around.
+        weights = np.repeat(cv2.erode(both, np.ones((3, 3), np.uint8)), patch.shape[2], axis=1)
+        norm, energy, product = _products(seen, there)
+    if norm <= 0 or energy <= 0:
+        return Comparison(score, NOT_COMPARABLE, seen, there)
+    return Comparison(
+        score, product / float(np.sqrt(norm * energy)), np.float32(np.sqrt(energy / norm)) * seen, there, weights
+    )
 
 
-def _without_rim(shares: np.ndarray) -> np.ndarray:
-    """Return (…, h, w) the smallest share of each pixel and its four neighbors, which its slopes use."""
-    found = shares.copy()
-    for axis in (-2, -1):
-        here, around = np.moveaxis(found, axis, 0), np.moveaxis(shares, axis, 0)
-        np.minimum(here[1:], around[:-1], out=here[1:])
-        np.minimum(here[:-1], around[1:], out=here[:-1])
-    return found
+def _products(seen: np.ndarray, there: np.ndarray) -> tuple[float, float, float]:
+    """Return the sums of squares of the image and of the map, and of their product."""
+    return float((seen**2).sum()), float((there**2).sum()), float((seen * there).sum())

@@ -86,13 +86,13 @@ def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: f
     Args:
         quiet: Energy per pixel that is added to the map's own in the score.
     """
-    best = pose
+    best, best_fit = pose, NOT_COMPARABLE
     for step in range(steps + 1):
         found = _compared(image, pyramid, pose, quiet)
-        pose = replace(pose, score=float(found.scores))
-        if step == 0 or pose.score > best.score:
-            best = pose
-        if step == steps or pose.score <= 0 or pose.score < best.score - 0.1:
+        pose, fit = replace(pose, score=found.score), found.fit
+        if step == 0 or fit > best_fit:
+            best, best_fit = pose, fit
+        if step == steps or fit <= 0 or fit < best_fit - 0.1:
             break
         move = _move(image, found)
         if (np.abs(move) < CONVERGED * parameter_units(image)).all():
@@ -108,7 +108,7 @@ def is_held_by_edge(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose,
         quiet: As in ``refine``.
     """
     found = _compared(image, pyramid, pose, quiet)
-    if found.scores <= 0:
+    if found.fit <= 0:
         return False
     _, known = map_under(image, pyramid, move_pose(pose, _move(image, found)))
     return float(known.mean()) < LEAST_KNOWN_MOVED
@@ -135,7 +135,7 @@ def moved(at: np.ndarray, moves: np.ndarray) -> np.ndarray:
 
 def score_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> float:
     """Return the correlation −1…1 of image and map at an unchanged pose, or NOT_COMPARABLE."""
-    return float(_compared(image, pyramid, pose, quiet, LEAST_KNOWN).scores)
+    return _compared(image, pyramid, pose, quiet, LEAST_KNOWN).score
 
 
 def pose_covariance(
@@ -232,7 +232,7 @@ def fit_at(
 ) -> tuple[Comparison, np.ndarray, np.ndarray] | None:
     """Return a pose's comparison, (4, h·w·C) slopes and (4, 4) normal equations; None if the pose is undetermined."""
     found = _compared(image, pyramid, pose, quiet)
-    if found.scores <= 0:
+    if found.fit <= 0:
         return None
     slopes = _slopes(image, found)
     normal = _normal(slopes)

@@ -10,8 +10,8 @@ import cv2
 import numpy as np
 
 from .. import limits
-from .class_pyramid import EvidenceLevel, MapPyramid
-from .compare import NOT_COMPARABLE, Comparison, compare
+from .class_pyramid import EvidenceLevel, MapPyramid, centered
+from .compare import LEAST_KNOWN_MOVED, NOT_COMPARABLE
 from .refine import (
     DAMPING,
     LARGEST_STEP,
@@ -39,11 +39,11 @@ def refine_many(
     best, best_scores = at.copy(), np.full(len(at), NOT_COMPARABLE)
     for step in range(steps + 1):
         patches, known = _maps_under(image, pyramid, at)
-        found = compare(image, patches, known, quiet)
-        is_better = found.scores > best_scores
-        best[is_better], best_scores[is_better] = at[is_better], found.scores[is_better]
+        scores, gains, there = _score(image.centered, patches, known, quiet)
+        is_better = scores > best_scores
+        best[is_better], best_scores[is_better] = at[is_better], scores[is_better]
         if step < steps:
-            at = moved(at, _moves(image, found))
+            at = moved(at, _moves(image, there, np.maximum(gains, 0)))
     return [ScoredPose(*row) for row in np.column_stack([best, best_scores]).tolist()]
 
 
@@ -83,11 +83,24 @@ def _places(image: EvidenceLevel, at: np.ndarray, level_pixel_m: float) -> tuple
     return columns.reshape(-1, width).astype(np.float32), rows.reshape(-1, width).astype(np.float32)
 
 
-def _moves(image: EvidenceLevel, found: Comparison) -> np.ndarray:
+def _score(
+    seen: np.ndarray, patches: np.ndarray, known: np.ndarray, quiet: float
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return (N,) scores, (N,) gains of the image in the map, and the map (N, h, w · C) without its means."""
+    there = centered(patches)
+    norm = max(float((seen**2).sum()), 1e-30)
+    energy = np.einsum("nhk,nhk->n", there, there)
+    product = np.einsum("nhk,hk->n", there, seen)
+    scores = product / np.sqrt(norm * np.maximum(energy + quiet * known[0].size, 1e-6))
+    usable = (known.mean(axis=(1, 2)) >= LEAST_KNOWN_MOVED) & (energy > 0)
+    return np.where(usable, scores, NOT_COMPARABLE), product / norm, there
+
+
+def _moves(image: EvidenceLevel, there: np.ndarray, gains: np.ndarray) -> np.ndarray:
     """Return (N, 4) Gauss–Newton steps: x, y in image pixels, radians, ln pixel size."""
-    count = len(found.there)
-    flat = found.slopes(slopes_of(image, found.there + found.seen)).reshape(4, count, -1)
-    residual = (found.there - found.seen).reshape(count, -1)
+    model = gains[:, None, None].astype(np.float32) * image.centered
+    count = len(there)
+    flat, residual = slopes_of(image, there + model).reshape(4, count, -1), (there - model).reshape(count, -1)
     normal = np.empty((count, 4, 4))
     for row in range(4):
         for column in range(row + 1):

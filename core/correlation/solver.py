@@ -39,12 +39,16 @@ from .places import (
     search_spaces,
     size_for,
 )
-from .refine import ScoredPose, is_held_by_edge, map_under, score_at
+from .refine import ScoredPose, is_held_by_edge, map_under, refine, score_at
 from .search import SearchSpace
 from .view_effects import view_effect
 
 ALTERNATIVE_BAND = 0.1
 """Other places are results if their score is at most this much below the best one's."""
+
+
+EXACT_STEPS = 6
+"""Steps of the refinement before details are compared. Set by hand, for the time."""
 
 
 def localize(  # noqa: PLR0913 - an image by its labels and their shares, the map, and what is known beforehand
@@ -120,12 +124,18 @@ def _rank_places(
     mirrored, _ = best_places(mirror_level(image), pyramid, near, settings.decoys)
     level = reduce_image(image, settings.decision_edge)
     flipped = mirror_level(level)
+    poses, mirrored = _exact(level, pyramid, poses), _exact(flipped, pyramid, mirrored)
     order, peaks = rank(
         [(chance.moved(p.score, p.pixel_size_m, best_size), detail_at(level, pyramid, p)) for p in poses],
         [(decoy.score, detail_at(flipped, pyramid, decoy)) for decoy in mirrored],
         settings,
     )
     return [poses[n] for n in order], peaks
+
+
+def _exact(image: EvidenceLevel, pyramid: MapPyramid, poses: Sequence[ScoredPose]) -> list[ScoredPose]:
+    """Return the poses moved to where the detail of image and map matches best, with the scores of the search."""
+    return [replace(refine(image, pyramid, pose, pyramid.quiet, EXACT_STEPS), score=pose.score) for pose in poses]
 
 
 def agreement_at(labels_hw: np.ndarray, pyramid: MapPyramid, place: Place) -> float | None:

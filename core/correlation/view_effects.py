@@ -181,7 +181,7 @@ class _System:
     def fit(self, assumed: np.ndarray, of_map: np.ndarray) -> _SystemFit | None:
         """Return the fit at assumed pose and effects (9,); None if the image does not determine all of them."""
         found = compare(self._image, *self._patch(assumed), self._pyramid.quiet)
-        if found.scores <= 0:
+        if found.fit <= 0:
             return None
         residual = found.there - found.seen
         slopes, noise = self._slopes(found, found.there + found.seen), self._slopes(found, residual)
@@ -196,7 +196,7 @@ class _System:
         covariance = trusted @ pulls @ trusted + of_map + LEAST**2 * np.eye(COUNT)
         of_pose = inverse_of(normal[:POSE, :POSE]) * units[:POSE, None]
         to_pose = -of_pose @ (normal[:POSE, POSE:] / units[POSE:])
-        return _SystemFit(float(found.scores), assumed - inverse @ descent, covariance, to_pose)
+        return _SystemFit(found.fit, assumed - inverse @ descent, covariance, to_pose)
 
     def _slopes(self, found: Comparison, planes: np.ndarray) -> np.ndarray:
         """Return (9, h·w·C) float32 slopes of the fit by pose and effects, from (h, w · C) planes."""

@@ -44,7 +44,7 @@ def link_between(number, first, second, drift=0.01, rng=None):
     return Link(number, number + 1, (step.real, -step.imag), -np.angle(ratio), float(np.log(abs(ratio))), known)
 
 
-def fly(labels, seed=3, count=7, spoiled=0.4, start=(500_420.0, 5_199_300.0), step=80.0):
+def fly(labels, seed=3, count=7, spoiled=0.3, start=(500_420.0, 5_199_300.0), step=80.0):
     """Return a flight of turned images; a share of each image has random classes in patches."""
     rng = np.random.default_rng(seed)
     views, course, (x, y) = [], 60.0, start
