@@ -47,7 +47,7 @@ ALTERNATIVE_BAND = 0.1
 """Other places are results if their score is at most this much below the best one's."""
 
 
-EXACT_STEPS = 6
+EXACT_STEPS = 3
 """Steps of the refinement before details are compared. Set by hand, for the time."""
 
 
