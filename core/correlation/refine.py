@@ -157,7 +157,8 @@ def pose_covariance(
     residual = found.there - found.seen
     noise = found.slopes(slopes_of(image, residual)).reshape(4, -1)
     inverse = inverse_without_noise(normal, _normal(noise), least_trusted)
-    pulls = clustered_covariance(slopes * residual.ravel(), image.known.shape, pyramid.settings.blocks)
+    height, width = image.known.shape
+    pulls = clustered_covariance(slopes * residual.ravel(), (height, width), pyramid.settings.blocks)
     return inverse @ pulls @ inverse * np.outer(units, units)
 
 

@@ -192,7 +192,8 @@ class _System:
             return None
         inverse, trusted = inverse_of(normal) * both, inverse_without_noise(normal, of_noise) * both
         descent = np.einsum("ik,k->i", slopes, residual.ravel()).astype(np.float64)
-        pulls = clustered_covariance(slopes * residual.ravel(), self._image.known.shape, self._pyramid.settings.blocks)
+        height, width = self._image.known.shape
+        pulls = clustered_covariance(slopes * residual.ravel(), (height, width), self._pyramid.settings.blocks)
         covariance = trusted @ pulls @ trusted + of_map + LEAST**2 * np.eye(COUNT)
         of_pose = inverse_of(normal[:POSE, :POSE]) * units[:POSE, None]
         to_pose = -of_pose @ (normal[:POSE, POSE:] / units[POSE:])
