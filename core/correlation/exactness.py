@@ -101,7 +101,7 @@ def leaning_covariance(
     fit = fit_at(image, pyramid, pose, pyramid.quiet)
     if fit is None:
         return np.full((4, 4), np.inf)
-    (_, slopes, normal) = fit
+    _, slopes, normal = fit
     inverse = damped_inverse(normal)
     height, width = image.known.shape
     growing = block_sums(slopes * slopes[SCALE], (height, width), pyramid.settings.blocks)

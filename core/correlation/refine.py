@@ -242,7 +242,7 @@ def fit_at(
 
 
 def _slopes(image: EvidenceLevel, found: Comparison) -> np.ndarray:
-    """Return (4, h·w·C) slopes of a pose with a positive score."""
+    """Return (4, h·w·C) slopes of a pose with a positive fit."""
     return found.slopes(slopes_of(image, found.there + found.seen)).reshape(4, -1)
 
 
