@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from qgis.core import QgsVectorLayer
+from qgis.core import QgsProviderRegistry, QgsVectorLayer
 
 from ...core.errors import ParameterError
 from ...storage.atomic_output import written_beside
@@ -45,8 +45,10 @@ def save_results(file: str, path: str) -> None:
 
 def open_results(path: str) -> tuple[QgsVectorLayer | None, ...]:
     """Return the layers of TABLES, None for a missing one. Raises ParameterError for a file without positions."""
-    layers = [QgsVectorLayer(f"{path}|layername={table}", table, "ogr") for table in TABLES]
-    found = tuple(layer if layer.isValid() else None for layer in layers)
+    # QGIS warns in its log about a layer of a missing table.
+    tables = {one.name() for one in QgsProviderRegistry.instance().querySublayers(path)}
+    layers = [QgsVectorLayer(f"{path}|layername={one}", one, "ogr") if one in tables else None for one in TABLES]
+    found = tuple(layer if layer and layer.isValid() else None for layer in layers)
     if found[0] is None or found[0].fields().lookupField("status") < 0:
         raise ParameterError("{path} has no results of “Localize images”. Localize the images again.", path=path)
     return found
