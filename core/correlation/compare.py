@@ -33,7 +33,8 @@ class Comparison:
     Attributes:
         score: Correlation −1…1 by which places are ranked, or NOT_COMPARABLE. Unknown ground counts as average ground,
             so that a place half beyond the map's edge does not match easily.
-        fit: Correlation where both have labels, or NOT_COMPARABLE: highest at the most accurate pose.
+        fit: Correlation where both have labels, times the root of their share of the image, or NOT_COMPARABLE. It is
+            highest at the most accurate pose; without the share, little common ground would fit best.
         seen: (h, w · C) evidence of the image, scaled to the norm of the map's. With the factor of a linear regression,
             places where the map is more uniform would attract poor labels.
         there: (h, w · C) of the map.
@@ -63,7 +64,7 @@ def compare(
         quiet: Energy per pixel that is added to the map's own in the score.
         least_known: Least labeled share of the map; that of refinement if None.
     """
-    seen, there, weights = image.centered, centered(patch), None
+    seen, there, weights, share = image.centered, centered(patch), None, 1.0
     norm, energy, product = _products(seen, there)
     least_known = LEAST_KNOWN_MOVED if least_known is None else least_known
     if known.mean() < least_known or norm <= 0 or energy <= 0:
@@ -76,11 +77,11 @@ def compare(
         # Slopes use the pixels around.
         weights = np.repeat(cv2.erode(both, np.ones((3, 3), np.uint8)), patch.shape[2], axis=1)
         norm, energy, product = _products(seen, there)
+        share = float(both.mean())
     if norm <= 0 or energy <= 0:
         return Comparison(score, NOT_COMPARABLE, seen, there)
-    return Comparison(
-        score, product / float(np.sqrt(norm * energy)), np.float32(np.sqrt(energy / norm)) * seen, there, weights
-    )
+    fit = product * float(np.sqrt(share / (norm * energy)))
+    return Comparison(score, fit, np.float32(np.sqrt(energy / norm)) * seen, there, weights)
 
 
 def _products(seen: np.ndarray, there: np.ndarray) -> tuple[float, float, float]:

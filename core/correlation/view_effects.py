@@ -16,7 +16,7 @@ from ..geometry.error_settings import SharedErrors
 from ..geometry.pose import SLOPE_DEVIATION, STRETCH_DEVIATION
 from ..geometry.small_matrices import eigen, inverse_of
 from .class_pyramid import EvidenceLevel, MapPyramid
-from .compare import NOT_COMPARABLE, Comparison, compare
+from .compare import LEAST_KNOWN_MOVED, NOT_COMPARABLE
 from .refine import (
     DAMPING,
     ScoredPose,
@@ -163,6 +163,7 @@ class _System:
         ones = np.ones_like(u)
         tilt = [u.conj(), 1j * u.conj(), -u * u.real, -u * u.imag]
         self._moves = np.stack([ones, 1j * ones, 1j * u, u, u * np.abs(u) ** 2, *tilt])
+        self._seen = image.evidence - image.evidence.mean(axis=(0, 1))
 
     def of_map(self, errors: SharedErrors) -> np.ndarray:
         """Return the (9, 9) covariance of the apparent effects of a displaced map with correlated neighbors."""
@@ -180,11 +181,17 @@ class _System:
 
     def fit(self, assumed: np.ndarray, of_map: np.ndarray) -> _SystemFit | None:
         """Return the fit at assumed pose and effects (9,); None if the image does not determine all of them."""
-        found = compare(self._image, *self._patch(assumed), self._pyramid.quiet)
-        if found.fit <= 0:
+        patch, share = self._patch(assumed)
+        there = patch - patch.mean(axis=(0, 1))
+        norm, energy = float((self._seen**2).sum()), float((there**2).sum())
+        if share.mean() < LEAST_KNOWN_MOVED or norm <= 0 or energy <= 0:
             return None
-        residual = found.there - found.seen
-        slopes, noise = self._slopes(found, found.there + found.seen), self._slopes(found, residual)
+        product = float((self._seen * there).sum())
+        gain = product / norm
+        if gain <= 0:
+            return None
+        residual = there - gain * self._seen
+        slopes, noise = self._slopes(there + gain * self._seen), self._slopes(residual)
         units = 1 / np.sqrt(np.maximum((slopes.astype(np.float64) ** 2).sum(axis=1), 1e-30))
         both = np.outer(units, units)
         normal, of_noise = (cv2.mulTransposed(one, False, dtype=cv2.CV_64F) * both for one in (slopes, noise))
@@ -192,21 +199,22 @@ class _System:
             return None
         inverse, trusted = inverse_of(normal) * both, inverse_without_noise(normal, of_noise) * both
         descent = np.einsum("ik,k->i", slopes, residual.ravel()).astype(np.float64)
-        height, width = self._image.known.shape
+        height, width = share.shape
         pulls = clustered_covariance(slopes * residual.ravel(), (height, width), self._pyramid.settings.blocks)
         covariance = trusted @ pulls @ trusted + of_map + LEAST**2 * np.eye(COUNT)
+        score = product / np.sqrt(norm * (energy + self._pyramid.quiet * share.size))
         of_pose = inverse_of(normal[:POSE, :POSE]) * units[:POSE, None]
         to_pose = -of_pose @ (normal[:POSE, POSE:] / units[POSE:])
-        return _SystemFit(found.fit, assumed - inverse @ descent, covariance, to_pose)
+        return _SystemFit(score, assumed - inverse @ descent, covariance, to_pose)
 
-    def _slopes(self, found: Comparison, planes: np.ndarray) -> np.ndarray:
-        """Return (9, h·w·C) float32 slopes of the fit by pose and effects, from (h, w · C) planes."""
-        channels = self._image.evidence.shape[2]
-        gradient_x, gradient_y = gradients(planes, channels) / 2
+    def _slopes(self, planes: np.ndarray) -> np.ndarray:
+        """Return (9, h·w·C) float32 slopes of the fit by pose and effects, from the (h, w, C) sum of map and image."""
+        height, width, channels = planes.shape
+        gradient_x, gradient_y = gradients(planes.reshape(height, -1), channels).reshape(2, *planes.shape) / 2
         by_x = gradient_x * (self.half / self._image.pixel[0])
         by_y = gradient_y * (self.half / self._image.pixel[1])
-        moves = np.repeat(self._moves, channels, axis=2)
-        return found.slopes(by_x * moves.real + by_y * moves.imag).reshape(COUNT, -1).astype(np.float32)
+        moves = self._moves[..., None]
+        return (by_x * moves.real + by_y * moves.imag).reshape(COUNT, -1).astype(np.float32)
 
     def _patch(self, known: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the map as the image would show it: evidence (h, w, C) and labeled share (h, w), float32."""

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from made_patches import FRAME, MODEST, ORIGIN, PRIOR, STRONG, error_m, made_map, spoiled, view
 
-from semref.core.correlation import compare, refine, refine_many, search
+from semref.core.correlation import compare, refine, refine_many, search, view_effects
 from semref.core.correlation.class_pyramid import MapPyramid, class_fractions
 from semref.core.correlation.settings import CORRELATION
 from semref.core.correlation.solver import agreement_at, localize
@@ -202,7 +202,7 @@ def test_at_the_edge_of_the_map_a_fix_is_right(labels, pyramid, beyond, heading_
 
 
 def test_a_place_fixed_only_by_the_edge_of_the_map_is_no_fix(labels, monkeypatch):
-    for module in (compare, refine, refine_many):
+    for module in (compare, refine, refine_many, view_effects):
         monkeypatch.setattr(module, "LEAST_KNOWN_MOVED", 0.5)
     pyramid = MapPyramid(most_frequent_labels(labels), FRAME)
     center = 130.0, 1000.0
