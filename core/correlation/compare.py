@@ -1,7 +1,7 @@
-"""Compare an image with a map at given poses, where both have labels.
+"""Compare an image with a map at one pose.
 
-See docs/explanation/method.md#map-correlation. Beyond the map's edge nothing is compared: otherwise the edge would
-attract the image, because unknown ground counts as average ground.
+See docs/explanation/method.md#map-correlation. Only ground where both have labels is used to refine the pose. If
+unknown ground counted as average ground, as it does in the score, the map's edge would attract the image.
 """
 
 from __future__ import annotations

@@ -134,7 +134,7 @@ def _rank_places(
 
 
 def _exact(image: EvidenceLevel, pyramid: MapPyramid, poses: Sequence[ScoredPose]) -> list[ScoredPose]:
-    """Return the poses moved to where the detail of image and map matches best, with the scores of the search."""
+    """Return the poses refined at the pixels of an image, with their scores of the search."""
     return [replace(refine(image, pyramid, pose, pyramid.quiet, EXACT_STEPS), score=pose.score) for pose in poses]
 
 

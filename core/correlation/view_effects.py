@@ -1,8 +1,9 @@
 """Effect of lens distortion and camera tilt on a place that was found by areas without them.
 
 See docs/explanation/method.md#position-error. Both displace the content of an image increasingly outwards, so that the
-best level pose is beside the true one. The same Gauss–Newton system as for the pose, with five more unknowns, measures
-them in the image. Their prior is the mixture of cameras that landmarks use, too (``ErrorSettings.views``).
+best level pose is beside the true one. A Gauss–Newton system like that of ``refine_many``, with five more unknowns,
+measures them in the whole image: common ground alone can leave them undetermined. Their prior is the mixture of
+cameras that landmarks use, too (``ErrorSettings.views``).
 """
 
 from __future__ import annotations
