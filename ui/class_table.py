@@ -25,7 +25,6 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ..core.errors import ClassTableError, SemRefError
-from ..processing.base.annotation import PRESETS
 from ..processing.inspection.class_tables import (
     ClassRow,
     is_shipped,
@@ -35,6 +34,7 @@ from ..processing.inspection.class_tables import (
     role_titles,
     save_rows,
 )
+from ..processing.jobs.annotation import PRESETS
 from ..processing.messages.sentences import worded
 from ..processing.translation import tr
 from .widgets.controls import message_label, tool_button

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry, QgsPointXY, QgsVectorLayer
 
 from ..core.localization import Method, Status
-from ..processing.base.image_results import LABELS_SUFFIX, unique_names
 from ..processing.compat import is_null
+from ..processing.jobs.image_results import LABELS_SUFFIX, unique_names
 from ..processing.layers.localized_image import ERROR
 from ..processing.layers.results_file import open_results
 from ..processing.messages.sentences import error_probability

@@ -187,7 +187,7 @@ class AddModel(SemRefAlgorithm):
         from ...core.segmentation.network_facts import require_facts
         from ...core.segmentation.onnx_file import no_model_file
         from ...training.job import CHECKPOINT_JOB
-        from ..base.training_process import run_training
+        from ..jobs.training_process import run_training
         from ..packages.training_environment import training_python
 
         require_facts(facts)

@@ -20,12 +20,12 @@ from qgis.core import (
 from ...core.errors import ParameterError
 from ..base import parameters
 from ..base.algorithm import LOCALIZATION, Declared, cancelable, check_canceled
-from ..base.assessing import AssessAlgorithm, setting_rows
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.scheduler import require_scheduler, scheduler, workers
 from ..base.values import Values
 from ..compat import DOUBLE, INTEGER, POLYGON, SOURCE_POLYGON
+from ..jobs.assessing import AssessAlgorithm, setting_rows
 from ..messages.numbers import shown
 from ..messages.sentences import worded
 from ..translation import tr

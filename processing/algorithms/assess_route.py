@@ -25,13 +25,14 @@ from qgis.core import (
 
 from ...core.errors import ParameterError
 from ...core.values import schema
-from ..base import parameters, route_flights
+from ..base import parameters
 from ..base.algorithm import LOCALIZATION, Declared, cancelable, check_canceled
-from ..base.assessing import AssessAlgorithm, setting_rows
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.values import Values
 from ..compat import DOUBLE, INTEGER, POINT, POINT_GEOMETRY, POLYGON_GEOMETRY, SOURCE_LINE, SOURCE_POINT, SOURCE_POLYGON
+from ..jobs import route_flights
+from ..jobs.assessing import AssessAlgorithm, setting_rows
 from ..messages.numbers import shown
 from ..messages.sentences import worded
 from ..translation import tr

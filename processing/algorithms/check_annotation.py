@@ -17,11 +17,11 @@ from ...core.annotation.findings import CHECKED_KINDS, ERROR, Finding
 from ...storage.pixel_grid import pixel_grid, union_of_bounds
 from ..base import parameters
 from ..base.algorithm import Declared, cancelable, check_canceled, follow, interruptible
-from ..base.annotation import AnnotationAlgorithm, geometry_of
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.values import Values
 from ..compat import DOUBLE, MULTI_POLYGON, SOURCE_POLYGON, wkt_for_gdal
+from ..jobs.annotation import AnnotationAlgorithm, geometry_of
 from ..messages.annotation_messages import FIELDS, kind_titles, row_of, sentence, severity_title
 from ..packages.components import NEEDED, SHAPELY
 from ..translation import tr

@@ -17,11 +17,11 @@ from ...core.errors import ParameterError
 from ...core.values import schema
 from ..base import parameters
 from ..base.algorithm import ANNOTATION, Declared, SemRefAlgorithm, check_canceled, follow
-from ..base.annotation import geometry_of
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.values import Values
 from ..compat import DOUBLE, POLYGON, SOURCE_POLYGON
+from ..jobs.annotation import geometry_of
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -114,7 +114,7 @@ class CompareLabels(SemRefAlgorithm):
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, float]:
         from ...core.labels.comparison import LabelComparison
         from ...storage.label_comparison import DisagreementMap, LabelMapPair
-        from ..base.compared_landmarks import log_shifts, measure_errors, measure_shifts
+        from ..jobs.compared_landmarks import log_shifts, measure_errors, measure_shifts
         from ..layers.layer_inputs import require_one_crs
         from ..reports.comparison_report import comparison_html
 
@@ -144,7 +144,7 @@ class CompareLabels(SemRefAlgorithm):
         return figures
 
     def _write_model(self, values: Values, outputs: Outputs, shifts: MeasuredShifts) -> None:
-        from ..base.compared_landmarks import model_with_biases
+        from ..jobs.compared_landmarks import model_with_biases
 
         if values.has(self.MODEL_OUTPUT):
             sun_deg = values.optional_number(self.SUN_DIRECTION)

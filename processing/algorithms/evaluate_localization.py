@@ -24,12 +24,12 @@ from ...core.errors import LabelMapError, ParameterError
 from ...core.localization import Method
 from ..base import parameters
 from ..base.algorithm import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
-from ..base.assessing import noise_ranges
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.scheduler import require_scheduler, scheduler, with_progress, workers
 from ..base.values import Values
 from ..compat import DOUBLE, INTEGER, POINT, SOURCE_POINT
+from ..jobs.assessing import noise_ranges
 from ..messages.sentences import worded
 from ..translation import tr
 

@@ -23,11 +23,11 @@ from ...core.named_files import named_file
 from ...core.sentences import legible
 from ..base import parameters
 from ..base.algorithm import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
-from ..base.image_results import unique_names
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.values import Values
 from ..compat import SOURCE_FILE, SOURCE_POINT, SOURCE_POLYGON, wkt_for_gdal
+from ..jobs.image_results import unique_names
 from ..layers.results_file import GEOTIFF, MOSAIC, MOSAIC_FILE, WORLD_FILE
 from ..messages.sentences import worded
 from ..translation import tr

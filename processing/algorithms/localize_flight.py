@@ -16,15 +16,16 @@ from qgis.core import (
 
 from ...core.errors import ParameterError
 from ...core.localization import Method
-from ..base import parameters, priors
+from ..base import parameters
 from ..base.algorithm import Declared, ahead, cancelable, check_canceled, follow, interruptible
-from ..base.image_results import LabelImages, count_sentence, log_result, with_far_photos, with_jumps
-from ..base.localizing import LocalizeAlgorithm, require_images
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
-from ..base.photo_labels import pace_results
 from ..base.values import Values
 from ..compat import SOURCE_LINE, SOURCE_POINT
+from ..jobs import priors
+from ..jobs.image_results import LabelImages, count_sentence, log_result, with_far_photos, with_jumps
+from ..jobs.localizing import LocalizeAlgorithm, require_images
+from ..jobs.photo_labels import pace_results
 from ..layers.localized_image import ERROR, LocalizedImage
 from ..messages.sentences import worded
 from ..translation import tr
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
     from ...core.flight.motion import Link
     from ...core.flight.telemetry import Telemetry
     from ...core.localizer.localizer import Localizer
-    from ..base.flight_images import FlightReader
+    from ..jobs.flight_images import FlightReader
 
 READ_PERCENT, JOINED_PERCENT = 60, 97
 """Progress after all images are localized separately, and after the flight is placed."""
@@ -116,8 +117,8 @@ class LocalizeFlight(LocalizeAlgorithm):
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, Any]:
         from ...core.pipeline import Pipeline
-        from ..base.flight_images import FlightReader, in_order, with_log
-        from ..base.localized_layers import tracks_of, write_footprints, write_matches, write_positions, write_tracks
+        from ..jobs.flight_images import FlightReader, in_order, with_log
+        from ..jobs.localized_layers import tracks_of, write_footprints, write_matches, write_positions, write_tracks
         from ..layers.reference_systems import database_crs
 
         method = self.method(values)
@@ -195,7 +196,7 @@ class LocalizeFlight(LocalizeAlgorithm):
     ) -> list[LocalizedImage]:
         from ...core.flight.flight import FlightSolver
         from ...core.flight.settings import FLIGHT
-        from ..base.flight_images import with_pose
+        from ..jobs.flight_images import with_pose
 
         solver, text = FlightSolver(localizer, replace(FLIGHT, allowed_risk=risk)), tr("Computing the track")
         steps = ((text, done / count) for done, count in solver.steps(reader.flown, links))

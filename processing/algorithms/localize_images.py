@@ -18,17 +18,18 @@ from qgis.core import (
 
 from ...core.errors import ParameterError
 from ...core.localization import Localization, Status
-from ..base import parameters, priors
+from ..base import parameters
 from ..base.algorithm import Declared, ahead, check_canceled
-from ..base.image_results import LabelImages, count_sentence, log_result, with_far_photos, with_jumps
-from ..base.localizing import LocalizeAlgorithm, found_within_reach, localize_image, localize_scheduled, require_images
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
-from ..base.photo_labels import pace_results
-from ..base.photo_source import PhotoSource
 from ..base.scheduler import SCHEDULER, require_scheduler, scheduler
 from ..base.values import Values
 from ..compat import SOURCE_POINT, SOURCE_POLYGON
+from ..jobs import priors
+from ..jobs.image_results import LabelImages, count_sentence, log_result, with_far_photos, with_jumps
+from ..jobs.localizing import LocalizeAlgorithm, found_within_reach, localize_image, localize_scheduled, require_images
+from ..jobs.photo_labels import pace_results
+from ..jobs.photo_source import PhotoSource
 from ..layers.localized_image import ERROR, LocalizedImage
 
 if TYPE_CHECKING:
@@ -128,7 +129,7 @@ class LocalizeImages(LocalizeAlgorithm):
         from ...core.geometry.camera import Camera
         from ...core.pipeline import Pipeline
         from ...storage.file_states import state
-        from ..base.localized_layers import write_footprints, write_matches, write_places, write_positions
+        from ..jobs.localized_layers import write_footprints, write_matches, write_places, write_positions
         from ..layers.reference_systems import database_crs
 
         method, path = self.method(values), values.file(self.DATABASE)

@@ -12,10 +12,10 @@ from qgis.core import (
 from ...core.labels.class_table import ClassTable
 from ..base import parameters
 from ..base.algorithm import Declared, check_canceled
-from ..base.annotation import PRESETS, AnnotationAlgorithm
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.values import Values
+from ..jobs.annotation import PRESETS, AnnotationAlgorithm
 from ..translation import tr
 
 

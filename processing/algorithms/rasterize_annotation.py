@@ -20,12 +20,12 @@ from ...core.labels.class_table import ClassTable
 from ...storage.pixel_grid import pixel_grid, union_of_bounds
 from ..base import parameters
 from ..base.algorithm import Declared, follow
-from ..base.annotation import AnnotationAlgorithm, filling_polygon
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.scheduler import require_scheduler, scheduler, workers
 from ..base.values import Values
 from ..compat import DOUBLE, wkt_for_gdal
+from ..jobs.annotation import AnnotationAlgorithm, filling_polygon
 from ..messages.numbers import shown
 from ..translation import tr
 

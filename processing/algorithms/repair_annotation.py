@@ -8,11 +8,11 @@ from ...core.annotation.findings import ERROR, OUTSIDE_CRS
 from ...core.errors import ParameterError
 from ..base import parameters
 from ..base.algorithm import Declared, check_canceled, follow, interruptible
-from ..base.annotation import AnnotationAlgorithm, geometry_of
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
 from ..base.values import Values
 from ..compat import DOUBLE, MULTI_POLYGON, POLYGON, SOURCE_POLYGON
+from ..jobs.annotation import AnnotationAlgorithm, geometry_of
 from ..messages.annotation_messages import FIELDS, change_sentence, row_of
 from ..packages.components import NEEDED, SHAPELY
 from ..translation import tr

@@ -21,12 +21,12 @@ from ..base import parameters
 from ..base.algorithm import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
-from ..base.photo_labels import describe, log_pace, open_model, pace_results
-from ..base.photo_source import PhotoSource, SourceImage
 from ..base.scheduler import SCHEDULER, require_scheduler, scheduler, workers
-from ..base.segmented_files import segmented_files, write_polygons
 from ..base.values import Values
 from ..compat import DOUBLE, SOURCE_POLYGON, wkt_for_gdal
+from ..jobs.photo_labels import describe, log_pace, open_model, pace_results
+from ..jobs.photo_source import PhotoSource, SourceImage
+from ..jobs.segmented_files import segmented_files, write_polygons
 from ..packages.components import NEEDED, ONNXRUNTIME, SHAPELY, require
 from ..translation import tr
 

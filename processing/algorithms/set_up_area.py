@@ -33,7 +33,12 @@ from ...core.localization import Status
 from ...storage.atomic_output import make_folder
 from ..base import parameters
 from ..base.algorithm import LOCALIZATION, Declared, SemRefAlgorithm, check_canceled
-from ..base.area_steps import (
+from ..base.outputs import Outputs
+from ..base.parameters import with_help
+from ..base.shipped_models import PHOTO_MODEL
+from ..base.values import Values
+from ..compat import DOUBLE, SOURCE_FILE, SOURCE_LINE, SOURCE_POLYGON
+from ..jobs.area_steps import (
     CAMERAS_FILE,
     DATABASE_FILE,
     EXPECTED_FILE,
@@ -45,20 +50,15 @@ from ..base.area_steps import (
     AreaRun,
     steps_of,
 )
-from ..base.chain import Record, Step
-from ..base.outputs import Outputs
-from ..base.parameters import with_help
-from ..base.photo_source import drawn_file
-from ..base.shipped_models import PHOTO_MODEL
-from ..base.values import Values
-from ..compat import DOUBLE, SOURCE_FILE, SOURCE_LINE, SOURCE_POLYGON
+from ..jobs.chain import Record, Step
+from ..jobs.photo_source import drawn_file
 from ..layers.results_file import TABLES
 from ..translation import tr
 from .classify_openstreetmap import LINES_OF_OSM, POLYGONS_OF_OSM, RULES_PATH
 
 if TYPE_CHECKING:
     from ...core.segmentation.model_card import ModelCard
-    from ..base.area_setup import AreaSetup
+    from ..jobs.area_setup import AreaSetup
 
 REPORT_FILE = "report.html"
 
@@ -183,7 +183,7 @@ class SetUpArea(SemRefAlgorithm):
     def read_layers(self, values: Values) -> None:
         from ...storage.training_ground import frame_of
         from ...storage.training_tiles import ImageBands
-        from ..base.area_map import AreaMap
+        from ..jobs.area_map import AreaMap
         from ..layers.rendering import drawable, needs_drawing
         from ..layers.training_ground import require_common_ground
 
@@ -218,7 +218,7 @@ class SetUpArea(SemRefAlgorithm):
     def read(self, values: Values, feedback: QgsProcessingFeedback) -> AreaSetup:
         """Return what the map and the photos need, after ``read_layers``; for any thread. Raises SemRefError."""
         from ...storage.text_tables import read_rules
-        from ..base.area_setup import read_area, read_photos
+        from ..jobs.area_setup import read_area, read_photos
         from ..layers.rendering import plan_drawing
 
         feedback.setProgressText(tr("Reading the photos and the map"))
@@ -320,7 +320,7 @@ class SetUpArea(SemRefAlgorithm):
         Raises:
             ParameterError: Too few photos have a position for the training.
         """
-        from ..base.area_setup import camera_table
+        from ..jobs.area_setup import camera_table
 
         if step.values.get("RULES"):
             record.write(RULES_FILE, rules_of(self._known(values)))

@@ -23,18 +23,18 @@ from qgis.core import (
 from ...core.errors import ImageError, ParameterError
 from ..base import parameters
 from ..base.algorithm import Canceled, Declared, follow
-from ..base.annotation import AnnotationAlgorithm
 from ..base.outputs import Outputs
 from ..base.parameters import with_help
-from ..base.photo_source import PhotoSource
 from ..base.values import Values
 from ..compat import DOUBLE, INTEGER
+from ..jobs.annotation import AnnotationAlgorithm
+from ..jobs.photo_source import PhotoSource
 from ..translation import tr
 
 if TYPE_CHECKING:
     from ...storage.label_maps import RasterFile
     from ...training.job import Job
-    from ..base.training_run import TrainingRun
+    from ..jobs.training_run import TrainingRun
     from ..layers.training_ground import TrainingGround
     from ..reports.training_report import TrainingReport
 
@@ -196,8 +196,8 @@ class TrainModel(AnnotationAlgorithm):
     # --- work ---
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, float]:
-        from ..base.training_process import require_training
-        from ..base.training_run import CanceledKeeping, TrainingRun
+        from ..jobs.training_process import require_training
+        from ..jobs.training_run import CanceledKeeping, TrainingRun
         from ..packages.training_environment import training_python
 
         began = time.monotonic()
@@ -252,7 +252,7 @@ class TrainModel(AnnotationAlgorithm):
     ) -> TrainingReport:
         """Cut the tiles, train, write the model, and return the report."""
         from ...training.job import EXAMPLES, JOB, RESULT
-        from ..base.training_process import ended_silently, run_training
+        from ..jobs.training_process import ended_silently, run_training
         from ..reports.training_report import TrainingReport
 
         job = self._job(values, target, run)

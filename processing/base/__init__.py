@@ -1,1 +1,1 @@
-"""What algorithms share: base class, parameters, outputs."""
+"""What every algorithm uses: base class, parameters, values, outputs and workers."""

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ...core.errors import DatabaseInUseError
-from ..base.image_results import has_photos
+from ..jobs.image_results import has_photos
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from ...core.labels.class_colors import default_color
 from ...core.labels.class_table import BACKGROUND, MAXIMUM_VALUE, REFERENCE, ClassTable, class_table_from_csv
 from ...storage.atomic_output import written_beside
 from ...storage.text_tables import read_class_table
-from ..base.annotation import CLASS_TABLES
+from ..jobs.annotation import CLASS_TABLES
 from ..translation import tr
 
 ClassRow = Sequence[str]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from qgis.core import QgsProcessingFeedback
 
-from ..base.photo_labels import PhotoLabelReader
+from ..jobs.photo_labels import PhotoLabelReader
 
 if TYPE_CHECKING:
     import numpy as np

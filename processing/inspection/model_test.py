@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from ...core.labels.image_source import ImagePart
 from ...core.segmentation.devices import CPU
 from ...core.segmentation.network_facts import NetworkFacts
-from ..base.photo_labels import open_model, open_photo_file
+from ..jobs.photo_labels import open_model, open_photo_file
 from ..threads import worker_threads
 
 if TYPE_CHECKING:

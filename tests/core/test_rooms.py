@@ -97,10 +97,14 @@ MAY_IMPORT = {
         "layers": {"compat", "translation", "messages", "threads"},
         "reports": {"compat", "translation", "messages", "layers"},
         "base": {*("compat", "translation", "version", "threads"), *("messages", "packages", "layers", "reports")},
-        "inspection": {"compat", "translation", "threads", "messages", "layers", "base"},
-        "algorithms": {
+        "jobs": {
             *("compat", "translation", "version", "threads"),
             *("messages", "packages", "layers", "reports", "base"),
+        },
+        "inspection": {"compat", "translation", "threads", "messages", "layers", "base", "jobs"},
+        "algorithms": {
+            *("compat", "translation", "version", "threads"),
+            *("messages", "packages", "layers", "reports", "base", "jobs"),
         },
         "provider": {"compat", "translation", "version", "packages", "base", "algorithms", "messages"},
     },

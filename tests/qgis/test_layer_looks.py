@@ -30,7 +30,7 @@ from semref.core.assessment import squares
 from semref.core.assessment.squares import VERDICTS
 from semref.core.evaluation import as_json
 from semref.processing.algorithms import assess_route, compare_labels, describe_image
-from semref.processing.base import localized_layers, segmented_files
+from semref.processing.jobs import localized_layers, segmented_files
 from semref.processing.layers import palette, styles
 from semref.processing.layers.class_styles import COLORS, cells_renderer, route_renderer
 from semref.processing.layers.database_layers import add_database_to_map

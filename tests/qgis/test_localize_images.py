@@ -9,7 +9,7 @@ from qgis.core import QgsProcessingException, QgsProcessingOutputLayerDefinition
 
 from semref.core.labels.class_table import class_table_from_names
 from semref.core.localization import Localization, Method, Place, Status
-from semref.processing.base.image_results import with_jumps
+from semref.processing.jobs.image_results import with_jumps
 from semref.processing.layers.localized_image import LocalizedImage
 from semref.storage.database import reader
 

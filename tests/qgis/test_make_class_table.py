@@ -7,7 +7,7 @@ from qgis.core import QgsProcessingException, QgsVectorLayer
 from rasterized import styled_layer
 
 from semref.core.labels.class_table import class_table_from_csv
-from semref.processing.base.annotation import PRESETS
+from semref.processing.jobs.annotation import PRESETS
 from semref.storage.label_maps import stored_class_table
 from semref.storage.rasters import open_raster
 from semref.storage.text_tables import read_class_table

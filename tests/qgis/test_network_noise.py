@@ -10,8 +10,8 @@ from semref.core.simulation.conditions import ASSUMED, LARGEST_LENS, LARGEST_TIL
 from semref.core.simulation.label_errors import spoil_labels
 from semref.core.simulation.noise import LabelNoise
 from semref.processing.algorithms.evaluate_localization import ORDER, RANGES
-from semref.processing.base.assessing import USUAL
 from semref.processing.base.values import Values
+from semref.processing.jobs.assessing import USUAL
 from semref.processing.reports import page
 from semref.processing.reports.network_noise import network_meta
 

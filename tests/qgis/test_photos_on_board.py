@@ -10,8 +10,8 @@ from semref.core.geometry.error_settings import NETWORK_SPREAD
 from semref.core.labels.class_table import class_table_from_csv
 from semref.core.onboard.image_records import label_reader
 from semref.core.segmentation.onnx_file import with_metadata
-from semref.processing.base.photo_labels import PhotoLabelReader
 from semref.processing.inspection.image import photo_rgba
+from semref.processing.jobs.photo_labels import PhotoLabelReader
 from semref.storage.images import GdalImage
 
 TABLE = class_table_from_csv(CLASSES_CSV)

@@ -21,9 +21,9 @@ from semref.core.flight.cameras import read_cameras
 from semref.processing.algorithms import set_up_area
 from semref.processing.algorithms.build_database import BuildDatabase
 from semref.processing.algorithms.train_model import TrainModel
-from semref.processing.base import training_process
-from semref.processing.base.area_setup import camera_table, read_photos
-from semref.processing.base.chain import Record
+from semref.processing.jobs import training_process
+from semref.processing.jobs.area_setup import camera_table, read_photos
+from semref.processing.jobs.chain import Record
 from semref.processing.packages import training_environment
 from semref.processing.reports.setup_report import expectation_of
 

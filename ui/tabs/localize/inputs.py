@@ -12,9 +12,9 @@ from qgis.PyQt.QtWidgets import QCheckBox, QFileDialog, QLabel, QPushButton, QVB
 
 from ....core.localization import Method
 from ....processing.base.algorithm import REPORTS_AS_FILES
-from ....processing.base.image_results import is_photo
 from ....processing.inspection.chosen import ChosenImages, count_images
 from ....processing.inspection.models import PHOTO_MODEL
+from ....processing.jobs.image_results import is_photo
 from ....processing.messages.sentences import worded
 from ....processing.translation import tr
 from ...model_list import ModelsDialog

@@ -13,7 +13,7 @@ from qgis.PyQt.QtWidgets import QFileDialog, QPushButton, QVBoxLayout, QWidget
 
 from ....core.errors import ParameterError
 from ....core.named_files import named_file
-from ....processing.base.image_results import count_sentence
+from ....processing.jobs.image_results import count_sentence
 from ....processing.layers.results_file import save_results
 from ....processing.messages.sentences import worded
 from ....processing.translation import tr

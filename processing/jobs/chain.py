@@ -21,9 +21,9 @@ from qgis.PyQt.QtCore import QLockFile
 
 from ...core.errors import ParameterError
 from ...storage.atomic_output import written_beside
+from ..base.algorithm import Canceled
+from ..base.destinations import require_outputs_apart
 from ..translation import tr
-from .algorithm import Canceled
-from .destinations import require_outputs_apart
 
 RECORD = "semref_setup.json"
 """File of the folder that records which inputs each file was made from."""

@@ -22,18 +22,19 @@ from qgis.core import (
 from ...core.errors import DatabaseError, ParameterError, SemRefError
 from ...core.labels.class_table import ClassTable
 from ...core.localization import LEAST_RISK, RISK, Localization, Method
+from ..base import parameters
+from ..base.algorithm import LOCALIZATION, SemRefAlgorithm, cancelable, check_canceled
+from ..base.parameters import with_help
+from ..base.scheduler import with_progress, workers
+from ..base.values import Values
 from ..compat import DOUBLE, SOURCE_FILE, SOURCE_POINT, SOURCE_POLYGON
 from ..layers.localized_image import LocalizedImage
 from ..messages.camera_messages import camera_read, camera_remark
 from ..messages.sentences import worded
 from ..translation import tr
-from . import parameters, priors
-from .algorithm import LOCALIZATION, SemRefAlgorithm, cancelable, check_canceled
+from . import priors
 from .image_results import has_photos
-from .parameters import with_help
 from .photo_labels import PhotoLabelReader
-from .scheduler import with_progress, workers
-from .values import Values
 
 if TYPE_CHECKING:
     import numpy as np

@@ -13,12 +13,12 @@ from qgis.core import QgsProcessingFeedback, QgsProcessingOutputNumber, QgsProce
 
 from ...core.labels.class_table import ClassTable
 from ...core.steps import advance
+from ..base.algorithm import check_canceled
 from ..messages.sentences import worded
 from ..packages.components import ONNXRUNTIME, require
 from ..packages.devices import chosen_device
 from ..threads import worker_threads
 from ..translation import tr
-from .algorithm import check_canceled
 
 if TYPE_CHECKING:
     from ...core.geometry.camera import Camera

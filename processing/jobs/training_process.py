@@ -9,8 +9,8 @@ from qgis.core import QgsProcessingFeedback
 from qgis.PyQt.QtCore import QProcess
 
 from ...core.errors import TrainingError
+from ..base.event_process import PROGRAM, EventProcess, failure, python_environment
 from ..translation import tr
-from .event_process import PROGRAM, EventProcess, failure, python_environment
 
 _QGIS_OWN = ("PYTHONHOME", "PYTHONPATH", "PYTHONSTARTUP")
 """Variables that lead QGIS's own Python, and would mislead another one."""

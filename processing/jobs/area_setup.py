@@ -28,12 +28,12 @@ from ...core.labels.photo_camera import photo_camera
 from ...core.tables import stem_of
 from ...storage.photo_position import photo_lon_lat
 from ...storage.rasters import image_files, open_raster
+from ..base.algorithm import check_canceled, each
 from ..layers.guess_fields import BUILDING
 from ..layers.layer_inputs import stated_pixel_size_m
 from ..layers.reference_systems import WGS84, metric_crs, transformed_box, transformed_point
 from ..messages.numbers import LocalTemplate
 from ..translation import tr
-from .algorithm import check_canceled, each
 from .area_map import AreaMap
 
 RATIO = 0.75

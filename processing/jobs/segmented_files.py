@@ -11,12 +11,12 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
 from ...core.errors import LabelMapError
 from ...core.labels.class_table import UNLABELED, ClassTable
 from ...core.values import schema
+from ..base.algorithm import check_canceled, each, follow, interruptible
+from ..base.outputs import Outputs
+from ..base.values import Values
 from ..compat import POLYGON
 from ..translation import tr
-from .algorithm import check_canceled, each, follow, interruptible
 from .annotation import geometry_of
-from .outputs import Outputs
-from .values import Values
 
 if TYPE_CHECKING:
     import numpy as np

@@ -19,11 +19,11 @@ from ...core.landmarks.displacement import displacement_of
 from ...core.segmentation.class_bias import KEY, class_bias_text, read_class_bias
 from ...core.segmentation.metadata import named_channels
 from ...core.segmentation.onnx_file import no_model_file, no_onnx_model, read_header, with_metadata
+from ..base import parameters
+from ..base.algorithm import check_canceled
 from ..compat import is_metric
 from ..reports.comparison_report import MAP_UNIT, METER, PIXEL, MeasuredErrors, MeasuredShifts, ShiftRow
 from ..translation import tr
-from . import parameters
-from .algorithm import check_canceled
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

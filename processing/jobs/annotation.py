@@ -14,10 +14,10 @@ from ...core.annotation.findings import ERROR, UNKNOWN_CLASS
 from ...core.errors import ParameterError
 from ...core.labels.class_table import ClassTable
 from ...storage.pixel_grid import Bounds, union_of_bounds
+from ..base import parameters
+from ..base.algorithm import ANNOTATION, SemRefAlgorithm, check_canceled, each
+from ..base.values import Values
 from ..translation import tr
-from . import parameters
-from .algorithm import ANNOTATION, SemRefAlgorithm, check_canceled, each
-from .values import Values
 
 if TYPE_CHECKING:
     from ...core.annotation.classes import ClassLookup

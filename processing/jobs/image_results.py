@@ -12,10 +12,10 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContex
 from ...core.labels.class_table import ClassTable
 from ...core.localization import Status
 from ...core.sentences import Sentence
+from ..base.algorithm import check_canceled
 from ..layers.localized_image import LocalizedImage, far_sentence
 from ..messages.sentences import error_probability, worded
 from ..translation import tr
-from .algorithm import check_canceled
 
 if TYPE_CHECKING:
     import numpy as np

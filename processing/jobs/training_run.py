@@ -16,8 +16,8 @@ from qgis.core import QgsSettings
 
 from ...core.errors import ParameterError
 from ...training.job import CHECKPOINT, JOB, Job, read_job
+from ..base.algorithm import Canceled
 from ..translation import tr
-from .algorithm import Canceled
 from .chain import take_lock
 
 _SETTING = "semref/trainings/"

@@ -11,10 +11,10 @@ from qgis.core import (
 
 from ...core.errors import ParameterError
 from ...core.localization import Method, Prior
+from ..base.parameters import with_help
+from ..base.values import Values
 from ..compat import DOUBLE
 from ..translation import tr
-from .parameters import with_help
-from .values import Values
 
 PRIOR_POINT, PRIOR_RADIUS = "PRIOR_POINT", "PRIOR_RADIUS"
 PRIOR_HEADING, PRIOR_HEADING_RANGE = "PRIOR_HEADING", "PRIOR_HEADING_RANGE"

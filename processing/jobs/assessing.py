@@ -16,17 +16,17 @@ from qgis.core import (
 )
 
 from ...core.localization import Method
+from ..base import parameters
+from ..base.algorithm import SemRefAlgorithm, cancelable, check_canceled
+from ..base.parameters import with_help
+from ..base.scheduler import Workers, with_progress
+from ..base.values import Values
 from ..compat import DOUBLE
 from ..messages.numbers import shown
 from ..messages.sentences import worded
 from ..reports.network_noise import read_network
 from ..translation import tr
-from . import parameters
-from .algorithm import SemRefAlgorithm, cancelable, check_canceled
 from .localizing import with_overview
-from .parameters import with_help
-from .scheduler import Workers, with_progress
-from .values import Values
 
 if TYPE_CHECKING:
     from ...core.assessment.assessment import Assessment, PlaceQuery

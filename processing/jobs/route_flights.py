@@ -14,10 +14,10 @@ from qgis.core import (
 )
 
 from ...core.values import schema
+from ..base.algorithm import follow, interruptible
+from ..base.parameters import SEED, with_help
+from ..base.values import Values
 from ..compat import DOUBLE, INTEGER
-from .algorithm import follow, interruptible
-from .parameters import SEED, with_help
-from .values import Values
 
 if TYPE_CHECKING:
     import numpy as np

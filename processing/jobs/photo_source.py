@@ -17,9 +17,9 @@ from qgis.core import (
 )
 
 from ...core.errors import ImageError, ParameterError
+from ..base.algorithm import follow
+from ..base.values import Values
 from ..translation import tr
-from .algorithm import follow
-from .values import Values
 
 if TYPE_CHECKING:
     from ...core.labels.image_source import ImageSource

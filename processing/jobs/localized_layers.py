@@ -13,11 +13,11 @@ from ...core.database.model import ReferenceDatabase
 from ...core.geometry.footprint import image_corners
 from ...core.localizer.record import record
 from ...core.values import schema
+from ..base.outputs import Outputs
 from ..compat import LINE, POINT, POLYGON
 from ..layers.localized_image import ERROR, LocalizedImage, moment
 from ..layers.reference_systems import longitudes_latitudes
 from ..messages.sentences import worded
-from .outputs import Outputs
 
 FIELDS = schema(
     "image text, status text, x real, y real, longitude real, latitude real, heading real, pixel_size real, "
