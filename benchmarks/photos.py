@@ -175,8 +175,8 @@ def _model(world: World, row: MapRow) -> SegmentationModel | None:
     if not row.network:
         return SegmentationModel(str(SHIPPED), 1)
     found = sorted(world.models.glob(f"*{row.network}*.onnx")) if world.models else []
-    if not found:
-        raise NoDataError(f"--models has no network with “{row.network}” in its name.")
+    if len(found) != 1:
+        raise NoDataError(f"--models has {len(found)} networks with “{row.network}” in their names; one is needed.")
     return SegmentationModel(str(found[0]), 1)
 
 
