@@ -100,12 +100,15 @@ def localize(  # noqa: PLR0913 - an image by its labels and their shares, the ma
     leaning = leaning_covariance(decided, pyramid, pose, errors.settings)
     effect = view_effect(decided, pyramid, pose, errors)
     pose = pose if effect is None else effect.correct(pose)
-    found = _result(pyramid, [pose, *poses[1:]], covariance, peaks, (diagonal_m, allowed_risk), is_held)
-    if found.is_fix:
-        found = replace(found, reason=disagreeing_part(decided, pyramid, pose))
     edge_m = float(np.sqrt(height * width)) * pose.pixel_size_m
     known = full_pose_covariance(pose, covariance + leaning, edge_m, pyramid.frame.pixel_size, errors, effect)
-    return replace(found, covariance=known, error_95_m=np.inf if known.radius_95 is None else known.radius_95)
+    error_95_m = np.inf if known.radius_95 is None else known.radius_95
+    # Without a radius the place is no fix, even if the fit at the finest pixels is exact.
+    fit = covariance if np.isfinite(error_95_m) else np.full_like(covariance, np.inf)
+    found = _result(pyramid, [pose, *poses[1:]], fit, peaks, (diagonal_m, allowed_risk), is_held)
+    if found.is_fix:
+        found = replace(found, reason=disagreeing_part(decided, pyramid, pose))
+    return replace(found, covariance=known, error_95_m=error_95_m)
 
 
 def _rank_places(

@@ -55,6 +55,8 @@ FOR_ALL = {"errors", "events", "limits", "named_files", "sentences", "steps", "t
 
 ABOVE_THE_IMAGE = {"geometry", "labels", "landmarks", "database", "localization", "localizer", "simulation"}
 
+IN_PROCESSING = {*("compat", "translation", "version", "threads"), *("messages", "packages", "layers", "reports")}
+
 MAY_IMPORT = {
     "core": {
         **{leaf: set() for leaf in ("sentences", "steps", "errors", "events", "limits", "values", "named_files")},
@@ -96,16 +98,10 @@ MAY_IMPORT = {
         "packages": {"compat", "translation", "version"},
         "layers": {"compat", "translation", "messages", "threads"},
         "reports": {"compat", "translation", "messages", "layers"},
-        "base": {*("compat", "translation", "version", "threads"), *("messages", "packages", "layers", "reports")},
-        "jobs": {
-            *("compat", "translation", "version", "threads"),
-            *("messages", "packages", "layers", "reports", "base"),
-        },
+        "base": IN_PROCESSING,
+        "jobs": IN_PROCESSING | {"base"},
         "inspection": {"compat", "translation", "threads", "messages", "layers", "base", "jobs"},
-        "algorithms": {
-            *("compat", "translation", "version", "threads"),
-            *("messages", "packages", "layers", "reports", "base", "jobs"),
-        },
+        "algorithms": IN_PROCESSING | {"base", "jobs"},
         "provider": {"compat", "translation", "version", "packages", "base", "algorithms", "messages"},
     },
 }

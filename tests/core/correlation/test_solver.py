@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from made_patches import FRAME, MODEST, ORIGIN, PRIOR, STRONG, error_m, made_map, spoiled, view
 
-from semref.core.correlation import compare, refine, refine_many, search, view_effects
+from semref.core.correlation import compare, refine, refine_many, search, solver, view_effects
 from semref.core.correlation.class_pyramid import MapPyramid, class_fractions
 from semref.core.correlation.settings import CORRELATION
 from semref.core.correlation.solver import agreement_at, localize
@@ -144,6 +144,12 @@ def test_a_fix_states_the_accuracy_of_position_heading_and_pixel_size(labels, py
     assert 1.9 * np.sqrt(max(xx, yy)) <= found.error_95_m <= 2.5 * np.sqrt(max(xx, yy))
     assert 0 < found.covariance.heading_deviation_deg < 1 and 0 < found.covariance.pixel_size_deviation < 0.02
     assert found.covariance.ellipse_95.semi_major >= found.covariance.ellipse_95.semi_minor > 0
+
+
+def test_a_place_without_a_radius_is_no_fix(labels, pyramid, monkeypatch):
+    monkeypatch.setattr(solver, "leaning_covariance", lambda *_: np.full((4, 4), np.inf))
+    found = localize(view(labels, (1500, 700), 123, 0.9), pyramid, PRIOR)
+    assert found.status == "ambiguous" and "does not determine the position" in str(found.reason)
 
 
 def test_agreement_is_high_only_at_the_place_of_the_image_and_unknown_for_one_class_or_beside_the_map(labels, pyramid):
