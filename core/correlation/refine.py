@@ -102,15 +102,15 @@ def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: f
 
 
 def is_held_by_edge(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> bool:
-    """Return whether a refined pose would move beyond the map's edge; then the right place is farther out.
+    """Return whether a refined pose is or would move beyond the map's edge; then the right place is farther out.
 
     Args:
         quiet: As in ``refine``.
     """
-    found = _compared(image, pyramid, pose, quiet)
-    if found.fit <= 0:
-        return False
-    _, known = map_under(image, pyramid, move_pose(pose, _move(image, found)))
+    patch, known = map_under(image, pyramid, pose)
+    found = compare(image, patch, known, quiet)
+    if found.fit > 0:
+        _, known = map_under(image, pyramid, move_pose(pose, _move(image, found)))
     return float(known.mean()) < LEAST_KNOWN_MOVED
 
 

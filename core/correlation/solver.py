@@ -103,7 +103,7 @@ def localize(  # noqa: PLR0913 - an image by its labels and their shares, the ma
     edge_m = float(np.sqrt(height * width)) * pose.pixel_size_m
     known = full_pose_covariance(pose, covariance + leaning, edge_m, pyramid.frame.pixel_size, errors, effect)
     error_95_m = np.inf if known.radius_95 is None else known.radius_95
-    # Without a radius the place is no fix, even if the fit at the finest pixels is exact.
+    # Without a radius a place is no fix, however exact it is at the finest pixels.
     fit = covariance if np.isfinite(error_95_m) else np.full_like(covariance, np.inf)
     found = _result(pyramid, [pose, *poses[1:]], fit, peaks, (diagonal_m, allowed_risk), is_held)
     if found.is_fix:

@@ -6,7 +6,7 @@ import pytest
 from semref.core.correlation.class_pyramid import MapPyramid, evidence_level
 from semref.core.correlation.compare import NOT_COMPARABLE, compare
 from semref.core.correlation.exactness import covariance_on_map
-from semref.core.correlation.refine import ScoredPose, map_under, pose_covariance, refine, score_at
+from semref.core.correlation.refine import ScoredPose, is_held_by_edge, map_under, pose_covariance, refine, score_at
 from semref.core.correlation.refine_many import refine_many
 from semref.core.correlation.search import SearchSpace, search
 from semref.core.geometry.frame import MapFrame
@@ -34,10 +34,11 @@ def test_a_pose_beside_the_true_one_is_moved_there_finer_than_a_pixel(patch_pyra
     assert found.score > score_at(image, patch_pyramid, start, patch_pyramid.quiet)
 
 
-def test_the_score_is_high_at_the_true_pose_and_missing_beside_the_map(patch_pyramid, image):
+def test_the_score_is_high_at_the_true_pose_and_missing_beside_the_map_where_the_edge_holds_it(patch_pyramid, image):
     places = [TRUE, ScoredPose(TRUE.x + 150, TRUE.y - 80, 41.0, 1.03), ScoredPose(-3000, 0, 0, 1)]
     here, there, beside = (score_at(image, patch_pyramid, place, patch_pyramid.quiet) for place in places)
     assert here > 0.8 and there < 0.4 and beside == NOT_COMPARABLE
+    assert [is_held_by_edge(image, patch_pyramid, p, patch_pyramid.quiet) for p in places] == [False, False, True]
 
 
 def test_the_radius_contains_the_errors_of_noisy_labels_and_grows_with_them(patches, patch_pyramid):
