@@ -329,6 +329,7 @@ def told_of(trial: Trial, row: Row) -> dict[str, Any]:
         "rival": max(found.mirror_log_odds or 0.0, found.runner_up_log_odds or -math.inf),
         "lead": None if found.peaks is None else lead(found.peaks),
         "detail": None if found.peaks is None else found.peaks.detail,
+        "outlines": None if found.peaks is None else found.peaks.outlines,
     }
     return {key: _plain(value) for key, value in record.items()}
 

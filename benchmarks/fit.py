@@ -31,8 +31,8 @@ def run(work: Path, names: Sequence[str], only: Sequence[str]) -> Table:
         rows.append(["constellation: offset, slope of the risk", _fitted(grown, stars)])
     areas = [one for one in some if one["by"] == "map correlation" and one["lead"] is not None]
     if areas:
-        known = np.array([[one["lead"], one["detail"]] for one in areas])
-        rows.append(["map correlation: confidence_curve (offset, lead, detail)", _fitted(known, areas)])
+        known = np.array([[one["lead"], one["detail"], one["outlines"]] for one in areas])
+        rows.append(["map correlation: confidence_curve (offset, lead, detail, outlines)", _fitted(known, areas)])
     ratios = [one["ratio"] for one in some if one["right"] and one["ratio"] is not None]
     if ratios:
         rows.append(["factor of the 95 % ellipse that contains 95 %", f"{np.quantile(ratios, 0.95):.2f}"])

@@ -91,11 +91,11 @@ class Photos:
         if self.other is None:
             return found
         labels = np.where(found.labels_hw == BUILDING, BUILDING, self.other).astype(np.uint8)
-        if found.shares is None or not self.other:
-            return SeenLabels(labels)
-        buildings = found.shares.of(np.array([BUILDING]))
-        values = np.array([BUILDING, OTHER], np.uint8)
-        return SeenLabels(labels, ClassShares(values, np.concatenate([buildings, FULL - buildings], axis=2)))
+        planes, values = [found.shares.of(np.array([BUILDING]))], [BUILDING]
+        if self.other:
+            planes, values = [*planes, FULL - planes[0]], [BUILDING, OTHER]
+        shares = ClassShares(np.array(values, np.uint8), np.concatenate(planes, axis=2), found.shares.picture)
+        return SeenLabels(labels, shares)
 
     def stay_inside(self) -> None:
         """Keep the centers so far inside the allowed part of the photo that all of an image shows it."""

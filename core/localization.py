@@ -209,6 +209,8 @@ class CorrelationPeaks:
         detail: How much better details finer than the search pixels agree at the best position than at all others,
             including those of the mirrored image: −ln of a density, 0 where it is as usual.
         runner_up_detail: Highest at any other position.
+        outlines: The same as ``detail`` for the edges of a photo and the outlines of the map's classes.
+        runner_up_outlines: Highest at any other position.
     """
 
     score: float
@@ -216,6 +218,8 @@ class CorrelationPeaks:
     mirror: float
     detail: float = 0.0
     runner_up_detail: float = 0.0
+    outlines: float = 0.0
+    runner_up_outlines: float = 0.0
 
 
 @dataclass(frozen=True)

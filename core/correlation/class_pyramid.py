@@ -65,11 +65,15 @@ class EvidenceLevel:
         evidence: (H, W, C) float32, 0 without labels.
         known: (H, W) float32, labeled share of each pixel.
         pixel: (x, y) edges of a pixel in the unit of the raster: meters for a map, pixels for an image.
+        picture: (H, W, 3) uint8 of a photo; None for a map and an image of labels.
+        has_edges: The last two channels are the directions of its edges (``outlines.with_edges``).
     """
 
     evidence: np.ndarray
     known: np.ndarray
     pixel: tuple[float, float]
+    picture: np.ndarray | None = None
+    has_edges: bool = False
 
     @cached_property
     def centered(self) -> np.ndarray:
@@ -176,7 +180,7 @@ def evidence_of_shares(shares: ClassShares, space: ClassSpace, shape_hw: tuple[i
     """Return the evidence of an image of that shape from the probable shares of its classes, on their grid."""
     evidence, known = evidence_of(shares.of(space.values), space)
     height, width = known.shape
-    return EvidenceLevel(evidence, known, (shape_hw[1] / width, shape_hw[0] / height))
+    return EvidenceLevel(evidence, known, (shape_hw[1] / width, shape_hw[0] / height), shares.picture)
 
 
 def reduce_level(level: EvidenceLevel, size_wh: tuple[int, int]) -> EvidenceLevel:
@@ -187,13 +191,15 @@ def reduce_level(level: EvidenceLevel, size_wh: tuple[int, int]) -> EvidenceLeve
     evidence = cv2.resize(level.evidence, size_wh, interpolation=cv2.INTER_AREA)
     known = cv2.resize(level.known, size_wh, interpolation=cv2.INTER_AREA)
     pixel = level.pixel[0] * width / size_wh[0], level.pixel[1] * height / size_wh[1]
-    return EvidenceLevel(evidence.reshape(*known.shape, -1), known, pixel)
+    picture = None if level.picture is None else cv2.resize(level.picture, size_wh, interpolation=cv2.INTER_AREA)
+    return EvidenceLevel(evidence.reshape(*known.shape, -1), known, pixel, picture)
 
 
 def mirror_level(level: EvidenceLevel) -> EvidenceLevel:
     """Return the evidence with left and right exchanged."""
-    flipped = np.ascontiguousarray(level.evidence[:, ::-1])
-    return EvidenceLevel(flipped, np.ascontiguousarray(level.known[:, ::-1]), level.pixel)
+    evidence, known = (np.ascontiguousarray(plane[:, ::-1]) for plane in (level.evidence, level.known))
+    picture = None if level.picture is None else np.ascontiguousarray(level.picture[:, ::-1])
+    return EvidenceLevel(evidence, known, level.pixel, picture)
 
 
 PyramidParts = dict[str, np.ndarray]

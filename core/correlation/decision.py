@@ -2,15 +2,16 @@
 
 A place has two opponents: chance, and the best other place on the map. The best place of the mirrored image shows what
 chance reaches for an image with these classes on this map. The best other place shows whether the map has two similar
-places. Both are weighted by the overall agreement of class areas, by which the place was chosen, and by the agreement
-in detail, which the search did not use. The curve was fitted to photos of unseen places and to simulated labels,
-and tested on each place left out (reference page of the settings).
+places. Both are weighted by the overall agreement of class areas, by which the place was chosen, by the agreement in
+detail, which the search did not use, and, for a photo, by that of its edges with the map's outlines. The curve was
+fitted to photos of unseen places and to simulated labels, and tested on each place left out (reference page of the
+settings).
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -32,9 +33,22 @@ def fisher_z(correlation: float) -> float:
     return float(np.arctanh(np.clip(correlation, 0.0, 0.999)))
 
 
-def surprises(
-    details: Sequence[float], others: Sequence[float], settings: CorrelationSettings = CORRELATION
-) -> list[float]:
+@dataclass(frozen=True)
+class Measured:
+    """Agreement of image and map at one place.
+
+    Attributes:
+        score: Correlation of class areas, −1 to 1.
+        detail: How far the detail agrees better than with the image shifted (``solver.measure``).
+        outlines: Of ``outlines.agreement``; 0 at all places of an image of labels.
+    """
+
+    score: float
+    detail: float
+    outlines: float = 0.0
+
+
+def surprises(details: Sequence[float], others: Sequence[float], usual: tuple[float, float, float]) -> list[float]:
     """Return for each place how far its detail exceeds that of all others: −ln of Student's density, signed.
 
     Mean and spread of the few others are averaged with the usual values: the posterior predictive distribution of a
@@ -42,41 +56,43 @@ def surprises(
     so that neither of two outstanding places surprises.
 
     Args:
-        details: Of ``detail_at``, for the image's places.
-        others: For the mirrored image's places, which can't be right.
+        details: Of the image's places; or of their outlines.
+        others: Of the mirrored image's places, which can't be right.
+        usual: Mean and standard deviation at wrong places, and their weight in numbers of places.
     """
-    usual, spread, weight = settings.usual_detail
+    mean_of_all, spread, weight = usual
     found = []
     for number, detail in enumerate(details):
         rest = np.array([*details[:number], *details[number + 1 :], *others])
         count = len(rest) + weight
-        mean = (rest.sum() + weight * usual) / count
+        mean = (rest.sum() + weight * mean_of_all) / count
         freedom = count - 1
-        squares = ((rest - mean) ** 2).sum() + weight * (spread**2 + (usual - mean) ** 2)
+        squares = ((rest - mean) ** 2).sum() + weight * (spread**2 + (mean_of_all - mean) ** 2)
         units = (detail - mean) / np.sqrt(squares / freedom * (1 + 1 / count))
         found.append(float(np.sign(units) * (freedom + 1) / 2 * np.log1p(units**2 / freedom)))
     return found
 
 
 def rank(
-    places: Sequence[tuple[float, float]],
-    mirrored: Sequence[tuple[float, float]],
-    settings: CorrelationSettings = CORRELATION,
+    places: Sequence[Measured], mirrored: Sequence[Measured], settings: CorrelationSettings = CORRELATION
 ) -> tuple[list[int], CorrelationPeaks]:
     """Return the numbers of the places, most probable first, and the figures that decide about the first.
 
     Args:
-        places: Score and detail of each, highest score first, at least one.
-        mirrored: Score and detail of the mirrored image's places.
+        places: Highest score first, at least one.
+        mirrored: Of the mirrored image.
     """
-    scores = [score for score, _ in places]
-    details = surprises([detail for _, detail in places], [detail for _, detail in mirrored], settings)
-    mirror = mirrored[0][0] if mirrored else 0.0
+    scores = [place.score for place in places]
+    details = surprises([p.detail for p in places], [p.detail for p in mirrored], settings.usual_detail)
+    outlines = [p.outlines for p in places], [p.outlines for p in mirrored]
+    edges = surprises(*outlines, settings.usual_outlines) if any(outlines[0]) else [0.0] * len(places)
+    mirror = mirrored[0].score if mirrored else 0.0
     chance = max(fisher_z(score) for score in (*scores[1:2], mirror, np.tanh(LEAST_CHANCE)))
-    weights = [worth_of(fisher_z(score) / chance - 1, detail, settings) for score, detail in zip(scores, details)]
+    leads = [fisher_z(score) / chance - 1 for score in scores]
+    weights = [worth_of(*figures, settings) for figures in zip(leads, details, edges)]
     best, *others = order = [int(n) for n in np.argsort([-value for value in weights], kind="stable")]
-    other_score, other_detail = (max((kind[n] for n in others), default=0.0) for kind in (scores, details))
-    return order, CorrelationPeaks(scores[best], other_score, mirror, details[best], other_detail)
+    other = [max((kind[n] for n in others), default=0.0) for kind in (scores, details, edges)]
+    return order, CorrelationPeaks(scores[best], other[0], mirror, details[best], other[1], edges[best], other[2])
 
 
 def lead(peaks: CorrelationPeaks) -> float:
@@ -85,27 +101,37 @@ def lead(peaks: CorrelationPeaks) -> float:
     return fisher_z(peaks.score) / chance - 1
 
 
-def worth_of(lead: float, detail: float, settings: CorrelationSettings = CORRELATION) -> float:
-    """Return ln of the odds of a place by its lead over the strongest opponent and by its detail, without the offset.
+def worth_of(lead: float, detail: float, outlines: float, settings: CorrelationSettings = CORRELATION) -> float:
+    """Return ln of the odds of a place, without the offset.
 
     Of many wrong places some agree very well in detail by chance, so much detail counts only together with a lead.
+
+    Args:
+        lead: Over the strongest opponent.
+        detail: Surprise of its detail.
+        outlines: Surprise of its outlines.
     """
-    _, by_lead, by_detail, by_both = settings.confidence_curve
+    _, by_lead, by_detail, by_both, by_outlines = settings.confidence_curve
     alone = min(detail, DETAIL_ALONE)
-    return by_lead * lead + by_detail * alone + by_both * max(lead, 0.0) * max(detail, 0.0)
+    return by_lead * lead + by_detail * alone + by_both * max(lead, 0.0) * max(detail, 0.0) + by_outlines * outlines
+
+
+def worth_of_outlines(peaks: CorrelationPeaks | None, settings: CorrelationSettings = CORRELATION) -> float:
+    """Return the part of a photo's log odds that its edges add, which its labels do not change."""
+    return 0.0 if peaks is None else settings.confidence_curve[-1] * peaks.outlines
 
 
 def log_odds_over_chance(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> float:
     """Return ln of the odds that the best place is right, against a match by chance."""
-    return settings.confidence_curve[0] + worth_of(lead(peaks), peaks.detail, settings)
+    return settings.confidence_curve[0] + worth_of(lead(peaks), peaks.detail, peaks.outlines, settings)
 
 
 def log_odds_over_runner_up(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> float:
-    """Return ln of the odds against another place, with the best score and detail of all others."""
+    """Return ln of the odds against another place, with the best score, detail and outlines of all others."""
     chance = max(fisher_z(peaks.runner_up), fisher_z(peaks.mirror), LEAST_CHANCE)
     lead_there = fisher_z(peaks.runner_up) / chance - 1
-    there = worth_of(lead_there, peaks.runner_up_detail, settings)
-    return worth_of(lead(peaks), peaks.detail, settings) - there
+    there = worth_of(lead_there, peaks.runner_up_detail, peaks.runner_up_outlines, settings)
+    return worth_of(lead(peaks), peaks.detail, peaks.outlines, settings) - there
 
 
 def risk_of_peaks(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> float:

@@ -14,6 +14,7 @@ from ..localization import Prior
 from ..sentences import Sentence
 from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, evidence_of_shares, reduce_level
 from .decision import fisher_z
+from .outlines import with_edges
 from .refine import LEAST_TRUSTED, ScoredPose, pose_covariance, refine
 from .refine_many import refine_many
 from .search import SearchSpace, search
@@ -227,6 +228,7 @@ def best_places(
         count: Places of the first look to refine.
     """
     settings, quiet = pyramid.settings, pyramid.quiet
+    last = settings.finalists if image.picture is None else settings.photo_finalists
     space, wide = spaces
     peaks = first_peaks(image, pyramid, spaces, count / settings.candidates)
     chance = chance_levels(peaks, space.pixel_sizes_m, wide is not None)
@@ -235,12 +237,12 @@ def best_places(
     for edge, kept in (
         (settings.coarse_edge, count),
         (settings.middle_edge, settings.middle_candidates),
-        (settings.decision_edge, settings.finalists),
+        (settings.decision_edge, last),
     ):
         level = reduce_image(image, edge)
         starts = distinct(_above_chance(poses, chance), image, _HALF * settings.apart, kept)
         poses = [pose for pose in refine_many(level, pyramid, starts, quiet, _STEPS) if _is_in(pose, space)]
-    return distinct(_above_chance(poses, chance), image, settings.apart, settings.finalists), chance
+    return distinct(_above_chance(poses, chance), image, settings.apart, last), chance
 
 
 def _wide_peaks(image: EvidenceLevel, pyramid: MapPyramid, wide: SearchSpace, share: float) -> np.ndarray:
@@ -317,7 +319,7 @@ def finest_pose(
     ground_m = np.sqrt(height * width * image.pixel[0] * image.pixel[1]) * pose.pixel_size_m
     last = min(np.sqrt(height * width), ground_m / pyramid.frame.pixel_size)
     while True:
-        level = reduce_image(image, edge)
+        level = with_edges(reduce_image(image, edge))
         moved = refine(level, pyramid, pose, quiet, _FINE_STEPS)
         if moved.score > 0:
             pose = replace(moved, score=pose.score)

@@ -18,6 +18,7 @@ import numpy as np
 from ..geometry.small_matrices import eigen
 from .class_pyramid import EvidenceLevel, MapPyramid
 from .compare import LEAST_KNOWN, LEAST_KNOWN_MOVED, NOT_COMPARABLE, Comparison, compare
+from .outlines import joined, map_edges
 
 LARGEST_STEP = (1.5, 1.5, 0.06, 0.06)
 """Largest Gauss–Newton step: coarse pixels right and down, radians, ln pixel size. The linearization is not valid
@@ -63,7 +64,10 @@ def axes(pose: ScoredPose) -> np.ndarray:
 
 
 def map_under(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> tuple[np.ndarray, np.ndarray]:
-    """Return the map as the image would show it from ``pose``: evidence (h, w, C), labeled share (h, w), float32."""
+    """Return the map as the image would show it from ``pose``: evidence (h, w, C), labeled share (h, w), float32.
+
+    For an image with edges, the last two channels are the directions of the map's outlines.
+    """
     height, width = image.known.shape
     to_map = axes(pose) * np.array(image.pixel)
     reach = np.abs(to_map) @ np.array([width, height]) / 2
@@ -77,7 +81,8 @@ def map_under(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> tu
     matrix = np.column_stack([to_level, offset])
     flags = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
     evidence = cv2.warpAffine(level.evidence, matrix, (width, height), flags=flags).reshape(height, width, -1)
-    return evidence, cv2.warpAffine(level.known, matrix, (width, height), flags=flags)
+    known = cv2.warpAffine(level.known, matrix, (width, height), flags=flags)
+    return joined(evidence, map_edges(evidence, known)) if image.has_edges else evidence, known
 
 
 def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float, steps: int) -> ScoredPose:

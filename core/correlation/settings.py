@@ -33,6 +33,7 @@ class CorrelationSettings:
         middle_edge: Edge of the image, pixels, at the second look [by hand; footprint trials].
         middle_candidates: Places that remain for the second look [by hand; footprint trials].
         finalists: Places that remain, refined at the decision's pixels [by hand; correlation trials, north, and fit].
+        photo_finalists: The same for a photo, because its edges can show which place is right [photos; outlines].
         apart: Least distance of different places, as a share of the image's edge on the ground [by hand; correlation
             trials, north, and fit].
         decision_edge: Edge of the image for comparison of places and decision, pixels; four times ``coarse_edge`` [by
@@ -42,12 +43,14 @@ class CorrelationSettings:
         blocks: Blocks along each edge of the image with independent errors (covariance) [Liechtenstein, north; aerial;
             radius].
         confidence_curve: Logarithm of the odds that the best place is right: offset; slopes per unit of its lead over
-            the stronger opponent, of the surprise of its detail, and of their product. The unit of the lead is the
-            opponent's Fisher's z = artanh(correlation). A logistic curve fitted to photos of unseen
-            places and to simulated labels of maps of 1 km² alike, tested on each place left out [photos; parts of
-            Liechtenstein; probability on photos].
+            the stronger opponent, of the surprise of its detail, of their product, and of the surprise of outlines.
+            The unit of the lead is the opponent's Fisher's z = artanh(correlation). A logistic curve fitted to photos
+            of unseen places and to simulated labels of maps of 1 km² alike, tested on each place left out. The last
+            slope was fitted to photos and mirrored photos [photos; parts of Liechtenstein; probability on photos;
+            outlines].
         usual_detail: Mean and standard deviation of the detail at wrong places, and their weight in numbers of an
             image's other places [Liechtenstein, north; areas].
+        usual_outlines: The same of the agreement of outlines [mirrored photos; outlines].
         part_energy: Least energy of image and map in a part, in units of the map's mean one: no correlation can be
             computed on nearly uniform ground [fixes of 120 images of one place and 60 of two, north; parts].
         part_agreement: A part that agrees less than this times the whole image is reported: 0 of 108 fixes of images of
@@ -72,12 +75,14 @@ class CorrelationSettings:
     middle_edge: int = 32
     middle_candidates: int = 48
     finalists: int = 8
+    photo_finalists: int = 24
     apart: float = 0.25
     decision_edge: int = 64
     finest_edge: int = 512
     blocks: int = 10
-    confidence_curve: tuple[float, float, float, float] = (-4.6, 7.2, 1.28, 1.24)
+    confidence_curve: tuple[float, float, float, float, float] = (-4.6, 7.2, 1.28, 1.24, 0.7)
     usual_detail: tuple[float, float, float] = (1.2, 1.4, 4.0)
+    usual_outlines: tuple[float, float, float] = (2.9, 1.9, 4.0)
     part_energy: float = 0.25
     part_agreement: float = 0.5
     largest_error: float = 0.025

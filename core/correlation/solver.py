@@ -25,8 +25,9 @@ from ..localization import RISK, CorrelationPeaks, Localization, Method, Place, 
 from ..sentences import Sentence
 from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, mirror_level
 from .compare import NOT_COMPARABLE
-from .decision import decide, decide_accuracy, position_error_95, rank, risk_of_peaks
+from .decision import Measured, decide, decide_accuracy, position_error_95, rank, risk_of_peaks
 from .exactness import covariance_on_map, full_pose_covariance, leaning_covariance
+from .outlines import agreement, map_edges, photo_edges
 from .parts import disagreeing_part
 from .places import (
     ChanceLevels,
@@ -128,11 +129,11 @@ def _rank_places(
     level = reduce_image(image, settings.decision_edge)
     flipped = mirror_level(level)
     poses, mirrored = _exact(level, pyramid, poses), _exact(flipped, pyramid, mirrored)
-    order, peaks = rank(
-        [(chance.moved(p.score, p.pixel_size_m, best_size), detail_at(level, pyramid, p)) for p in poses],
-        [(decoy.score, detail_at(flipped, pyramid, decoy)) for decoy in mirrored],
-        settings,
-    )
+    measured = [
+        replace(one, score=chance.moved(one.score, pose.pixel_size_m, best_size))
+        for one, pose in zip(measure(level, pyramid, poses), poses)
+    ]
+    order, peaks = rank(measured, measure(flipped, pyramid, mirrored), settings)
     return [poses[n] for n in order], peaks
 
 
@@ -243,7 +244,23 @@ def _place(pyramid: MapPyramid, pose: ScoredPose) -> Place:
     return Place(position, float(pose.heading_deg), float(pose.pixel_size_m), score=float(pose.score))
 
 
-def detail_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> float:
+def measure(image: EvidenceLevel, pyramid: MapPyramid, poses: Sequence[ScoredPose]) -> list[Measured]:
+    """Return the agreement of image and map at poses.
+
+    Args:
+        image: Its evidence, at the decision's pixels.
+        poses: Refined at those pixels.
+    """
+    window = _window(image, pyramid.settings.coarse_edge)
+    edges, found = photo_edges(image), []
+    for pose in poses:
+        there, known = map_under(image, pyramid, pose)
+        outlines = 0.0 if edges is None else agreement(edges, map_edges(there, known))
+        found.append(Measured(pose.score, _detail(image.evidence, there, window), outlines))
+    return found
+
+
+def _detail(evidence: np.ndarray, there: np.ndarray, window: int) -> float:
     """Return how far the detail below the first look's pixels agrees better than with the image shifted.
 
     The best of very many places agrees well by chance at the pixels of the first look, because it was chosen for that.
@@ -252,14 +269,14 @@ def detail_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> fl
     Bolme et al. 2010).
 
     Args:
-        image: Its evidence, at the decision's pixels.
-        pose: Refined at those pixels.
+        evidence: (h, w, C) of the image.
+        there: The same of the map.
+        window: Edge of a pixel of the first look, in pixels.
 
     Returns:
         Standard deviations of the correlation with the shifted image; 0 without such detail.
     """
-    window = _window(image, pyramid.settings.coarse_edge)
-    seen, there = finer(image.evidence, window), finer(map_under(image, pyramid, pose)[0], window)
+    seen, there = finer(evidence, window), finer(there, window)
     product = np.fft.rfft2(there, axes=(0, 1)) * np.conj(np.fft.rfft2(seen, axes=(0, 1)))
     correlation = np.fft.irfft2(product.sum(axis=2), s=seen.shape[:2])
     down, right = (np.minimum(np.arange(edge), edge - np.arange(edge)) for edge in seen.shape[:2])

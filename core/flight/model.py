@@ -46,7 +46,7 @@ class FlightImage:
         is_apart: Its pixels do not show the ground of the image before, so that motion between overlapping images did
             not continue.
         shares: Probable shares of classes of a photo, which replace the labels where class areas are compared; None
-            without them.
+            without them. Flights do not use its picture.
     """
 
     name: str
@@ -64,7 +64,8 @@ class FlightImage:
         """Return an image of a flight from its result by itself."""
         seen = result.seen
         known = result.level, time_s, result.prior, seen.biases, result.leveling
-        return cls(name, seen.labels_hw, *known, shares=seen.shares)
+        shares = None if seen.shares is None else replace(seen.shares, picture=None)
+        return cls(name, seen.labels_hw, *known, shares=shares)
 
     def __post_init__(self) -> None:
         """Check the labels. Raises ParameterError: the array is not a label image."""

@@ -21,10 +21,12 @@ class ClassShares:
     Attributes:
         values: (K,) uint8 class values, without 0.
         shares: (h, w, K) uint8 share of each pixel of the grid (``FULL`` = all of it); the remainder is unknown.
+        picture: (h, w, 3) uint8 of the photo on the same grid, red first; None without a photo.
     """
 
     values: np.ndarray
     shares: np.ndarray
+    picture: np.ndarray | None = None
 
     def of(self, values: np.ndarray) -> np.ndarray:
         """Return (h, w, N) uint8 shares of N classes: 0 for absent ones, the remainder for value 0 (unlabeled)."""
@@ -45,7 +47,7 @@ class SeenLabels:
 
     Attributes:
         labels_hw: (H, W) uint8 labels.
-        shares: Only for photos and networks that output probabilities.
+        shares: Only for photos.
         trained_on: Places that the network of a photo was trained on, empty if unknown; None for label images.
         pixels: (H, W, 3) uint8 of the photo, red first, and (H, W) bool of pixels with data (None: everywhere); None
             if not requested.

@@ -13,6 +13,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..correlation.decision import worth_of_outlines
 from ..localization import (
     LIKELY_RISK,
     MORE_LIKELY_WRONG,
@@ -104,7 +105,7 @@ def confirm_by_earlier(
     """Return a result with the evidence of an earlier look at the same photo, whose labels have other errors.
 
     Wrong places differ between the looks more often than right ones, so the same place is evidence (``looks_curve``).
-    Another place is none: the later labels are better.
+    Another place is none: the later labels are better. The photo's edges are the same in both and count once.
 
     Args:
         found: From labels averaged over all orientations, not yet shown as likely.
@@ -118,8 +119,9 @@ def confirm_by_earlier(
     if not _same(found.best, replace(earlier, error_95_m=None), shorter_edge_px, settings):
         return found
     offset, slope = settings.looks_curve
-    alone = log_odds_of(found.risk)
-    risk = risk_of(max(alone, offset + slope * (alone + log_odds_of(earlier.risk))))
+    alone, before = log_odds_of(found.risk), log_odds_of(earlier.risk)
+    edges, edges_before = (worth_of_outlines(one.peaks, settings.correlation) for one in (found, earlier))
+    risk = risk_of(max(alone, offset + slope * (alone - edges + before - edges_before) + edges))
     return _as_fix(found, risk) if risk <= settings.allowed_risk else replace(found, risk=risk)
 
 

@@ -21,7 +21,9 @@ def level_labels(seen: SeenLabels, way: Leveling) -> SeenLabels:
     shares = seen.shares
     if shares is not None:
         height, width = seen.labels_hw.shape
-        shares = ClassShares(shares.values, way.level_planes(shares.shares, (height, width)))
+        planes = way.level_planes(shares.shares, (height, width))
+        picture = None if shares.picture is None else way.level_planes(shares.picture, (height, width))
+        shares = ClassShares(shares.values, planes, picture)
     return replace(seen, labels_hw=way.level(seen.labels_hw), shares=shares)
 
 

@@ -1,6 +1,7 @@
 """Label photos with a network, for QGIS, the command line on board and the tools.
 
-The network's scores become shares of classes on a coarse grid, row by row, so that no image of scores is stored.
+The network's scores become shares of classes on a coarse grid, row by row, so that no image of scores is stored. The
+photo itself is kept on the same grid: map correlation compares its edges with the map's outlines.
 """
 
 from __future__ import annotations
@@ -8,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
+from itertools import chain
 from typing import Callable
 
 import cv2
@@ -84,22 +86,19 @@ class PhotoLabels:
         """Yield the share done (0…1) tile by tile; raise what ``tiling.segment`` raises.
 
         Returns:
-            Labels with the probable shares of classes; None for a model that does not state the temperature of its
-            scores.
+            Labels with the shares of classes: probable ones if the model states the temperature of its scores.
         """
         shape_hw = self.image.shape_hw
-        has_shares = self._model.temperature is not None
-        found, sums = [], ScoreShares(self._values, shape_hw, grid_of(shape_hw)) if has_shares else None
-        wanted, overlap = Certainty(of_each=sums is not None), self._model.settings.overlap
+        found, sums = [], ScoreShares(self._values, shape_hw, grid_of(shape_hw))
+        wanted, overlap = Certainty(of_each=self._model.temperature is not None), self._model.settings.overlap
         steps = segment(self._model, self.image, self._values, overlap, wanted, is_thorough=self.is_thorough)
         for share, rows in steps:
             if rows is not None:
                 found.append(rows.labels_hw)
-                if sums is not None:
-                    sums.add(rows)
+                sums.add(rows, self.image.read(0, rows.first, shape_hw[1], len(rows.labels_hw))[0])
             yield share
         labels_hw = nearest_labels(np.concatenate(found), self._shape_hw)
-        return SeenLabels(labels_hw, None if sums is None else sums.found(), self._model.trained_on)
+        return SeenLabels(labels_hw, sums.found(), self._model.trained_on)
 
     def found(self) -> np.ndarray:
         """Return (H, W) uint8 labels, for callers that do not need the steps."""
@@ -171,7 +170,7 @@ def grid_of(shape_hw: tuple[int, int]) -> tuple[int, int]:
 
 
 class ScoreShares:
-    """Adds up the percents of rows; ``found`` returns their means over the pixels of the grid.
+    """Adds up the percents and pixels of rows; ``found`` returns their means over the pixels of the grid.
 
     Stores the grid, and the rows that are being added.
     """
@@ -187,19 +186,23 @@ class ScoreShares:
         self._shape_hw, self._size_wh = shape_hw, size_wh
         self._channels = np.asarray(values)
         self._values = np.unique(self._channels[self._channels != UNLABELED]).astype(np.uint8)
-        self._sums = np.zeros((len(self._values), size_wh[1], size_wh[0]), np.float32)
+        self._sums = np.zeros((len(self._values) + 3, size_wh[1], size_wh[0]), np.float32)
 
-    def add(self, rows: SegmentedRows) -> None:
-        """Add rows with the percents of each channel; pixels without data count as unknown."""
-        if rows.percents_chw is None:
-            raise ValueError("The rows have no percents of each channel.")
-        has_data = rows.percents_chw[0] != NO_DATA
+    def add(self, rows: SegmentedRows, pixels_hw3: np.ndarray) -> None:
+        """Add rows and their pixels. Pixels without data are unknown; labels without percents count as certain."""
         first, count, parts = self._row_shares(rows.first, len(rows.labels_hw))
-        for number, value in enumerate(self._values):
-            plane = rows.percents_chw[self._channels == value].sum(axis=0, dtype=np.float32) * has_data
+        bands = (pixels_hw3[..., band].astype(np.float32) for band in range(3))
+        for number, plane in enumerate(chain((self._percents(rows, value) for value in self._values), bands)):
             narrow = cv2.resize(plane, (self._size_wh[0], len(plane)), interpolation=cv2.INTER_AREA)
             for places, shares in parts:
                 self._sums[number, first : first + count] += shares * narrow[places]
+
+    def _percents(self, rows: SegmentedRows, value: int) -> np.ndarray:
+        """Return (rows, W) float32 percents of a class."""
+        if rows.percents_chw is None:
+            return (rows.labels_hw == value) * np.float32(100)
+        has_data = rows.percents_chw[0] != NO_DATA
+        return rows.percents_chw[self._channels == value].sum(axis=0, dtype=np.float32) * has_data
 
     def _row_shares(self, first: int, count: int) -> tuple[int, int, list[tuple[np.ndarray, np.ndarray]]]:
         """Return first and number n of the grid rows that overlap rows of the image, and these rows.
@@ -221,6 +224,7 @@ class ScoreShares:
         return begin, end - begin, parts
 
     def found(self) -> ClassShares:
-        """Return the shares, once all rows are added."""
-        shares = np.rint(np.clip(self._sums / 100, 0, 1) * FULL).astype(np.uint8)
-        return ClassShares(self._values, np.ascontiguousarray(np.moveaxis(shares, 0, 2)))
+        """Return the shares and the picture, once all rows are added."""
+        planes = np.moveaxis(self._sums, 0, 2)
+        shares = np.rint(np.clip(planes[..., :-3] / 100, 0, 1) * FULL).astype(np.uint8)
+        return ClassShares(self._values, shares, np.rint(np.clip(planes[..., -3:], 0, 255)).astype(np.uint8))

@@ -1,5 +1,3 @@
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
@@ -47,24 +45,23 @@ def test_another_place_that_is_as_good_makes_the_best_one_a_guess():
 
 def test_detail_surprises_where_it_is_unlike_all_others():
     usual, spread, weight = CORRELATION.usual_detail
-    assert surprises([usual], [usual] * 9)[0] == pytest.approx(0)
+    assert surprises([usual], [usual] * 9, CORRELATION.usual_detail)[0] == pytest.approx(0)
     others = list(np.random.default_rng(3).normal(usual, spread, 14))
-    found = [surprises([usual + units * spread], others)[0] for units in (-6, 2, 4, 8, 16)]
+    found = [surprises([usual + units * spread], others, CORRELATION.usual_detail)[0] for units in (-6, 2, 4, 8, 16)]
     assert found == sorted(found) and found[0] < 0 < found[1] < 5 and found[3] > 8
     wild = [usual + 5 * (one - usual) for one in others]
-    assert surprises([usual + 8 * spread], wild)[0] < 4 < found[3]
+    assert surprises([usual + 8 * spread], wild, CORRELATION.usual_detail)[0] < 4 < found[3]
 
 
 def test_a_surprise_is_what_students_density_falls_short_of_its_highest():
-    settings = replace(CORRELATION, usual_detail=(0.0, 0.0, 0.0))
     others = [-1.0, 1.0, -1.0, 1.0, 0.0]
     # Mean 0, spread 1 with 4 degrees of freedom: t = x / √(1 + 1/5), density ∝ (1 + t² / 4)^(−5/2).
-    assert surprises([3.0], others, settings)[0] == pytest.approx(2.5 * np.log(1 + 9 / 1.2 / 4))
+    assert surprises([3.0], others, (0.0, 0.0, 0.0))[0] == pytest.approx(2.5 * np.log(1 + 9 / 1.2 / 4))
 
 
 def test_two_places_with_the_same_detail_are_no_surprise():
-    alone, *_ = surprises([20.0, 1.0, 1.2], [1.0] * 8)
-    twice = surprises([20.0, 20.0, 1.2], [1.0] * 8)
+    alone, *_ = surprises([20.0, 1.0, 1.2], [1.0] * 8, CORRELATION.usual_detail)
+    twice = surprises([20.0, 20.0, 1.2], [1.0] * 8, CORRELATION.usual_detail)
     assert alone > 25 and max(twice) < alone / 3
 
 
@@ -87,7 +84,7 @@ def test_fishers_z_has_bounds():
 
 
 def test_the_risk_is_a_logistic_curve_of_the_lead_and_of_the_detail():
-    offset, by_lead, by_detail, by_both = CORRELATION.confidence_curve
+    offset, by_lead, by_detail, by_both, _ = CORRELATION.confidence_curve
     for risk, detail in ((0.01, 0.0), (0.3, 2.0)):
         share = (np.log(1 / risk - 1) - offset - by_detail * detail) / (by_lead + by_both * detail)
         peaks = CorrelationPeaks(np.tanh((1 + share) * np.arctanh(0.2)), 0.0, 0.2, detail, -100.0)

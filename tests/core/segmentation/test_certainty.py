@@ -158,6 +158,9 @@ SHARED_VALUES = (3, 0, 7, 3)
 """Two channels of class 3, one without a class."""
 
 
+PICTURE = np.random.default_rng(4).integers(0, 256, (60, 90, 3), np.uint8)
+
+
 @pytest.fixture
 def seen():
     return percents(np.moveaxis(np.random.default_rng(3).dirichlet(np.ones(4), (60, 90)), 2, 0))
@@ -167,7 +170,7 @@ def added(seen, size_wh, bands):
     sums = ScoreShares(SHARED_VALUES, seen.shape[1:], size_wh)
     for first, last in zip(bands[:-1], bands[1:]):
         part = seen[:, first:last]
-        sums.add(SegmentedRows(first, np.ones(part.shape[1:], np.uint8), percents_chw=part))
+        sums.add(SegmentedRows(first, np.ones(part.shape[1:], np.uint8), percents_chw=part), PICTURE[first:last])
     return sums.found()
 
 
@@ -191,11 +194,18 @@ def test_rows_in_any_bands_give_the_same(seen, size_wh):
 def test_pixels_without_data_are_unknown(seen):
     seen[:, :30] = NO_DATA
     sums = ScoreShares((1, 2, 3, 4), (60, 90), (1, 2))
-    sums.add(SegmentedRows(0, np.ones((60, 90), np.uint8), percents_chw=seen))
+    sums.add(SegmentedRows(0, np.ones((60, 90), np.uint8), percents_chw=seen), PICTURE)
     shares = sums.found().shares.astype(int).sum(axis=2)
     assert shares[0, 0] == 0 and abs(shares[1, 0] - 255) <= 3
 
 
-def test_rows_without_percents_are_refused():
-    with pytest.raises(ValueError):
-        ScoreShares((1,), (4, 4), (2, 2)).add(SegmentedRows(0, np.ones((4, 4), np.uint8)))
+def test_labels_without_percents_count_as_certain():
+    labels = np.repeat([[1, 1, 2, 0]], 4, axis=0).astype(np.uint8)
+    sums = ScoreShares((1, 2), (4, 4), (2, 2))
+    sums.add(SegmentedRows(0, labels), np.zeros((4, 4, 3), np.uint8))
+    assert sums.found().shares.tolist() == [[[255, 0], [0, 128]]] * 2
+
+
+def test_the_picture_has_the_means_of_the_photos_pixels(seen):
+    found = added(seen, (15, 12), [0, 7, 60]).picture
+    np.testing.assert_allclose(found, PICTURE.reshape(12, 5, 15, 6, 3).mean(axis=(1, 3)), atol=0.51)

@@ -23,10 +23,15 @@ def test_labels_are_on_the_photos_own_pixels(model, pixel_size_m):
     np.testing.assert_array_equal(PhotoLabels(model, PHOTO, (1, 2, 3), pixel_size_m).found(), LABELS)
 
 
-def test_the_steps_report_the_share_done_and_a_model_without_a_temperature_gives_no_shares_of_classes(model):
+def test_the_steps_report_the_share_done(model):
     shares = list(PhotoLabels(model, PHOTO, (1, 2, 3)).steps())
     assert shares == sorted(shares) and shares[-1] == 1
-    assert PhotoLabels(model, PHOTO, (1, 2, 3)).seen().shares is None
+
+
+def test_a_model_without_a_temperature_gives_certain_shares_and_the_photo_itself(model):
+    found = PhotoLabels(model, PHOTO, (1, 2, 3)).seen().shares
+    np.testing.assert_array_equal(found.shares, (LABELS[..., None] == [1, 2, 3]) * 255)
+    np.testing.assert_array_equal(found.picture, PHOTO.read(0, 0, 140, 100)[0])
 
 
 @pytest.mark.parametrize("pixel_size_m", [None, (0.25, 0.25)])
