@@ -9,10 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import chain
 from typing import Callable
 
-import cv2
 import numpy as np
 
 from ..geometry.camera import Camera
@@ -23,6 +21,7 @@ from ..labels.image_source import ArrayImage, ImageSource, Photo
 from ..steps import Shares, result_of
 from .certainty import NO_DATA, Certainty
 from .class_bias import known_biases
+from .grid_means import GridMeans, grid_of, picture_steps
 from .model import SegmentationModel
 from .resampling import at_resolution
 from .tiling import SegmentedRows, nearest_labels, segment, tiles_of
@@ -65,7 +64,7 @@ class PhotoLabels:
             ImageError: The photo has no pixel left at the model's resolution.
         """
         self._model = model
-        self._shape_hw = photo.shape_hw
+        self._photo, self._shape_hw = photo, photo.shape_hw
         self._values = values
         self.is_thorough = is_thorough
         resolution_m = model.settings.resolution_m
@@ -89,16 +88,18 @@ class PhotoLabels:
             Labels with the shares of classes: probable ones if the model states the temperature of its scores.
         """
         shape_hw = self.image.shape_hw
-        found, sums = [], ScoreShares(self._values, shape_hw, grid_of(shape_hw))
+        size_wh = grid_of(shape_hw)
+        found, sums = [], ScoreShares(self._values, shape_hw, size_wh)
         wanted, overlap = Certainty(of_each=self._model.temperature is not None), self._model.settings.overlap
         steps = segment(self._model, self.image, self._values, overlap, wanted, is_thorough=self.is_thorough)
         for share, rows in steps:
             if rows is not None:
                 found.append(rows.labels_hw)
-                sums.add(rows, self.image.read(0, rows.first, shape_hw[1], len(rows.labels_hw))[0])
+                sums.add(rows)
             yield share
         labels_hw = nearest_labels(np.concatenate(found), self._shape_hw)
-        return SeenLabels(labels_hw, sums.found(), self._model.trained_on)
+        picture = yield from picture_steps(self._photo, size_wh)
+        return SeenLabels(labels_hw, sums.found(picture), self._model.trained_on)
 
     def found(self) -> np.ndarray:
         """Return (H, W) uint8 labels, for callers that do not need the steps."""
@@ -158,22 +159,8 @@ class PhotoReader:
         return look(is_thorough=False)
 
 
-FINEST_EDGE = 512
-"""Edge of the grid (root of its area): the finest resolution of map correlation."""
-
-
-def grid_of(shape_hw: tuple[int, int]) -> tuple[int, int]:
-    """Return (w, h) of the grid for an image of that shape, at most its number of pixels."""
-    height, width = shape_hw
-    step = max(1.0, float(np.sqrt(height * width)) / FINEST_EDGE)
-    return max(1, round(width / step)), max(1, round(height / step))
-
-
 class ScoreShares:
-    """Adds up the percents and pixels of rows; ``found`` returns their means over the pixels of the grid.
-
-    Stores the grid, and the rows that are being added.
-    """
+    """Adds up the percents of rows; ``found`` returns the shares of classes on a grid, without their rows in memory."""
 
     def __init__(self, values: Sequence[int], shape_hw: tuple[int, int], size_wh: tuple[int, int]) -> None:
         """Start with empty sums.
@@ -183,19 +170,13 @@ class ScoreShares:
             shape_hw: (height, width) of the image at the network's resolution.
             size_wh: (w, h) of the grid, at most that of the image.
         """
-        self._shape_hw, self._size_wh = shape_hw, size_wh
         self._channels = np.asarray(values)
         self._values = np.unique(self._channels[self._channels != UNLABELED]).astype(np.uint8)
-        self._sums = np.zeros((len(self._values) + 3, size_wh[1], size_wh[0]), np.float32)
+        self._means = GridMeans(shape_hw, size_wh, len(self._values))
 
-    def add(self, rows: SegmentedRows, pixels_hw3: np.ndarray) -> None:
-        """Add rows and their pixels. Pixels without data are unknown; labels without percents count as certain."""
-        first, count, parts = self._row_shares(rows.first, len(rows.labels_hw))
-        bands = (pixels_hw3[..., band].astype(np.float32) for band in range(3))
-        for number, plane in enumerate(chain((self._percents(rows, value) for value in self._values), bands)):
-            narrow = cv2.resize(plane, (self._size_wh[0], len(plane)), interpolation=cv2.INTER_AREA)
-            for places, shares in parts:
-                self._sums[number, first : first + count] += shares * narrow[places]
+    def add(self, rows: SegmentedRows) -> None:
+        """Add rows. Pixels without data are unknown; labels without percents count as certain."""
+        self._means.add(rows.first, (self._percents(rows, value) for value in self._values))
 
     def _percents(self, rows: SegmentedRows, value: int) -> np.ndarray:
         """Return (rows, W) float32 percents of a class."""
@@ -204,27 +185,7 @@ class ScoreShares:
         has_data = rows.percents_chw[0] != NO_DATA
         return rows.percents_chw[self._channels == value].sum(axis=0, dtype=np.float32) * has_data
 
-    def _row_shares(self, first: int, count: int) -> tuple[int, int, list[tuple[np.ndarray, np.ndarray]]]:
-        """Return first and number n of the grid rows that overlap rows of the image, and these rows.
-
-        The list has, for the first, second, … image row in each grid row, its (n,) number among the ``count`` rows and
-        (n, 1) share of the grid row. A matrix of all shares would have almost only zeros.
-        """
-        step = self._shape_hw[0] / self._size_wh[1]
-        begin = int(first / step)
-        end = min(int(np.ceil((first + count) / step)), self._size_wh[1])
-        edges = np.arange(begin, end + 1) * step
-        parts = []
-        for offset in range(int(np.ceil(step)) + 1):
-            rows = np.floor(edges[:-1]).astype(int) + offset
-            inside = np.minimum(edges[1:], rows + 1) - np.maximum(edges[:-1], rows)
-            inside[(rows < first) | (rows >= first + count)] = 0
-            places = np.clip(rows - first, 0, count - 1)
-            parts.append((places, (np.maximum(inside, 0) / step).astype(np.float32)[:, None]))
-        return begin, end - begin, parts
-
-    def found(self) -> ClassShares:
-        """Return the shares and the picture, once all rows are added."""
-        planes = np.moveaxis(self._sums, 0, 2)
-        shares = np.rint(np.clip(planes[..., :-3] / 100, 0, 1) * FULL).astype(np.uint8)
-        return ClassShares(self._values, shares, np.rint(np.clip(planes[..., -3:], 0, 255)).astype(np.uint8))
+    def found(self, picture: np.ndarray | None = None) -> ClassShares:
+        """Return the shares, once all rows are added, with the photo on the same grid."""
+        shares = np.rint(np.clip(self._means.found() / 100, 0, 1) * FULL).astype(np.uint8)
+        return ClassShares(self._values, shares, picture)

@@ -3,10 +3,12 @@ import pytest
 from made_models import brightest_color, metadata, write_model, writer
 
 from semref.core.labels.image_source import ArrayImage, MaskedImage
+from semref.core.segmentation import grid_means
 from semref.core.segmentation.certainty import NO_DATA, Certainty, Sureness, are_probabilities, percents, softmax
 from semref.core.segmentation.model import SegmentationModel
 from semref.core.segmentation.photo_labels import ScoreShares
 from semref.core.segmentation.tiling import SegmentedRows, segment
+from semref.core.steps import result_of
 
 VALUES = (1, 2, 3)
 ALL = Certainty(of_label=True, of_each=True)
@@ -158,9 +160,6 @@ SHARED_VALUES = (3, 0, 7, 3)
 """Two channels of class 3, one without a class."""
 
 
-PICTURE = np.random.default_rng(4).integers(0, 256, (60, 90, 3), np.uint8)
-
-
 @pytest.fixture
 def seen():
     return percents(np.moveaxis(np.random.default_rng(3).dirichlet(np.ones(4), (60, 90)), 2, 0))
@@ -170,7 +169,7 @@ def added(seen, size_wh, bands):
     sums = ScoreShares(SHARED_VALUES, seen.shape[1:], size_wh)
     for first, last in zip(bands[:-1], bands[1:]):
         part = seen[:, first:last]
-        sums.add(SegmentedRows(first, np.ones(part.shape[1:], np.uint8), percents_chw=part), PICTURE[first:last])
+        sums.add(SegmentedRows(first, np.ones(part.shape[1:], np.uint8), percents_chw=part))
     return sums.found()
 
 
@@ -194,7 +193,7 @@ def test_rows_in_any_bands_give_the_same(seen, size_wh):
 def test_pixels_without_data_are_unknown(seen):
     seen[:, :30] = NO_DATA
     sums = ScoreShares((1, 2, 3, 4), (60, 90), (1, 2))
-    sums.add(SegmentedRows(0, np.ones((60, 90), np.uint8), percents_chw=seen), PICTURE)
+    sums.add(SegmentedRows(0, np.ones((60, 90), np.uint8), percents_chw=seen))
     shares = sums.found().shares.astype(int).sum(axis=2)
     assert shares[0, 0] == 0 and abs(shares[1, 0] - 255) <= 3
 
@@ -202,10 +201,12 @@ def test_pixels_without_data_are_unknown(seen):
 def test_labels_without_percents_count_as_certain():
     labels = np.repeat([[1, 1, 2, 0]], 4, axis=0).astype(np.uint8)
     sums = ScoreShares((1, 2), (4, 4), (2, 2))
-    sums.add(SegmentedRows(0, labels), np.zeros((4, 4, 3), np.uint8))
+    sums.add(SegmentedRows(0, labels))
     assert sums.found().shares.tolist() == [[[255, 0], [0, 128]]] * 2
 
 
-def test_the_picture_has_the_means_of_the_photos_pixels(seen):
-    found = added(seen, (15, 12), [0, 7, 60]).picture
-    np.testing.assert_allclose(found, PICTURE.reshape(12, 5, 15, 6, 3).mean(axis=(1, 3)), atol=0.51)
+def test_a_picture_has_the_means_of_the_photos_pixels(monkeypatch):
+    photo = np.random.default_rng(4).integers(0, 256, (60, 90, 3), np.uint8)
+    monkeypatch.setattr(grid_means, "BAND_ROWS", 7)
+    found = result_of(grid_means.picture_steps(ArrayImage(photo), (15, 12)))
+    np.testing.assert_allclose(found, photo.reshape(12, 5, 15, 6, 3).mean(axis=(1, 3)), atol=0.51)
