@@ -31,7 +31,7 @@ def run(work: Path, names: Sequence[str], only: Sequence[str]) -> Table:
         rows.append(["constellation: offset, slope of the risk", _fitted(grown, stars)])
     areas = [one for one in some if one["by"] == "map correlation" and one["lead"] is not None]
     if areas:
-        known = np.array([[one["lead"], one["detail"], one["outlines"]] for one in areas])
+        known = np.array([[one["lead"], one["detail"], one["outlines"] or 0.0] for one in areas])
         rows.append(["map correlation: confidence_curve (offset, lead, detail, outlines)", _fitted(known, areas)])
     ratios = [one["ratio"] for one in some if one["right"] and one["ratio"] is not None]
     if ratios:

@@ -209,7 +209,8 @@ class CorrelationPeaks:
         detail: How much better details finer than the search pixels agree at the best position than at all others,
             including those of the mirrored image: −ln of a density, 0 where it is as usual.
         runner_up_detail: Highest at any other position.
-        outlines: The same as ``detail`` for the edges of a photo and the outlines of the map's classes.
+        outlines: The same as ``detail`` for the edges of a photo and the outlines of the map's classes; None for an
+            image of labels.
         runner_up_outlines: Highest at any other position.
     """
 
@@ -218,8 +219,8 @@ class CorrelationPeaks:
     mirror: float
     detail: float = 0.0
     runner_up_detail: float = 0.0
-    outlines: float = 0.0
-    runner_up_outlines: float = 0.0
+    outlines: float | None = None
+    runner_up_outlines: float | None = None
 
 
 @dataclass(frozen=True)

@@ -40,12 +40,12 @@ class Measured:
     Attributes:
         score: Correlation of class areas, −1 to 1.
         detail: How far the detail agrees better than with the image shifted (``solver.measure``).
-        outlines: Of ``outlines.agreement``; 0 at all places of an image of labels.
+        outlines: Of ``outlines.agreement``; None for an image of labels.
     """
 
     score: float
     detail: float
-    outlines: float = 0.0
+    outlines: float | None = None
 
 
 def surprises(details: Sequence[float], others: Sequence[float], usual: tuple[float, float, float]) -> list[float]:
@@ -84,15 +84,27 @@ def rank(
     """
     scores = [place.score for place in places]
     details = surprises([p.detail for p in places], [p.detail for p in mirrored], settings.usual_detail)
-    outlines = [p.outlines for p in places], [p.outlines for p in mirrored]
-    edges = surprises(*outlines, settings.usual_outlines) if any(outlines[0]) else [0.0] * len(places)
     mirror = mirrored[0].score if mirrored else 0.0
     chance = max(fisher_z(score) for score in (*scores[1:2], mirror, np.tanh(LEAST_CHANCE)))
-    leads = [fisher_z(score) / chance - 1 for score in scores]
-    weights = [worth_of(*figures, settings) for figures in zip(leads, details, edges)]
+    weights = [worth_of(fisher_z(score) / chance - 1, detail, settings) for score, detail in zip(scores, details)]
+    edges = _surprising_outlines(places, mirrored, settings)
+    if edges is not None:
+        weights = [weight + worth_of_outlines(one, settings) for weight, one in zip(weights, edges)]
     best, *others = order = [int(n) for n in np.argsort([-value for value in weights], kind="stable")]
-    other = [max((kind[n] for n in others), default=0.0) for kind in (scores, details, edges)]
-    return order, CorrelationPeaks(scores[best], other[0], mirror, details[best], other[1], edges[best], other[2])
+    other_score, other_detail = (max((kind[n] for n in others), default=0.0) for kind in (scores, details))
+    peaks = CorrelationPeaks(scores[best], other_score, mirror, details[best], other_detail)
+    if edges is not None:
+        other_outlines = max((edges[n] for n in others), default=0.0)
+        peaks = replace(peaks, outlines=edges[best], runner_up_outlines=other_outlines)
+    return order, peaks
+
+
+def _surprising_outlines(
+    places: Sequence[Measured], mirrored: Sequence[Measured], settings: CorrelationSettings
+) -> list[float] | None:
+    """Return the surprise of the outlines of each place; None for an image of labels."""
+    seen, unseen = ([p.outlines for p in some if p.outlines is not None] for some in (places, mirrored))
+    return surprises(seen, unseen, settings.usual_outlines) if seen else None
 
 
 def lead(peaks: CorrelationPeaks) -> float:
@@ -101,37 +113,38 @@ def lead(peaks: CorrelationPeaks) -> float:
     return fisher_z(peaks.score) / chance - 1
 
 
-def worth_of(lead: float, detail: float, outlines: float, settings: CorrelationSettings = CORRELATION) -> float:
-    """Return ln of the odds of a place, without the offset.
+def worth_of(lead: float, detail: float, settings: CorrelationSettings = CORRELATION) -> float:
+    """Return ln of the odds of a place by its lead over the strongest opponent and by its detail, without the offset.
 
     Of many wrong places some agree very well in detail by chance, so much detail counts only together with a lead.
-
-    Args:
-        lead: Over the strongest opponent.
-        detail: Surprise of its detail.
-        outlines: Surprise of its outlines.
     """
-    _, by_lead, by_detail, by_both, by_outlines = settings.confidence_curve
+    _, by_lead, by_detail, by_both = settings.confidence_curve
     alone = min(detail, DETAIL_ALONE)
-    return by_lead * lead + by_detail * alone + by_both * max(lead, 0.0) * max(detail, 0.0) + by_outlines * outlines
+    return by_lead * lead + by_detail * alone + by_both * max(lead, 0.0) * max(detail, 0.0)
 
 
-def worth_of_outlines(peaks: CorrelationPeaks | None, settings: CorrelationSettings = CORRELATION) -> float:
-    """Return the part of a photo's log odds that its edges add, which its labels do not change."""
-    return 0.0 if peaks is None else settings.confidence_curve[-1] * peaks.outlines
+def worth_of_outlines(outlines: float | None, settings: CorrelationSettings = CORRELATION) -> float:
+    """Return ln of the likelihood ratio of a place by the surprise of its outlines; 0 for an image of labels.
+
+    It is negative where they are as usual: at a right place they rarely are.
+    """
+    offset, slope = settings.outline_curve
+    return 0.0 if outlines is None else offset + slope * outlines
 
 
 def log_odds_over_chance(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> float:
     """Return ln of the odds that the best place is right, against a match by chance."""
-    return settings.confidence_curve[0] + worth_of(lead(peaks), peaks.detail, peaks.outlines, settings)
+    there = worth_of(lead(peaks), peaks.detail, settings) + worth_of_outlines(peaks.outlines, settings)
+    return settings.confidence_curve[0] + there
 
 
 def log_odds_over_runner_up(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> float:
     """Return ln of the odds against another place, with the best score, detail and outlines of all others."""
     chance = max(fisher_z(peaks.runner_up), fisher_z(peaks.mirror), LEAST_CHANCE)
     lead_there = fisher_z(peaks.runner_up) / chance - 1
-    there = worth_of(lead_there, peaks.runner_up_detail, peaks.runner_up_outlines, settings)
-    return worth_of(lead(peaks), peaks.detail, peaks.outlines, settings) - there
+    here = worth_of(lead(peaks), peaks.detail, settings) + worth_of_outlines(peaks.outlines, settings)
+    there = worth_of(lead_there, peaks.runner_up_detail, settings)
+    return here - there - worth_of_outlines(peaks.runner_up_outlines, settings)
 
 
 def risk_of_peaks(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> float:

@@ -43,11 +43,13 @@ class CorrelationSettings:
         blocks: Blocks along each edge of the image with independent errors (covariance) [Liechtenstein, north; aerial;
             radius].
         confidence_curve: Logarithm of the odds that the best place is right: offset; slopes per unit of its lead over
-            the stronger opponent, of the surprise of its detail, of their product, and of the surprise of outlines.
-            The unit of the lead is the opponent's Fisher's z = artanh(correlation). A logistic curve fitted to photos
-            of unseen places and to simulated labels of maps of 1 km² alike, tested on each place left out. The last
-            slope was fitted to photos and mirrored photos [photos; parts of Liechtenstein; probability on photos;
-            outlines].
+            the stronger opponent, of the surprise of its detail, and of their product. The unit of the lead is the
+            opponent's Fisher's z = artanh(correlation). A logistic curve fitted to photos of unseen
+            places and to simulated labels of maps of 1 km² alike, tested on each place left out [photos; parts of
+            Liechtenstein; probability on photos].
+        outline_curve: Logarithm of the likelihood ratio that the outlines of a photo add: offset, and slope per unit of
+            their surprise. Chosen by the calibration error of photos and mirrored photos; a logistic curve has -0.5
+            and 0.6 [photos; outlines].
         usual_detail: Mean and standard deviation of the detail at wrong places, and their weight in numbers of an
             image's other places [Liechtenstein, north; areas].
         usual_outlines: The same of the agreement of outlines [mirrored photos; outlines].
@@ -80,7 +82,8 @@ class CorrelationSettings:
     decision_edge: int = 64
     finest_edge: int = 512
     blocks: int = 10
-    confidence_curve: tuple[float, float, float, float, float] = (-4.6, 7.2, 1.28, 1.24, 0.7)
+    confidence_curve: tuple[float, float, float, float] = (-4.6, 7.2, 1.28, 1.24)
+    outline_curve: tuple[float, float] = (-1.0, 0.8)
     usual_detail: tuple[float, float, float] = (1.2, 1.4, 4.0)
     usual_outlines: tuple[float, float, float] = (2.9, 1.9, 4.0)
     part_energy: float = 0.25

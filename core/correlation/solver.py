@@ -255,7 +255,7 @@ def measure(image: EvidenceLevel, pyramid: MapPyramid, poses: Sequence[ScoredPos
     edges, found = photo_edges(image), []
     for pose in poses:
         there, known = map_under(image, pyramid, pose)
-        outlines = 0.0 if edges is None else agreement(edges, map_edges(there, known))
+        outlines = None if edges is None else agreement(edges, map_edges(there, known))
         found.append(Measured(pose.score, _detail(image.evidence, there, window), outlines))
     return found
 

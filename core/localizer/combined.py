@@ -120,7 +120,10 @@ def confirm_by_earlier(
         return found
     offset, slope = settings.looks_curve
     alone, before = log_odds_of(found.risk), log_odds_of(earlier.risk)
-    edges, edges_before = (worth_of_outlines(one.peaks, settings.correlation) for one in (found, earlier))
+    edges, edges_before = (
+        0.0 if one.peaks is None else worth_of_outlines(one.peaks.outlines, settings.correlation)
+        for one in (found, earlier)
+    )
     risk = risk_of(max(alone, offset + slope * (alone - edges + before - edges_before) + edges))
     return _as_fix(found, risk) if risk <= settings.allowed_risk else replace(found, risk=risk)
 

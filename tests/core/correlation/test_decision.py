@@ -39,6 +39,14 @@ def test_the_risk_falls_with_the_lead_over_the_stronger_opponent_and_with_the_de
     assert lead(CorrelationPeaks(0.7, 0.0, 0.0)) == pytest.approx(np.arctanh(0.7) / LEAST_CHANCE - 1)
 
 
+def test_outlines_are_evidence_for_a_place_and_against_it_where_they_are_as_usual():
+    labels, usual, seen, alike = (
+        risk_of_peaks(CorrelationPeaks(0.5, 0.3, 0.3, 4.0, 0.0, *outlines))
+        for outlines in ((), (0.0, 0.0), (8.0, 0.0), (8.0, 8.0))
+    )
+    assert seen < labels / 50 and labels < usual < 3 * labels and alike > 2 * seen
+
+
 def test_another_place_that_is_as_good_makes_the_best_one_a_guess():
     assert 0.5 <= risk_of_peaks(CorrelationPeaks(0.7, 0.7, 0.1, 60.0, 60.0)) < 0.7
 
@@ -84,7 +92,7 @@ def test_fishers_z_has_bounds():
 
 
 def test_the_risk_is_a_logistic_curve_of_the_lead_and_of_the_detail():
-    offset, by_lead, by_detail, by_both, _ = CORRELATION.confidence_curve
+    offset, by_lead, by_detail, by_both = CORRELATION.confidence_curve
     for risk, detail in ((0.01, 0.0), (0.3, 2.0)):
         share = (np.log(1 / risk - 1) - offset - by_detail * detail) / (by_lead + by_both * detail)
         peaks = CorrelationPeaks(np.tanh((1 + share) * np.arctanh(0.2)), 0.0, 0.2, detail, -100.0)

@@ -7,11 +7,21 @@ import made_labels
 import numpy as np
 import pytest
 
+from semref.core.correlation.decision import worth_of_outlines
 from semref.core.database.build import BuildSettings, build_from_labels
 from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
-from semref.core.localization import Localization, Method, Place, Prior, Status
+from semref.core.localization import (
+    CorrelationPeaks,
+    Localization,
+    Method,
+    Place,
+    Prior,
+    Status,
+    log_odds_of,
+    risk_of,
+)
 from semref.core.localizer.combined import (
     check_by_areas,
     combine_agreeing,
@@ -244,6 +254,13 @@ def test_two_looks_at_a_photo_with_one_place_lower_the_risk():
     both = confirm_by_earlier(found, earlier, 1000)
     assert both.risk == pytest.approx(1 / (1 + np.exp(expected))) and not both.is_fix
     assert confirm_by_earlier(found, earlier, 1000, replace(LOCALIZER, allowed_risk=0.01)).is_fix
+    # The edges of the photo, the same in both looks, count once.
+    edges = worth_of_outlines(3.0, LOCALIZER.correlation)
+    shown, before = (
+        replace(one, risk=risk_of(log_odds_of(one.risk) + edges), peaks=CorrelationPeaks(0.5, 0.3, 0.3, outlines=3.0))
+        for one in (found, earlier)
+    )
+    assert log_odds_of(confirm_by_earlier(shown, before, 1000).risk) == pytest.approx(log_odds_of(both.risk) + edges)
     # A look that is nearly certain needs no help, and a poor earlier look takes nothing away.
     assert confirm_by_earlier(doubted(AREAS, 1e-9), earlier, 1000).is_fix
     assert confirm_by_earlier(found, doubted(AREAS, 0.99), 1000).risk == pytest.approx(found.risk)
