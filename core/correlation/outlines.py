@@ -1,8 +1,9 @@
 """Agreement of a photo's edges with the outlines of the map's classes at one pose.
 
-See docs/explanation/method.md#outlines. A network that knows other countries only labels many roofs wrongly, but their
-edges are in the photo and on the map. Both become planes of directions: the angle of an edge is doubled, so that it is
-the same from light to dark and from dark to light (Granlund 1978). Edges in all directions, as those of trees, cancel.
+See docs/explanation/method.md#map-correlation. A network that knows other countries only labels many roofs wrongly, but
+their edges are in the photo and on the map. Both become planes of directions: the angle of an edge is doubled, so that
+it is the same from light to dark and from dark to light (Granlund 1978). Edges in all directions, as those of trees,
+cancel.
 """
 
 from __future__ import annotations
