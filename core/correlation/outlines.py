@@ -26,7 +26,6 @@ NEAR, ASIDE, FARTHEST = 2, 6, 20
 """Largest shift that still is the same place, and smallest and largest shift of the comparison, pixels. A pose is off
 by up to two pixels; with FARTHEST of 12, 16 or 24, fewer photos had positions [photos]."""
 
-
 EDGE_ENERGY = 2.0
 """Energy of edges in units of that of class areas, where both determine a pose. With 1 to 4, errors are about the same;
 without edges, twice as large [photos]."""
