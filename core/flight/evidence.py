@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..correlation.class_pyramid import EvidenceLevel, MapPyramid
+from ..correlation.decision import worth_of_outlines
 from ..correlation.places import distinct, first_peaks, image_evidence, missing_information, reduce_image, search_spaces
 from ..correlation.refine import ScoredPose
 from ..correlation.refine_many import refine_many
@@ -74,10 +75,14 @@ def prepare_image(image: FlightImage, pyramid: MapPyramid, prior: Prior, setting
 
 
 def _own(own: Localization | None, origin: tuple[float, float]) -> tuple[np.ndarray | None, float]:
-    """Return state and ln odds of the best place of an image by itself."""
+    """Return state and ln odds of the best place of an image by itself.
+
+    Without a photo's outlines: photos that overlap share the edges that agree by chance, and their evidence adds up.
+    """
     if own is None or own.best is None or own.risk is None or own.best.heading_deg is None:
         return None, 0.0
-    return state_of(own.best, origin), log_odds_of(own.risk)
+    edges = 0.0 if own.peaks is None else worth_of_outlines(own.peaks.outlines)
+    return state_of(own.best, origin), log_odds_of(own.risk) - edges
 
 
 def random_poses(pyramid: MapPyramid, prior: Prior, count: int) -> list[ScoredPose]:

@@ -6,13 +6,22 @@ from made_flights import FEW, FRAME
 
 from semref.core.correlation import places
 from semref.core.correlation.class_pyramid import MapPyramid
+from semref.core.correlation.decision import worth_of_outlines
 from semref.core.correlation.refine import ScoredPose
 from semref.core.correlation.settings import CORRELATION
 from semref.core.flight.evidence import best_poses, log_ratios, prepare_image, random_poses, score_poses
 from semref.core.flight.model import FlightImage
 from semref.core.flight.tracker import APART
 from semref.core.labels.class_shares import FULL, ClassShares
-from semref.core.localization import Prior
+from semref.core.localization import (
+    CorrelationPeaks,
+    Localization,
+    Method,
+    Place,
+    Prior,
+    Status,
+    log_odds_of,
+)
 from semref.core.simulation.views import View, cut
 
 
@@ -93,6 +102,16 @@ def test_an_image_of_one_class_is_no_evidence(localizer, flown):
     flat = prepare_image(image, localizer.pyramid, flown.images[0].prior, FEW)
     assert flat.evidence is None
     assert best_poses(flat, localizer.pyramid, 20, APART) == []
+
+
+def test_outlines_of_overlapping_photos_do_not_add_up(flown, localizer):
+    image = flown.images[2]
+    alone = Localization(Status.NO_MATCH, Method.MAP_CORRELATION, best=Place(FRAME.origin, 0.0, 1.0), risk=1e-3)
+    peaks = CorrelationPeaks(0.5, 0.3, 0.3, outlines=6.0)
+    without = log_odds_of(alone.risk) - worth_of_outlines(6.0)
+    for own, odds in ((alone, log_odds_of(alone.risk)), (replace(alone, peaks=peaks), without)):
+        seen = prepare_image(replace(image, own=own), localizer.pyramid, image.prior, FEW)
+        assert seen.own_odds == pytest.approx(odds)
 
 
 def test_shares_of_classes_are_compared_instead_of_the_labels(flown, localizer, truth):
