@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..correlation.class_pyramid import EvidenceLevel, MapPyramid
-from ..correlation.decision import worth_of_outlines
+from ..correlation.decision import risk_of_peaks, worth_of_outlines
 from ..correlation.places import distinct, first_peaks, image_evidence, missing_information, reduce_image, search_spaces
 from ..correlation.refine import ScoredPose
 from ..correlation.refine_many import refine_many
@@ -81,8 +81,11 @@ def _own(own: Localization | None, origin: tuple[float, float]) -> tuple[np.ndar
     """
     if own is None or own.best is None or own.risk is None or own.best.heading_deg is None:
         return None, 0.0
-    edges = 0.0 if own.peaks is None else worth_of_outlines(own.peaks.outlines)
-    return state_of(own.best, origin), log_odds_of(own.risk) - edges
+    odds = log_odds_of(own.risk)
+    if own.peaks is not None and own.peaks.outlines is not None:
+        by_labels = risk_of_peaks(replace(own.peaks, outlines=None, runner_up_outlines=None))
+        odds = min(odds, max(odds - worth_of_outlines(own.peaks.outlines), log_odds_of(by_labels)))
+    return state_of(own.best, origin), odds
 
 
 def random_poses(pyramid: MapPyramid, prior: Prior, count: int) -> list[ScoredPose]:
