@@ -83,6 +83,7 @@ def _own(own: Localization | None, origin: tuple[float, float]) -> tuple[np.ndar
         return None, 0.0
     odds = log_odds_of(own.risk)
     if own.peaks is not None and own.peaks.outlines is not None:
+        # Log odds are bounded, so a difference can be too small.
         by_labels = risk_of_peaks(replace(own.peaks, outlines=None, runner_up_outlines=None))
         odds = min(odds, max(odds - worth_of_outlines(own.peaks.outlines), log_odds_of(by_labels)))
     return state_of(own.best, origin), odds

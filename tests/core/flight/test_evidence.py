@@ -6,22 +6,14 @@ from made_flights import FEW, FRAME
 
 from semref.core.correlation import places
 from semref.core.correlation.class_pyramid import MapPyramid
-from semref.core.correlation.decision import worth_of_outlines
+from semref.core.correlation.decision import risk_of_peaks, worth_of_outlines
 from semref.core.correlation.refine import ScoredPose
 from semref.core.correlation.settings import CORRELATION
 from semref.core.flight.evidence import best_poses, log_ratios, prepare_image, random_poses, score_poses
 from semref.core.flight.model import FlightImage
 from semref.core.flight.tracker import APART
 from semref.core.labels.class_shares import FULL, ClassShares
-from semref.core.localization import (
-    CorrelationPeaks,
-    Localization,
-    Method,
-    Place,
-    Prior,
-    Status,
-    log_odds_of,
-)
+from semref.core.localization import CorrelationPeaks, Localization, Method, Place, Prior, Status, log_odds_of
 from semref.core.simulation.views import View, cut
 
 
@@ -112,6 +104,11 @@ def test_outlines_of_overlapping_photos_do_not_add_up(flown, localizer):
     for own, odds in ((alone, log_odds_of(alone.risk)), (replace(alone, peaks=peaks), without)):
         seen = prepare_image(replace(image, own=own), localizer.pyramid, image.prior, FEW)
         assert seen.own_odds == pytest.approx(odds)
+    # Log odds are bounded: many outlines take nothing from what the labels show.
+    labels = CorrelationPeaks(0.7, 0.3, 0.3, 20.0)
+    many = replace(alone, risk=1e-12, peaks=replace(labels, outlines=30.0, runner_up_outlines=0.0))
+    seen = prepare_image(replace(image, own=many), localizer.pyramid, image.prior, FEW)
+    assert seen.own_odds == pytest.approx(log_odds_of(risk_of_peaks(labels)))
 
 
 def test_shares_of_classes_are_compared_instead_of_the_labels(flown, localizer, truth):
